@@ -1,0 +1,22 @@
+// Threads may change when a thing is computed, never where it is put: each index fills its own slot, and slots are joined in order.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace citykiln {
+
+/// Calls `work(i)` for i = 0 … count - 1 on at most `threads` threads (0: as many as the machine has). `work` must write only to the
+/// i-th slot of what it fills. Blocks until all are done.
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
+/// The slots that `make(i)` filled, in order.
+template <typename T, typename Make>
+std::vector<T> for_each_slot(std::size_t count, int threads, Make make) {
+  std::vector<T> slots(count);
+  for_each_index(count, threads, [&](std::size_t i) { slots[i] = make(i); });
+  return slots;
+}
+
+}  // namespace citykiln

@@ -1,0 +1,71 @@
+#include "compiler/contract/report.h"
+
+#include <algorithm>
+#include <array>
+
+namespace citykiln {
+namespace {
+
+struct CodeRow {
+  std::string_view name;
+  Severity severity;
+  std::string_view text;
+};
+
+constexpr CodeRow kCodes[] = {
+#define CODE(name, severity, text) {#name, Severity::severity, text},
+#include "compiler/contract/diagnosis_codes.inc"
+#undef CODE
+};
+
+const CodeRow& row_of(Code code) { return kCodes[static_cast<std::size_t>(code)]; }
+
+}  // namespace
+
+std::string_view name_of(Code code) { return row_of(code).name.substr(1); }
+std::string_view text_of(Code code) { return row_of(code).text; }
+Severity severity_of(Code code) { return row_of(code).severity; }
+
+std::string_view name_of(Severity severity) {
+  constexpr std::array<std::string_view, 3> kNames = {"note", "mended", "dropped"};
+  return kNames[static_cast<std::size_t>(severity)];
+}
+
+bool Account::balances() const {
+  std::uint64_t lost = 0;
+  for (const auto& [code, count] : dropped) lost += count;
+  return in + split == out + merged + lost;
+}
+
+void Report::drop(Account& account, Code code, OsmId object, double size) {
+  add(code, object, size);
+  ++account.dropped[code];
+}
+
+Account& Report::account(std::string_view stage, std::string_view kind) {
+  return ledger_[std::string(stage) + "/" + std::string(kind)];
+}
+
+void Report::append(const Report& other) {
+  diagnoses_.insert(diagnoses_.end(), other.diagnoses_.begin(), other.diagnoses_.end());
+  for (const auto& [name, theirs] : other.ledger_) {
+    Account& ours = ledger_[name];
+    ours.in += theirs.in;
+    ours.split += theirs.split;
+    ours.out += theirs.out;
+    ours.merged += theirs.merged;
+    for (const auto& [code, count] : theirs.dropped) ours.dropped[code] += count;
+  }
+}
+
+std::map<Code, std::uint64_t> Report::counts() const {
+  std::map<Code, std::uint64_t> counts;
+  for (const Diagnosis& diagnosis : diagnoses_) ++counts[diagnosis.code];
+  return counts;
+}
+
+bool Report::balances() const {
+  return std::all_of(ledger_.begin(), ledger_.end(), [](const auto& entry) { return entry.second.balances(); });
+}
+
+}  // namespace citykiln

@@ -1,0 +1,50 @@
+// The edges of the program (reading, writing) can fail, because the world can be wrong. The middle cannot.
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace citykiln {
+
+/// One clear line: the file and the place in it, and what was expected there.
+struct Error {
+  std::string where;    ///< "monaco.osm.pbf", "town.osm:12:5", "scene.kiln, byte 96".
+  std::string message;  ///< "expected a PBF blob header, found the end of the file".
+};
+
+/// "where: message", or the message alone.
+inline std::string to_string(const Error& error) {
+  return error.where.empty() ? error.message : error.where + ": " + error.message;
+}
+
+/// A value, or the error that stands in its place.
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const { return std::holds_alternative<T>(state_); }
+  T& operator*() { return value(); }
+  const T& operator*() const { return const_cast<Result*>(this)->value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &**this; }
+  const Error& error() const {
+    assert(!*this);
+    return std::get<Error>(state_);
+  }
+
+ private:
+  T& value() {
+    assert(*this);
+    return std::get<T>(state_);
+  }
+  std::variant<T, Error> state_;
+};
+
+/// What a verb without a product returns.
+struct Done {};
+
+}  // namespace citykiln

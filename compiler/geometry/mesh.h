@@ -1,0 +1,21 @@
+// Triangles that share vertices.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "compiler/geometry/vec.h"
+
+namespace citykiln {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Positions in plane metres on the 2^-10 m grid; triangles counter-clockwise seen from outside.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;  ///< Unit length, one a position; or empty: every triangle is flat.
+  std::vector<Triangle> triangles;
+};
+
+}  // namespace citykiln

@@ -1,0 +1,16 @@
+// The grid of the plane: coordinates are doubles that are whole multiples of 2^-10 m.
+#pragma once
+
+#include <cmath>
+
+#include "compiler/contract/tolerance.h"
+#include "compiler/geometry/vec.h"
+
+namespace citykiln {
+
+/// The nearest multiple of kQuantum_m; halves go up. Exact for |v| < 2^42 m.
+inline double snapped(double v) { return std::floor(v * (1 / kQuantum_m) + 0.5) * kQuantum_m; }
+inline Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
+inline Vec3 snapped(Vec3 p) { return {snapped(p.x), snapped(p.y), snapped(p.z)}; }
+
+}  // namespace citykiln

@@ -1,0 +1,94 @@
+// The map in the plane: every OSM element that citykiln draws, once, with its tags already read into numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/stable_id.h"
+#include "compiler/geometry/polygon.h"
+#include "compiler/map/heightfield.h"
+#include "compiler/map/surface_class.h"
+#include "compiler/materials/material.h"
+
+namespace citykiln::map {
+
+/// A colour as tags give it, sRGB.
+using Srgb = std::array<std::uint8_t, 3>;
+
+enum class Passage : std::uint8_t { kGround, kBridge, kTunnel };
+
+/// A way to drive, walk or ride on: road, path, rail. One polyline a way, not split at junctions.
+struct Track {
+  ObjectId id;
+  Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
+  std::vector<std::int64_t> node_ids;  ///< OSM node of each axis point.
+  SurfaceClass surface{};
+  double width_m = 0;                  ///< Kerb to kerb. > 0, a multiple of 2^-10.
+  std::int8_t layer = 0;
+  Passage passage = Passage::kGround;
+  bool is_oneway = false, is_lit = false, is_rail = false;
+};
+
+/// A building's outline, or a part of one.
+struct Footprint {
+  ObjectId id;
+  Polygon polygon;
+  bool is_part = false;
+  bool has_parts = false;                ///< An outline that building:parts replace: not drawn.
+  double height_m = 0;                   ///< Above the ground, of the highest point; tags, else levels, else class. > min_height_m.
+  double min_height_m = 0;
+  std::optional<Srgb> wall_colour, roof_colour;
+  std::optional<materials::Material> wall_material, roof_material;
+  std::uint8_t building_class = 0;       ///< A BuildingClass of building_classes.h.
+};
+
+/// A piece of land or water with one class.
+struct AreaFeature {
+  ObjectId id;
+  Polygon polygon;
+  SurfaceClass surface{};
+};
+
+/// A river, stream, canal or ditch as a line.
+struct Waterway {
+  ObjectId id;
+  Polyline axis;
+  double width_m = 0;
+  std::int8_t layer = 0;
+  Passage passage = Passage::kGround;
+};
+
+enum class BarrierKind : std::uint8_t { kWall, kFence, kHedge, kRetainingWall, kGuardRail, kCityWall };
+
+struct Barrier {
+  ObjectId id;
+  Polyline axis;
+  BarrierKind kind{};
+  double height_m = 0, width_m = 0;
+};
+
+enum class PointKind : std::uint8_t { kTree, kStreetLamp, kBench, kBollard, kPost, kFountain, kHydrant, kWasteBasket, kMast, kChimney, kFlagpole };
+
+struct PointFeature {
+  ObjectId id;
+  Vec2 at;
+  PointKind kind{};
+  double height_m = 0;          ///< 0: not tagged.
+  bool is_needleleaved = false; ///< Trees.
+};
+
+/// Everything citykiln draws, each vector sorted by id, all coordinates snapped to 2^-10 m.
+struct Features {
+  Box2 region;                     ///< What is compiled: whole cells of 128 m around the box asked for.
+  std::vector<Track> tracks;
+  std::vector<Footprint> footprints;
+  std::vector<AreaFeature> areas;  ///< Sea included, closed along the region.
+  std::vector<Waterway> waterways;
+  std::vector<Barrier> barriers;
+  std::vector<PointFeature> points;
+};
+
+}  // namespace citykiln::map
