@@ -1,0 +1,14 @@
+// Stage 11: fires the clay of one tile at a tolerance.
+#pragma once
+
+#include "compiler/bake/baked.h"
+#include "compiler/contract/report.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::bake {
+
+/// A pure function of header, chunk and tolerance. Ledger "bake/bridge", "bake/building", "bake/tree", "bake/barrier", "bake/lamp": what the tolerance drops.
+/// Total. Cost: linear in what the tile holds at that tolerance, but for the ground's n log n.
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
+
+}  // namespace citykiln::bake

@@ -1,0 +1,23 @@
+// Stage 4: which surfaces cover the ground. Heights are the raw field's.
+#pragma once
+
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/map/features.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::ground {
+
+/// Areas and waterways at ground level as surfaces, sorted by id. Roads and buildings cover the ground too, but their strips and
+/// footprints are made from their own recipes (surface_of). Ledger "ground/area", "ground/waterway". Total.
+std::vector<Surface> plan(const map::Features& features, Report& report);
+
+/// The surface a road covers.
+Surface surface_of(const roads::Road& road);
+
+/// The surface with its rings trimmed to the box; rings that do not touch it are gone.
+Surface trimmed_to(const Surface& surface, const Box2& box);
+
+}  // namespace citykiln::ground

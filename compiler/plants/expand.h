@@ -1,0 +1,44 @@
+// From trees and woods to placed trees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/geometry/placement.h"
+#include "compiler/ground/surface_map.h"
+#include "compiler/map/heightfield.h"
+#include "compiler/materials/dressed_mesh.h"
+#include "compiler/plants/recipe.h"
+
+namespace citykiln::plants {
+
+/// Placements by archetype.
+using Placed = std::array<std::vector<Placement>, static_cast<std::size_t>(Archetype::kCount)>;
+
+/// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
+inline constexpr double kReach_m = 64;
+
+/// The trees whose trunks stand in the half-open box.
+///
+/// @param surfaces  Covers the box widened by kReach_m.
+/// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least spacing_m apart on the ground;
+/// a tree depends on nothing beyond kReach_m. Single trees on a building, road or water are dropped, diagnosed kTreeOnRoad.
+/// Method: blue noise by hash priority on a fixed lattice (12 rounds, the undecided are rejected).
+Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces, const map::Heightfield& heights,
+              const Box2& box, std::uint64_t seed, Report& report);
+
+struct ArchetypeMesh {
+  std::vector<materials::DressedMesh> meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
+  double error_per_m = 0;                      ///< Deviation for a tree 1 m tall.
+};
+
+/// An archetype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself is lower than it.
+ArchetypeMesh archetype_mesh(Archetype archetype, double height_m, double tolerance_m);
+
+/// The tallest that a tree can be drawn, metres: what archetype_mesh is to be asked for.
+inline constexpr double kTallestTree_m = 40;
+
+}  // namespace citykiln::plants

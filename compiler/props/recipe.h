@@ -1,0 +1,25 @@
+// Small things that stand along streets and land: barriers, lamps.
+#pragma once
+
+#include "compiler/contract/stable_id.h"
+#include "compiler/geometry/polygon.h"
+#include "compiler/map/features.h"
+
+namespace citykiln::props {
+
+struct Barrier {
+  ObjectId id;
+  Polyline axis;               ///< Plane metres, snapped.
+  map::BarrierKind kind{};
+  double height_m = 0, width_m = 0;
+  bool operator==(const Barrier&) const = default;
+};
+
+struct Lamp {
+  ObjectId id;
+  Vec2 at;
+  double height_m = 0;
+  bool operator==(const Lamp&) const = default;
+};
+
+}  // namespace citykiln::props

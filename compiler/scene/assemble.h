@@ -1,0 +1,28 @@
+// Stage 10: sorts all recipes into the chunks of their tiles.
+#pragma once
+
+#include <span>
+
+#include "compiler/plants/plan.h"
+#include "compiler/props/plan.h"
+#include "compiler/scene/scene.h"
+#include "compiler/structures/plan.h"
+
+namespace citykiln::scene {
+
+/// All that the stages planned, for the whole region.
+struct Recipes {
+  map::Heightfield heights;
+  std::vector<ground::Surface> surfaces;
+  std::vector<roads::Road> roads;
+  structures::Structures structures;
+  std::vector<buildings::Building> buildings;
+  plants::Plants plants;
+  props::Props props;
+};
+
+/// @param only  If not empty, only these tiles become chunks.
+/// A chunk depends on nothing that does not touch its tile widened by kHalo_m. Total. Cost: linear in vertices times tiles touched.
+Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads);
+
+}  // namespace citykiln::scene

@@ -1,0 +1,71 @@
+// The clay: every object's recipe, by tile. The manifest (.kiln) is this, written down, and nothing else.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/buildings/recipe.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/map/heightfield.h"
+#include "compiler/map/plane.h"
+#include "compiler/plants/recipe.h"
+#include "compiler/props/recipe.h"
+#include "compiler/roads/recipe.h"
+#include "compiler/sky/recipe.h"
+#include "compiler/structures/recipe.h"
+
+namespace citykiln::scene {
+
+/// Tile (x, y) covers [x, x + 1) times [y, y + 1) tile sizes of the plane.
+struct TileKey {
+  std::int32_t x = 0, y = 0;
+  auto operator<=>(const TileKey&) const = default;
+};
+
+/// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of metres.
+inline constexpr double kHalo_m = 64;
+
+struct Header {
+  map::LonLat origin;                     ///< Of the plane.
+  Box2 region;                            ///< What was compiled, whole cells of map::kCell_m.
+  double tile_m = 1024;                   ///< A whole multiple of map::kCell_m.
+  std::uint64_t seed = 0;
+  double resampling_error_m = 0;          ///< Of the heightfield against its sources.
+  sky::Sky sky;
+  std::vector<std::string> sources;       ///< File names of map and heightmaps, without folders.
+  std::vector<std::string> attributions;  ///< "© OpenStreetMap contributors", then the heightmaps' credits.
+  bool operator==(const Header&) const = default;
+};
+
+/// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces, roads and footprints are in every
+/// chunk they touch (widened by kHalo_m), trimmed; everything else is in the chunk of its anchor alone.
+struct Chunk {
+  TileKey tile;
+  map::Heightfield heights;
+  std::vector<ground::Surface> surfaces;       ///< Areas, waterways, and footprints of buildings that are anchored in other tiles.
+  std::vector<roads::Road> roads;
+  std::vector<structures::Span> bridges, tunnels;
+  std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
+  std::vector<plants::Tree> trees;
+  std::vector<plants::Wood> woods;
+  std::vector<props::Barrier> barriers;
+  std::vector<props::Lamp> lamps;
+  bool operator==(const Chunk&) const = default;
+};
+
+struct Scene {
+  Header header;
+  std::vector<Chunk> chunks;  ///< Sorted by tile.
+  bool operator==(const Scene&) const = default;
+};
+
+/// The part of the region that belongs to a tile.
+Box2 box_of(const Header& header, TileKey tile);
+/// Keys of all tiles that the region touches, sorted.
+std::vector<TileKey> tiles_of(const Header& header);
+/// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand on the ground. Sorted by id, then class.
+std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
+
+}  // namespace citykiln::scene

@@ -1,0 +1,26 @@
+// Light from a direction.
+#pragma once
+
+#include <array>
+
+#include "compiler/sky/recipe.h"
+
+namespace citykiln::sky {
+
+using Rgb = std::array<double, 3>;
+
+/// A sky made ready for many questions.
+struct Dome {
+  Vec3 to_sun;
+  Rgb sun_radiance;             ///< Of the disk, linear RGB, relative units (a clear noon sky is about 1).
+  double sun_cos_radius = 0;    ///< Cosine of the disk's angular radius.
+  std::array<std::array<double, 9>, 3> coefficients{};
+  Rgb zenith{};
+};
+
+Dome expand(const Sky& sky);
+
+/// Radiance of the sky, without the sun's disk, from a unit direction; below the horizon, that of the horizon, dimmed.
+Rgb radiance(const Dome& dome, Vec3 direction);
+
+}  // namespace citykiln::sky
