@@ -14,7 +14,7 @@ namespace citykiln::ground {
 struct Surface {
   ObjectId id;
   map::SurfaceClass surface{};
-  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded: of two surfaces with one priority the smaller wins, then the lower id.
+  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; 0 for strips. Of two surfaces with one priority the smaller wins, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   bool operator==(const Surface&) const = default;
 };

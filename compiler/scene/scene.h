@@ -65,6 +65,8 @@ struct Scene {
 Box2 box_of(const Header& header, TileKey tile);
 /// Keys of all tiles that the region touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
+/// The ground that a building covers.
+ground::Surface footprint_surface(const buildings::Building& building);
 /// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand on the ground. Sorted by id, then class.
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
 

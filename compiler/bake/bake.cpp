@@ -1,0 +1,159 @@
+#include "compiler/bake/bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "compiler/bake/fire_ground.h"
+#include "compiler/bake/merge.h"
+#include "compiler/buildings/expand.h"
+#include "compiler/plants/expand.h"
+#include "compiler/props/expand.h"
+#include "compiler/structures/expand.h"
+
+namespace citykiln::bake {
+namespace {
+
+using materials::DressedMesh;
+
+// What a tile becomes, while it is being fired.
+struct Firing {
+  const scene::Header& header;
+  const scene::Chunk& chunk;
+  double tolerance_m;
+  BakedTile& tile;
+  std::vector<DressedMesh> meshes;
+  std::set<OsmId> features{OsmId{}};
+
+  void take(std::vector<DressedMesh>&& more) {
+    for (DressedMesh& mesh : more) {
+      features.insert(mesh.feature);
+      meshes.push_back(std::move(mesh));
+    }
+  }
+  void certify(double error_m) { tile.error_m = std::max(tile.error_m, error_m); }
+};
+
+// Expands every object of one kind; an object of which nothing is left counts as dropped by the tolerance.
+template <typename Object, typename Expand>
+void fire_each(Firing& firing, const std::vector<Object>& objects, const char* kind, Report& report, Expand expand) {
+  Account account;
+  for (const Object& object : objects) {
+    ++account.in;
+    auto expanded = expand(object);
+    firing.certify(expanded.error_m);
+    if (expanded.meshes.empty()) {
+      report.drop(account, Code::kBelowTolerance, object.id.osm, expanded.error_m);
+      continue;
+    }
+    ++account.out;
+    firing.take(std::move(expanded.meshes));
+  }
+  report.account("bake", kind) = account;
+}
+
+void fire_ground(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, int threads, Report& report) {
+  for (const ground::GroundMesh& ground : expand_cells(firing.chunk, surfaces, box, firing.tolerance_m, threads, report)) {
+    firing.certify(ground.error_m);
+    firing.take(dress(ground, surfaces, firing.header.seed));
+  }
+}
+
+std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
+  return static_cast<std::uint32_t>(std::lower_bound(tile.features.begin(), tile.features.end(), feature) - tile.features.begin());
+}
+
+// Shared meshes and where they stand. Nothing is left of them below the tolerance.
+void fire_instances(Firing& firing, const std::string& name, const std::vector<DressedMesh>& meshes, const std::vector<Placement>& placements) {
+  if (meshes.empty() || placements.empty()) return;
+  Merged merged;
+  for (const DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+  Instanced instanced{name, primitives_of(std::move(merged)), {}, {}, {}, {}};
+  for (Primitive& primitive : instanced.primitives) primitive.features.clear();
+  for (const Placement& p : placements) {
+    instanced.translations.push_back(offset_from(firing.tile.origin, p.at));
+    // half of the turn about z, from cos and sin of the whole
+    const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
+    instanced.rotations.push_back({0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
+    instanced.scales.push_back(static_cast<float>(p.scale));
+    instanced.features.push_back(number_of(firing.tile, p.feature));
+  }
+  firing.tile.instanced.push_back(std::move(instanced));
+}
+
+// Trees are placed before features are numbered, and written after.
+plants::Placed place_trees(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, Report& report) {
+  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  const scene::Chunk& chunk = firing.chunk;
+  plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, chunk.heights, box, firing.header.seed, report);
+  for (const auto& placements : placed)
+    for (const Placement& p : placements) firing.features.insert(p.feature);
+  return placed;
+}
+
+double tallest(const std::vector<Placement>& placements) {
+  double tallest_m = 0;
+  for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
+  return tallest_m;
+}
+
+void fire_trees(Firing& firing, const plants::Placed& placed) {
+  constexpr const char* kNames[] = {"BroadLeaved", "NeedleLeaved"};
+  for (std::size_t a = 0; a < placed.size(); ++a) {
+    const double height_m = std::max(tallest(placed[a]), plants::kTallestTree_m);
+    const auto archetype = plants::archetype_mesh(static_cast<plants::Archetype>(a), height_m, firing.tolerance_m);
+    firing.certify(archetype.error_per_m * tallest(placed[a]));
+    fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
+  }
+}
+
+std::vector<Placement> place_lamps(Firing& firing) {
+  std::vector<Placement> placements;
+  for (const props::Lamp& lamp : firing.chunk.lamps) placements.push_back(props::place(lamp, firing.chunk.heights));
+  for (const Placement& p : placements) firing.features.insert(p.feature);
+  return placements;
+}
+
+void fire_lamps(Firing& firing, const std::vector<Placement>& placements) {
+  const double height_m = tallest(placements);
+  if (placements.empty()) return;
+  const props::Expanded lamp = props::lamp_mesh(height_m, firing.tolerance_m);
+  firing.certify(lamp.error_m);
+  fire_instances(firing, "Lamp", lamp.meshes, placements);
+}
+
+void merge_meshes(Firing& firing) {
+  Merged merged;
+  for (const DressedMesh& mesh : firing.meshes) merge(merged, mesh, firing.tile.origin, number_of(firing.tile, mesh.feature));
+  firing.tile.primitives = primitives_of(std::move(merged));
+}
+
+// Whole metres; the height of the lowest ground keeps offsets small.
+Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
+  const auto lowest = std::min_element(heights.heights.begin(), heights.heights.end());
+  return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
+}
+
+}  // namespace
+
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  BakedTile tile{chunk.tile, origin_of(box, chunk.heights), tolerance_m, 0, {}, {}, {}};
+  Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+
+  fire_ground(firing, surfaces, box, threads, report);
+  fire_each(firing, chunk.bridges, "bridge", report, [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
+  fire_each(firing, chunk.buildings, "building", report, [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
+  fire_each(firing, chunk.barriers, "barrier", report, [&](const auto& b) { return props::expand(b, chunk.heights, tolerance_m); });
+  const plants::Placed trees = place_trees(firing, surfaces, box, report);
+  const std::vector<Placement> lamps = place_lamps(firing);
+
+  tile.features.assign(firing.features.begin(), firing.features.end());
+  merge_meshes(firing);
+  fire_trees(firing, trees);
+  fire_lamps(firing, lamps);
+  return tile;
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,25 @@
+// Dressed meshes become few primitives: one a material, in single precision about an origin.
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "compiler/bake/baked.h"
+#include "compiler/materials/dressed_mesh.h"
+
+namespace citykiln::bake {
+
+/// The primitive of each material so far.
+using Merged = std::map<materials::Material, Primitive>;
+
+/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position and normal are shared. Triangles that single
+/// precision makes degenerate are left out. `feature` is the number written for every vertex.
+void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature);
+
+/// Sorted by material.
+std::vector<Primitive> primitives_of(Merged&& merged);
+
+Float3 offset_from(Vec3 origin, Vec3 p);
+
+}  // namespace citykiln::bake

@@ -1,0 +1,282 @@
+// Hobby 1999: snap rounding. Where we differ: the cells' border lines are part of the arrangement, so that a cell can be computed alone; and
+// hot points are looked up in a grid of buckets instead of by a sweep.
+#include "compiler/geometry/arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln {
+namespace {
+
+using Int = std::int64_t;
+__extension__ using Wide = __int128;
+
+struct GridBox {
+  GridPoint min, max;
+  bool contains(GridPoint p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
+};
+
+GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
+Int cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
+Int dot(GridPoint a, GridPoint b) { return a.x * b.x + a.y * b.y; }
+
+// The whole number nearest to n / d, halves up. d > 0.
+Int rounded_quotient(Wide n, Wide d) {
+  const Wide twice = 2 * n + d, divisor = 2 * d;
+  Wide quotient = twice / divisor;
+  if (twice % divisor < 0) --quotient;
+  return static_cast<Int>(quotient);
+}
+
+// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart. Ends that touch count.
+std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegment& t) {
+  const GridPoint along = s.b - s.a, other = t.b - t.a, between = t.a - s.a;
+  Int d = cross(along, other), n = cross(between, other), m = cross(between, along);
+  if (d == 0) return std::nullopt;
+  if (d < 0) d = -d, n = -n, m = -m;
+  if (n < 0 || n > d || m < 0 || m > d) return std::nullopt;
+  return GridPoint{s.a.x + rounded_quotient(Wide{along.x} * n, d), s.a.y + rounded_quotient(Wide{along.y} * n, d)};
+}
+
+// Where a walk from a to b is: a fraction n / d of the way, d > 0.
+struct Fraction {
+  Int n = 0, d = 1;
+};
+bool less(Fraction a, Fraction b) { return Wide{a.n} * b.d < Wide{b.n} * a.d; }
+
+// The part of a walk that fulfils some conditions; each end belongs to it or not.
+struct Stretch {
+  Fraction from{0, 1}, to{1, 1};
+  bool has_from = true, has_to = true;
+
+  void begin_at(Fraction f, bool inclusive) {
+    if (less(from, f)) from = f, has_from = inclusive;
+    else if (!less(f, from)) has_from = has_from && inclusive;
+  }
+  void end_at(Fraction f, bool inclusive) {
+    if (less(f, to)) to = f, has_to = inclusive;
+    else if (!less(to, f)) has_to = has_to && inclusive;
+  }
+  bool is_empty() const { return less(to, from) || (!less(from, to) && !(has_from && has_to)); }
+};
+
+// Keeps the part where low <= start + step · t < high.
+void keep_between(Stretch& stretch, Int start, Int step, Int low, Int high) {
+  if (step > 0) {
+    stretch.begin_at({low - start, step}, true);
+    stretch.end_at({high - start, step}, false);
+  } else if (step < 0) {
+    stretch.begin_at({start - high, -step}, false);
+    stretch.end_at({start - low, -step}, true);
+  } else if (start < low || start >= high) {
+    stretch.end_at({-1, 1}, false);
+  }
+}
+
+// Does the segment pass the half-open square of side 1 about p, the points that round to p?
+bool passes(const OwnedSegment& s, GridPoint p) {
+  const GridPoint along = s.b - s.a;
+  // most are too far off the line for any point of the square to lie on it
+  if (2 * std::abs(cross(along, p - s.a)) > std::abs(along.x) + std::abs(along.y)) return false;
+  Stretch stretch;
+  keep_between(stretch, 2 * s.a.x, 2 * (s.b.x - s.a.x), 2 * p.x - 1, 2 * p.x + 1);
+  keep_between(stretch, 2 * s.a.y, 2 * (s.b.y - s.a.y), 2 * p.y - 1, 2 * p.y + 1);
+  return !stretch.is_empty();
+}
+
+// Square buckets over the cell. Things within a grid step outside of it fall into the rim.
+struct Buckets {
+  GridBox cell;
+  Int side;
+  Int count;  // per row and column
+
+  Buckets(const GridBox& box, std::size_t things) : cell(box) {
+    // about two things a bucket, at most 128 a side
+    count = std::clamp<Int>(static_cast<Int>(std::sqrt(static_cast<double>(things) / 2)), 1, 128);
+    side = std::max<Int>(1, (std::max(box.max.x - box.min.x, box.max.y - box.min.y) + count - 1) / count);
+  }
+  Int column(Int x) const { return std::clamp<Int>((x - cell.min.x) / side, 0, count - 1); }
+  Int row(Int y) const { return std::clamp<Int>((y - cell.min.y) / side, 0, count - 1); }
+  std::size_t index(Int c, Int r) const { return static_cast<std::size_t>(r * count + c); }
+
+  // Calls visit(bucket) for every bucket the segment may pass, one grid step wide.
+  template <typename Visit>
+  void for_each_along(const OwnedSegment& s, Visit visit) const {
+    const auto [low, high] = s.a.y < s.b.y ? std::pair(s.a, s.b) : std::pair(s.b, s.a);
+    const double slope = high.y > low.y ? static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y) : 0;
+    const Int least_x = std::min(low.x, high.x) - 2, most_x = std::max(low.x, high.x) + 2;
+    for (Int r = row(low.y - 1); r <= row(high.y + 1); ++r) {
+      // the run of x in this row of buckets; the outermost rows reach as far as the segment does
+      const Int row_low = r == 0 ? low.y : std::max(low.y, cell.min.y + r * side - 2);
+      const Int row_high = r == count - 1 ? high.y : std::min(high.y, cell.min.y + (r + 1) * side + 2);
+      double x0 = static_cast<double>(low.x), x1 = static_cast<double>(high.x);
+      if (high.y > low.y) {
+        x0 = static_cast<double>(low.x) + slope * static_cast<double>(row_low - low.y);
+        x1 = static_cast<double>(low.x) + slope * static_cast<double>(row_high - low.y);
+      }
+      const Int from = std::max(least_x, static_cast<Int>(std::floor(std::min(x0, x1))) - 2);
+      const Int to = std::min(most_x, static_cast<Int>(std::ceil(std::max(x0, x1))) + 2);
+      if (to < cell.min.x - 2 || from > cell.max.x + 2) continue;
+      for (Int c = column(from); c <= column(to); ++c) visit(index(c, r));
+    }
+  }
+};
+
+// Things by bucket, flat.
+struct Bucketed {
+  std::vector<std::uint32_t> starts, things;
+  std::span<const std::uint32_t> of(std::size_t bucket) const {
+    return std::span(things).subspan(starts[bucket], starts[bucket + 1] - starts[bucket]);
+  }
+};
+
+// `each(visit)` calls visit(bucket, thing) in the same order every time it is called.
+template <typename Each>
+Bucketed sort_into(const Buckets& buckets, Each each) {
+  Bucketed sorted;
+  sorted.starts.assign(static_cast<std::size_t>(buckets.count * buckets.count) + 1, 0);
+  each([&](std::size_t bucket, std::uint32_t) { ++sorted.starts[bucket + 1]; });
+  for (std::size_t i = 1; i < sorted.starts.size(); ++i) sorted.starts[i] += sorted.starts[i - 1];
+  sorted.things.resize(sorted.starts.back());
+  std::vector<std::uint32_t> next(sorted.starts.begin(), sorted.starts.end() - 1);
+  each([&](std::size_t bucket, std::uint32_t thing) { sorted.things[next[bucket]++] = thing; });
+  return sorted;
+}
+
+GridBox grid_box(const Box2& cell) { return {grid_point(cell.min), grid_point(cell.max)}; }
+
+std::vector<OwnedSegment> touching(std::span<const OwnedSegment> segments, const GridBox& cell) {
+  std::vector<OwnedSegment> near;
+  for (const OwnedSegment& s : segments) {
+    const bool outside = std::max(s.a.x, s.b.x) < cell.min.x - 1 || std::min(s.a.x, s.b.x) > cell.max.x + 1 ||
+                         std::max(s.a.y, s.b.y) < cell.min.y - 1 || std::min(s.a.y, s.b.y) > cell.max.y + 1;
+    if (!outside && s.a != s.b) near.push_back(s);
+  }
+  return near;
+}
+
+std::array<OwnedSegment, 4> border_of(const GridBox& cell) {
+  const GridPoint sw = cell.min, ne = cell.max, se{ne.x, sw.y}, nw{sw.x, ne.y};
+  return {{{sw, se, 0, 0}, {se, ne, 0, 0}, {nw, ne, 0, 0}, {sw, nw, 0, 0}}};
+}
+
+// Every end and every rounded crossing in the cell, sorted. The last four segments are the border.
+std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const GridBox& cell) {
+  std::vector<GridPoint> hot;
+  const auto add = [&](GridPoint p) {
+    if (cell.contains(p)) hot.push_back(p);
+  };
+  for (const GridPoint p : points) add(p);
+  for (const OwnedSegment& s : segments) add(s.a), add(s.b);
+  const Buckets buckets(cell, segments.size());
+  const Bucketed sorted = sort_into(buckets, [&](auto visit) {
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+      buckets.for_each_along(segments[i], [&](std::size_t bucket) { visit(bucket, i); });
+  });
+  for (std::size_t bucket = 0; bucket + 1 < sorted.starts.size(); ++bucket) {
+    const auto here = sorted.of(bucket);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      for (std::size_t j = i + 1; j < here.size(); ++j)
+        if (const auto p = rounded_crossing(segments[here[i]], segments[here[j]])) add(*p);
+  }
+  std::sort(hot.begin(), hot.end());
+  hot.erase(std::unique(hot.begin(), hot.end()), hot.end());
+  return hot;
+}
+
+// A piece of a segment between two hot points that follow each other on it.
+struct Piece {
+  std::uint32_t a, b, owner;
+  std::int32_t winding;
+};
+
+// Bends every segment through the hot points it passes, in the order in which it passes them.
+std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot, const GridBox& cell) {
+  const Buckets buckets(cell, hot.size());
+  const Bucketed sorted = sort_into(buckets, [&](auto visit) {
+    for (std::uint32_t i = 0; i < hot.size(); ++i) visit(buckets.index(buckets.column(hot[i].x), buckets.row(hot[i].y)), i);
+  });
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> passed;
+  for (const OwnedSegment& s : segments) {
+    passed.clear();
+    buckets.for_each_along(s, [&](std::size_t bucket) {
+      for (const std::uint32_t p : sorted.of(bucket))
+        if (passes(s, hot[p])) passed.push_back(p);
+    });
+    // the squares are disjoint and the walk is straight, so their centres follow each other along it
+    const GridPoint along = s.b - s.a;
+    std::sort(passed.begin(), passed.end(), [&](auto p, auto q) { return dot(hot[p] - s.a, along) < dot(hot[q] - s.a, along); });
+    for (std::size_t i = 1; i < passed.size(); ++i) {
+      const std::uint32_t a = passed[i - 1], b = passed[i];
+      if (a < b) pieces.push_back({a, b, s.owner, s.winding});
+      if (b < a) pieces.push_back({b, a, s.owner, -s.winding});
+    }
+  }
+  return pieces;
+}
+
+// Joins the pieces that lie on each other; drops edges without steps, but for the border's.
+Arrangement join(std::vector<Piece> pieces, std::vector<GridPoint> hot, const GridBox& cell) {
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+    return std::tie(p.a, p.b, p.owner) < std::tie(q.a, q.b, q.owner);
+  });
+  Arrangement arrangement{std::move(hot), {}, {}};
+  const auto on_border = [&](const Piece& p) {
+    const GridPoint a = arrangement.vertices[p.a], b = arrangement.vertices[p.b];
+    return (a.x == b.x && (a.x == cell.min.x || a.x == cell.max.x)) || (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
+  };
+  for (std::size_t i = 0; i < pieces.size();) {
+    const Piece& edge = pieces[i];
+    const auto first = static_cast<std::uint32_t>(arrangement.steps.size());
+    for (; i < pieces.size() && pieces[i].a == edge.a && pieces[i].b == edge.b;) {
+      WindingStep step{pieces[i].owner, 0};
+      for (; i < pieces.size() && pieces[i].a == edge.a && pieces[i].b == edge.b && pieces[i].owner == step.owner; ++i)
+        step.winding += pieces[i].winding;
+      if (step.winding != 0) arrangement.steps.push_back(step);
+    }
+    const auto count = static_cast<std::uint32_t>(arrangement.steps.size()) - first;
+    if (count > 0 || on_border(edge)) arrangement.edges.push_back({edge.a, edge.b, first, count});
+  }
+  return arrangement;
+}
+
+// Forgets vertices that no edge uses.
+void drop_unused(Arrangement& arrangement) {
+  std::vector<std::uint32_t> place(arrangement.vertices.size(), 0);
+  for (const ArrangedEdge& e : arrangement.edges) place[e.a] = place[e.b] = 1;
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] == 0) continue;
+    arrangement.vertices[kept] = arrangement.vertices[i];
+    place[i] = kept++;
+  }
+  arrangement.vertices.resize(kept);
+  for (ArrangedEdge& e : arrangement.edges) e.a = place[e.a], e.b = place[e.b];
+}
+
+}  // namespace
+
+GridPoint grid_point(Vec2 p) {
+  return {static_cast<Int>(std::floor(p.x / kQuantum_m + 0.5)), static_cast<Int>(std::floor(p.y / kQuantum_m + 0.5))};
+}
+
+Vec2 plane_point(GridPoint p) { return {static_cast<double>(p.x) * kQuantum_m, static_cast<double>(p.y) * kQuantum_m}; }
+
+Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell) {
+  const GridBox box = grid_box(cell);
+  std::vector<OwnedSegment> near = touching(segments, box);
+  for (const OwnedSegment& side : border_of(box)) near.push_back(side);
+  std::vector<GridPoint> hot = hot_points(near, points, box);
+  std::vector<Piece> pieces = bend_through(near, hot, box);
+  Arrangement arrangement = join(std::move(pieces), std::move(hot), box);
+  drop_unused(arrangement);
+  return arrangement;
+}
+
+}  // namespace citykiln

@@ -1,0 +1,107 @@
+#include "compiler/geometry/delaunay.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+namespace citykiln {
+namespace {
+
+struct FaceNumber {
+  std::uint32_t value = kNoFace;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using FaceInfo = CGAL::Triangulation_face_base_with_info_2<FaceNumber, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                                       CGAL::No_constraint_intersection_tag>;
+
+// whole numbers below 2^29: exact in double, and so are CGAL's predicates
+Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+}  // namespace
+
+struct Delaunay::Triangulation {
+  Cdt cdt;
+  std::vector<GridPoint> vertices;
+  std::vector<DelaunayFace> faces;
+  std::vector<Cdt::Face_handle> handles;
+  std::vector<std::uint32_t> changed;
+
+  void number(Cdt::Face_handle face) {
+    face->info().value = static_cast<std::uint32_t>(faces.size());
+    faces.emplace_back();
+    handles.push_back(face);
+  }
+
+  // Copies CGAL's face into ours. All its neighbours must be numbered.
+  void refresh(Cdt::Face_handle face) {
+    DelaunayFace& ours = faces[face->info().value];
+    for (int i = 0; i < 3; ++i) {
+      ours.vertices[i] = face->vertex(i)->info();
+      ours.is_constrained[i] = face->is_constrained(i);
+      const Cdt::Face_handle beyond = face->neighbor(i);
+      ours.neighbours[i] = cdt.is_infinite(beyond) ? kNoFace : beyond->info().value;
+    }
+  }
+
+  void refresh_about(Cdt::Vertex_handle vertex) {
+    changed.clear();
+    Cdt::Face_circulator around = cdt.incident_faces(vertex), begin = around;
+    do {
+      if (cdt.is_infinite(around)) continue;
+      if (around->info().value == kNoFace) number(around);
+      changed.push_back(around->info().value);
+    } while (++around != begin);
+    for (const std::uint32_t face : changed) refresh(handles[face]);
+    // the ring of neighbours sees new numbers across its inner edges
+    for (const std::uint32_t face : changed) refresh_beyond(face, vertex);
+  }
+
+  void refresh_beyond(std::uint32_t face, Cdt::Vertex_handle vertex) {
+    const Cdt::Face_handle handle = handles[face];
+    const Cdt::Face_handle beyond = handle->neighbor(handle->index(vertex));
+    if (!cdt.is_infinite(beyond)) refresh(beyond);
+  }
+};
+
+Delaunay::Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges)
+    : triangulation_(std::make_unique<Triangulation>()) {
+  Triangulation& t = *triangulation_;
+  t.vertices.assign(vertices.begin(), vertices.end());
+  std::vector<std::pair<Cdt::Point, std::uint32_t>> points;
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) points.emplace_back(cgal_point(vertices[i]), i);
+  t.cdt.insert(points.begin(), points.end());
+  std::vector<Cdt::Vertex_handle> handles(vertices.size());
+  for (const Cdt::Vertex_handle v : t.cdt.finite_vertex_handles()) handles[v->info()] = v;
+  for (const auto& [a, b] : edges) t.cdt.insert_constraint(handles[a], handles[b]);
+  for (const Cdt::Face_handle face : t.cdt.finite_face_handles()) t.number(face);
+  for (const Cdt::Face_handle face : t.handles) t.refresh(face);
+}
+
+Delaunay::~Delaunay() = default;
+Delaunay::Delaunay(Delaunay&&) noexcept = default;
+Delaunay& Delaunay::operator=(Delaunay&&) noexcept = default;
+
+const std::vector<GridPoint>& Delaunay::vertices() const { return triangulation_->vertices; }
+const std::vector<DelaunayFace>& Delaunay::faces() const { return triangulation_->faces; }
+
+std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t near) {
+  Triangulation& t = *triangulation_;
+  Cdt::Locate_type where;
+  int corner = 0;
+  const Cdt::Point point = cgal_point(p);
+  const Cdt::Face_handle face = t.cdt.locate(point, where, corner, t.handles[near]);
+  const bool on_constraint = where == Cdt::EDGE && face->is_constrained(corner);
+  if (on_constraint || (where != Cdt::FACE && where != Cdt::EDGE)) return {};
+  const Cdt::Vertex_handle vertex = t.cdt.insert(point, where, face, corner);
+  vertex->info() = static_cast<std::uint32_t>(t.vertices.size());
+  t.vertices.push_back(p);
+  t.refresh_about(vertex);
+  return t.changed;
+}
+
+}  // namespace citykiln

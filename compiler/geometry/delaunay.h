@@ -1,0 +1,46 @@
+// A constrained Delaunay triangulation that takes further points, seen as numbered faces. CGAL does the work; its headers stay in delaunay.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "compiler/geometry/arrangement.h"
+
+namespace citykiln {
+
+inline constexpr std::uint32_t kNoFace = 0xffffffffu;
+
+/// Counter-clockwise. Neighbour i and edge i lie opposite to vertex i.
+struct DelaunayFace {
+  std::array<std::uint32_t, 3> vertices{};
+  std::array<std::uint32_t, 3> neighbours{kNoFace, kNoFace, kNoFace};
+  std::array<bool, 3> is_constrained{};
+};
+
+/// Vertices and faces keep their numbers; faces change their corners as points come in.
+class Delaunay {
+ public:
+  /// @param vertices  Different points.
+  /// @param edges     Pairs of vertices. They must not cross or touch but at their ends (arrange() sees to it), and their hull must be convex.
+  Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges);
+  ~Delaunay();
+  Delaunay(Delaunay&&) noexcept;
+  Delaunay& operator=(Delaunay&&) noexcept;
+
+  const std::vector<GridPoint>& vertices() const;
+  const std::vector<DelaunayFace>& faces() const;
+
+  /// Puts a point in, beginning the search at face `near`. Returns the faces that changed or are new, all about the new vertex (the last one);
+  /// nothing, and no change, where the point is a vertex already or lies on a constrained edge or outside.
+  std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t near);
+
+ private:
+  struct Triangulation;
+  std::unique_ptr<Triangulation> triangulation_;
+};
+
+}  // namespace citykiln

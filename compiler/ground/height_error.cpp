@@ -1,0 +1,65 @@
+#include "compiler/ground/height_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace citykiln::ground {
+namespace {
+
+// Numbers of the whole steps strictly between two values, measured from `start`.
+struct Lines {
+  int first, last;
+};
+Lines lines_between(double low, double high, double start, double step) {
+  return {static_cast<int>(std::floor((low - start) / step)) + 1, static_cast<int>(std::ceil((high - start) / step)) - 1};
+}
+
+void consider(WorstPoint& worst, double error_m, Vec2 at) {
+  if (error_m > worst.error_m) worst = {error_m, at};
+}
+
+// The crossings with one family of parallel lines, on which a function of the place takes the values start + k · step.
+void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a, Vec3 b, double value_a, double value_b, double start,
+                        Lines inside) {
+  if (value_a == value_b) return;
+  const Lines lines = lines_between(std::min(value_a, value_b), std::max(value_a, value_b), start, field.step_m);
+  for (int k = std::max(lines.first, inside.first); k <= std::min(lines.last, inside.last); ++k) {
+    const double t = (start + k * field.step_m - value_a) / (value_b - value_a);
+    const Vec3 p = a + (b - a) * t;
+    consider(worst, std::abs(p.z - map::height_m_at(field, in_plan(p))), in_plan(p));
+  }
+}
+
+}  // namespace
+
+WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
+  WorstPoint worst;
+  const Vec2 min = field.min;
+  consider_crossings(worst, field, a, b, a.x, b.x, min.x, {0, field.columns - 1});
+  consider_crossings(worst, field, a, b, a.y, b.y, min.y, {0, field.rows - 1});
+  // the diagonals: x − y is constant on each
+  consider_crossings(worst, field, a, b, a.x - a.y, b.x - b.y, min.x - min.y, {1 - field.rows, field.columns - 1});
+  return worst;
+}
+
+WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners) {
+  WorstPoint worst;
+  const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+  const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+  const Lines columns = lines_between(low_x, high_x, field.min.x, field.step_m);
+  const Lines rows = lines_between(low_y, high_y, field.min.y, field.step_m);
+  const Vec2 u = in_plan(corners[1] - corners[0]), v = in_plan(corners[2] - corners[0]);
+  const double area = cross(u, v);
+  for (int j = std::max(rows.first, 0); j <= std::min(rows.last, field.rows - 1); ++j)
+    for (int i = std::max(columns.first, 0); i <= std::min(columns.last, field.columns - 1); ++i) {
+      const Vec2 p{field.min.x + i * field.step_m, field.min.y + j * field.step_m};
+      const Vec2 w = p - in_plan(corners[0]);
+      const double s = cross(w, v) / area, t = cross(u, w) / area;
+      if (s < 0 || t < 0 || s + t > 1) continue;
+      const double z = corners[0].z + s * (corners[1].z - corners[0].z) + t * (corners[2].z - corners[0].z);
+      consider(worst, std::abs(z - field.height_m_at_vertex(i, j)), p);
+    }
+  return worst;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,14 @@
+#include "compiler/ground/recipe.h"
+
+#include <tuple>
+
+namespace citykiln::ground {
+
+bool covers(const Surface& a, const Surface& b) {
+  const auto rank = [](const Surface& s) {
+    return std::tuple(-static_cast<int>(map::values_of(s.surface).priority), s.area_m2, s.id, s.surface);
+  };
+  return rank(a) < rank(b);
+}
+
+}  // namespace citykiln::ground

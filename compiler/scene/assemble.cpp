@@ -1,0 +1,154 @@
+#include "compiler/scene/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/ground/plan.h"
+#include "compiler/roads/trim.h"
+
+namespace citykiln::scene {
+namespace {
+
+// The numbers of the objects that each tile needs, tiles in the order of tiles_of().
+using ByTile = std::vector<std::vector<std::uint32_t>>;
+
+// The grid of tiles over the region.
+struct TileGrid {
+  const Header& header;
+  std::vector<TileKey> tiles;
+  std::int32_t columns, rows;
+
+  explicit TileGrid(const Header& h)
+      : header(h), tiles(tiles_of(h)), columns(tiles.back().x - tiles.front().x + 1), rows(tiles.back().y - tiles.front().y + 1) {}
+
+  std::int32_t column(double x) const { return clamped(x, tiles.front().x, columns); }
+  std::int32_t row(double y) const { return clamped(y, tiles.front().y, rows); }
+  std::size_t index(std::int32_t column, std::int32_t row) const { return static_cast<std::size_t>(column) * rows + row; }
+
+  // Of the tile that an object anchored here belongs to; anchors outside the region go to the nearest tile.
+  std::size_t owner(Vec2 anchor) const { return index(column(anchor.x), row(anchor.y)); }
+
+ private:
+  std::int32_t clamped(double v, std::int32_t first, std::int32_t count) const {
+    return std::clamp(static_cast<std::int32_t>(std::floor(v / header.tile_m)) - first, 0, count - 1);
+  }
+};
+
+// Each object into the one tile of its anchor.
+template <typename Object, typename Anchor>
+ByTile by_anchor(const TileGrid& grid, std::span<const Object> objects, Anchor anchor_of) {
+  ByTile tiles(grid.tiles.size());
+  for (std::uint32_t i = 0; i < objects.size(); ++i) tiles[grid.owner(anchor_of(objects[i]))].push_back(i);
+  return tiles;
+}
+
+// Each object into every tile that its box touches, halo included.
+template <typename Object, typename BoxOf>
+ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box) {
+  ByTile tiles(grid.tiles.size());
+  for (std::uint32_t i = 0; i < objects.size(); ++i) {
+    const Box2 reach = box(objects[i]).widened(kHalo_m);
+    if (reach.is_empty()) continue;
+    for (std::int32_t c = grid.column(reach.min.x); c <= grid.column(reach.max.x); ++c)
+      for (std::int32_t r = grid.row(reach.min.y); r <= grid.row(reach.max.y); ++r)
+        if (box_of(grid.header, grid.tiles[grid.index(c, r)]).touches(reach)) tiles[grid.index(c, r)].push_back(i);
+  }
+  return tiles;
+}
+
+struct Sorted {
+  ByTile surfaces, roads, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
+};
+
+Box2 box_of_surface(const ground::Surface& surface) {
+  Box2 box;
+  for (const Ring& ring : surface.rings)
+    for (const Vec2 p : ring) box.grow(p);
+  return box;
+}
+
+Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
+
+Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes) {
+  const auto span_anchor = [](const structures::Span& span) { return in_plan(span.axis.front()); };
+  const auto stands = [](const auto& object) { return object.at; };
+  const auto starts = [](const auto& object) { return object.axis.front(); };
+  return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
+          by_touch(grid, std::span(recipes.roads), [](const roads::Road& road) { return citykiln::box_of(road.axis).widened(road.width_m); }),
+          by_touch(grid, std::span(recipes.buildings), [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
+          by_anchor(grid, std::span(recipes.buildings), anchor_of),
+          by_anchor(grid, std::span(recipes.structures.bridges), span_anchor),
+          by_anchor(grid, std::span(recipes.structures.tunnels), span_anchor),
+          by_anchor(grid, std::span(recipes.plants.trees), stands),
+          by_anchor(grid, std::span(recipes.props.barriers), starts),
+          by_anchor(grid, std::span(recipes.props.lamps), stands)};
+}
+
+template <typename Object>
+std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<std::uint32_t>& numbers) {
+  std::vector<Object> picked;
+  for (const std::uint32_t i : numbers) picked.push_back(objects[i]);
+  return picked;
+}
+
+// Areas, and the footprints of buildings that belong to other tiles, trimmed.
+std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, std::size_t t, const Box2& reach) {
+  std::vector<ground::Surface> surfaces;
+  const auto add = [&](const ground::Surface& whole) {
+    ground::Surface trimmed = ground::trimmed_to(whole, reach);
+    if (!trimmed.rings.empty()) surfaces.push_back(std::move(trimmed));
+  };
+  for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
+  const std::vector<std::uint32_t>& own = sorted.buildings[t];
+  for (const std::uint32_t i : sorted.near_buildings[t])
+    if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i)) add(footprint_surface(recipes.buildings[i]));
+  std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return surfaces;
+}
+
+std::vector<roads::Road> roads_for(const Recipes& recipes, const Sorted& sorted, std::size_t t, const Box2& reach) {
+  std::vector<roads::Road> roads;
+  for (const std::uint32_t i : sorted.roads[t])
+    for (roads::Road& run : roads::trimmed_to(recipes.roads[i], reach)) roads.push_back(std::move(run));
+  return roads;
+}
+
+std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods, const std::vector<ground::Surface>& surfaces) {
+  std::vector<plants::Wood> here;
+  for (const plants::Wood& wood : woods) {
+    const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), wood.surface, [](const auto& s, ObjectId id) { return s.id < id; });
+    if (found != surfaces.end() && found->id == wood.surface) here.push_back(wood);
+  }
+  return here;
+}
+
+Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const TileGrid& grid, std::size_t t) {
+  const Box2 reach = box_of(grid.header, grid.tiles[t]).widened(kHalo_m);
+  Chunk chunk;
+  chunk.tile = grid.tiles[t];
+  chunk.heights = map::window_of(recipes.heights, reach);
+  chunk.surfaces = surfaces_for(recipes, sorted, t, reach);
+  chunk.roads = roads_for(recipes, sorted, t, reach);
+  chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
+  chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
+  chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
+  chunk.trees = pick(recipes.plants.trees, sorted.trees[t]);
+  chunk.woods = woods_on(recipes.plants.woods, chunk.surfaces);
+  chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
+  chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
+  return chunk;
+}
+
+}  // namespace
+
+Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
+  const TileGrid grid(header);
+  const Sorted sorted = sort_by_tile(grid, recipes);
+  std::vector<std::size_t> wanted;
+  for (std::size_t t = 0; t < grid.tiles.size(); ++t)
+    if (only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) wanted.push_back(t);
+  return {header, for_each_slot<Chunk>(wanted.size(), threads, [&](std::size_t i) { return chunk_of(recipes, sorted, grid, wanted[i]); })};
+}
+
+}  // namespace citykiln::scene
