@@ -1,0 +1,194 @@
+// citykiln check OUT: measures again every promise that the outputs make. A promise that holds is "not falsified by n samples".
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/bake/bake.h"
+#include "compiler/commands/measure_ground.h"
+#include "compiler/commands/run_report.h"
+#include "compiler/commands/verb.h"
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/expand.h"
+#include "exporters/file.h"
+#include "exporters/glb.h"
+#include "exporters/manifest.h"
+
+namespace citykiln::commands {
+namespace {
+
+/// Fine enough to meet every road, coarse enough to be quick.
+constexpr double kSampleStep_m = 4;
+
+/// One promise, how often it was put to the test, and where it broke.
+struct Finding {
+  std::string promise;
+  std::uint64_t tests = 0;
+  std::vector<std::string> breaches;
+
+  void test(bool holds, const std::string& breach) {
+    ++tests;
+    if (!holds) breaches.push_back(breach);
+  }
+};
+
+struct Findings {
+  Finding ledger{"in + split = out + merged + dropped in every account", 0, {}};
+  Finding forms{"every .glb is what the manifest bakes, byte for byte", 0, {}};
+  Finding area{"the plan area of the ground's faces is the plan area of the tile", 0, {}};
+  Finding height{"the ground is nowhere farther from its heights than error_m", 0, {}};
+  Finding seams{"neighbouring tiles have the same border edges", 0, {}};
+
+  std::vector<const Finding*> all() const { return {&ledger, &forms, &area, &height, &seams}; }
+};
+
+/// What a run left, in memory but for the tiles.
+struct Subject {
+  std::string folder;
+  RunRecord record;
+  scene::Scene scene;
+  int threads = 0;
+};
+
+Result<Subject> open_subject(const std::string& folder) {
+  Result<RunRecord> record = read_report(folder);
+  if (!record) return record.error();
+  Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
+  if (!scene) return scene.error();
+  return Subject{folder, std::move(*record), std::move(*scene), 0};
+}
+
+const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
+  const auto found = std::ranges::find(scene.chunks, tile, &scene::Chunk::tile);
+  return found == scene.chunks.end() ? nullptr : &*found;
+}
+
+/// The cells of one tile, put together again: their areas must add up.
+double ground_area_m2(const scene::Chunk& chunk, const Box2& box, double tolerance_m) {
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+  double area = 0;
+  Report ignored;
+  for (double y = box.min.y; y < box.max.y; y += map::kCell_m) {
+    for (double x = box.min.x; x < box.max.x; x += map::kCell_m) {
+      const Box2 cell{{x, y}, {x + map::kCell_m, y + map::kCell_m}};
+      const ground::GroundMesh ground = ground::expand_cell(surfaces, chunk.heights, cell, tolerance_m, ignored);
+      for (const Triangle& t : ground.mesh.triangles) {
+        const auto corner = [&](std::size_t i) { return in_plan(ground.mesh.positions[t[i]]); };
+        area += 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
+      }
+    }
+  }
+  return area;
+}
+
+void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile, const std::string& name, Findings& findings) {
+  const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
+  const double tile_m2 = box.width() * box.height();
+  const double ground_m2 = ground_area_m2(chunk, box, tile.tolerance_m);
+  findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2, fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
+
+  const GroundSamples samples = sample_ground(tile, chunk.heights, box, kSampleStep_m);
+  findings.height.tests += samples.count;
+  // the baked ground is snapped to the grid, half a quantum to either side
+  if (samples.error_m > tile.error_m + kQuantum_m) {
+    findings.height.breaches.push_back(fmt::format("{}: {} m where {} m is stated", name, samples.error_m, tile.error_m));
+  }
+  if (samples.uncovered > 0) findings.height.breaches.push_back(fmt::format("{}: {} places without ground", name, samples.uncovered));
+}
+
+/// One file against the manifest and against itself.
+Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& written, Findings& findings) {
+  const std::string path = subject.folder + "/" + written.file.name;
+  const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
+  if (!bytes) return bytes.error();
+  Result<bake::BakedTile> tile = exporters::decode_glb(*bytes, path);
+  if (!tile) return tile.error();
+  const scene::Chunk* chunk = chunk_of(subject.scene, written.tile);
+  if (chunk == nullptr) return Error{path, "is a tile that the manifest does not have"};
+
+  Report ignored;
+  const bake::BakedTile baked = bake::bake(subject.scene.header, *chunk, written.tolerance_m, subject.threads, ignored);
+  const auto instancing = subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+  findings.forms.test(exporters::encode_glb(baked, subject.scene.header, instancing) == *bytes, written.file.name);
+  check_ground(subject, *chunk, *tile, written.file.name, findings);
+  return tile;
+}
+
+/// The edges at each side of a tile at one level, waiting for the neighbour's.
+struct Borders {
+  std::vector<BorderEdge> west, east, south, north;
+};
+
+Borders borders_of(const bake::BakedTile& tile, const Box2& box) {
+  return {border_edges_along_x(tile, box.min.x), border_edges_along_x(tile, box.max.x), border_edges_along_y(tile, box.min.y),
+          border_edges_along_y(tile, box.max.y)};
+}
+
+using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
+
+void check_seams(const BordersByTile& borders, Findings& findings) {
+  for (const auto& [key, own] : borders) {
+    const auto [level, tile] = key;
+    if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
+      findings.seams.test(own.east == east->second.west, fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
+    }
+    if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
+      findings.seams.test(own.north == north->second.south, fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
+    }
+  }
+}
+
+Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress) {
+  Findings findings;
+  findings.ledger.tests = 1;
+  findings.ledger.breaches = subject.record.unbalanced;
+
+  BordersByTile borders;
+  for (std::size_t i = 0; i < subject.record.tiles.size(); ++i) {
+    on_progress("check", static_cast<double>(i) / static_cast<double>(subject.record.tiles.size()));
+    const WrittenTile& written = subject.record.tiles[i];
+    const Result<bake::BakedTile> tile = check_tile(subject, written, findings);
+    if (!tile) return tile.error();
+    borders[{written.level, written.tile}] = borders_of(*tile, scene::box_of(subject.scene.header, written.tile));
+  }
+  check_seams(borders, findings);
+  return findings;
+}
+
+void tell(const Findings& findings, const Console& console) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const Finding* finding : findings.all()) {
+    json.push_back({{"promise", finding->promise}, {"tests", finding->tests}, {"breaches", finding->breaches}});
+    const bool holds = finding->breaches.empty();
+    console.say(fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding->promise,
+                            holds ? fmt::format("not falsified by {} tests", finding->tests) : finding->breaches.front()));
+  }
+  console.answer(json.dump(1));
+}
+
+Result<Exit> run(const std::string& folder, const Console& console) {
+  if (folder.empty()) return Error{"", "no folder of a run is given"};
+  const Result<Subject> subject = open_subject(folder);
+  if (!subject) return subject.error();
+  const Result<Findings> findings = check_all(*subject, console.progress());
+  if (!findings) return findings.error();
+  tell(*findings, console);
+  for (const Finding* finding : findings->all()) {
+    if (!finding->breaches.empty()) return Error{folder, fmt::format("breaks a promise: {} ({})", finding->promise, finding->breaches.front())};
+  }
+  return Exit::kDone;
+}
+
+}  // namespace
+
+Verb check_verb() {
+  const auto folder = std::make_shared<std::string>();
+  Verb verb{"check", "measures again every promise that a run's outputs make", {}, {}};
+  verb.options = {{"folder", "OUT", "the folder of a run, with its manifest", false, into(*folder)}};
+  verb.run = [folder](const Console& console) { return run(*folder, console); };
+  return verb;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,104 @@
+// citykiln compile MAP … -o OUT: from a map to a folder of outputs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "compiler/commands/output_folder.h"
+#include "compiler/commands/run_report.h"
+#include "compiler/commands/verb.h"
+#include "compiler/commands/write_tiles.h"
+#include "compiler/pipeline.h"
+
+namespace citykiln::commands {
+namespace {
+
+/// What the command line gave: a file of settings, and settings that come after it.
+struct Request {
+  std::string spec_path;
+  std::vector<std::pair<const Setting*, std::string>> given;
+};
+
+Result<CompileSpec> spec_of(const Request& request) {
+  CompileSpec spec;
+  if (!request.spec_path.empty()) {
+    Result<CompileSpec> read = read_spec(request.spec_path);
+    if (!read) return read;
+    spec = std::move(*read);
+  }
+  for (const auto& [setting, text] : request.given) {
+    if (const Result<Done> done = apply(*setting, text, spec); !done) return done.error();
+  }
+  if (const Result<Done> complete = is_complete(spec); !complete) return complete.error();
+  return spec;
+}
+
+void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const Written& written, const std::vector<StageCost>& costs,
+                       const Console& console) {
+  double seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  for (const StageCost& cost : costs) {
+    seconds += cost.seconds;
+    peak_bytes = std::max(peak_bytes, cost.peak_bytes);
+  }
+  console.say(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory", spec.outputs.folder,
+                          compiled.scene.chunks.size(), written.files.size() + written.tiles.size() + 2, written.bytes() * 1e-6, seconds,
+                          peak_bytes * 1e-6));
+  for (const auto& [code, count] : compiled.report.counts()) {
+    console.say(fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
+  }
+}
+
+Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) {
+  Result<OutputFolder> folder = OutputFolder::open(spec.outputs.folder);
+  if (!folder) return folder.error();
+
+  const OnProgress on_progress = console.progress();
+  Result<Compiled> compiled = compile(spec, on_progress);
+  if (!compiled) return compiled.error();
+
+  StageWatch watch(on_progress);
+  watch.enter("bake, write");
+  const Result<Written> written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
+  if (!written) return written.error();
+  std::vector<StageCost> costs = compiled->costs;
+  for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
+
+  const std::string report = report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs);
+  const std::string timing = timing_json(costs, spec.threads);
+  if (const Result<Done> done = folder->write("timing.json", bytes_of(timing)); !done) return done.error();
+  if (const Result<Done> done = folder->commit(report); !done) return done.error();
+
+  say_what_was_made(spec, *compiled, *written, costs, console);
+  console.answer(report);
+  return spec.is_strict && has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
+}
+
+Option option_of(const Setting& setting, Request& request) {
+  std::string flags = "--" + std::string(setting.name);
+  if (setting.name == "map") flags = "map";
+  if (setting.name == "out") flags = "-o,--out";
+  return {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
+          [&request, &setting](const std::string& text) -> Result<Done> {
+            request.given.emplace_back(&setting, text);
+            return Done{};
+          }};
+}
+
+}  // namespace
+
+Verb compile_verb() {
+  const auto request = std::make_shared<Request>();
+  Verb verb{"compile", "makes a scene of a map, and fires its tiles", {}, {}};
+  for (const Setting& setting : settings()) verb.options.push_back(option_of(setting, *request));
+  verb.options.push_back({"--spec", "FILE", "settings from a JSON file; those given here come after it", false, into(request->spec_path)});
+  verb.run = [request](const Console& console) -> Result<Exit> {
+    const Result<CompileSpec> spec = spec_of(*request);
+    if (!spec) return spec.error();
+    return compile_to_folder(*spec, console);
+  };
+  return verb;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,176 @@
+#include "compiler/commands/geojson.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "compiler/map/surface_class.h"
+
+namespace citykiln::commands {
+namespace {
+
+std::string class_of(map::SurfaceClass surface) { return std::string(map::values_of(surface).name); }
+
+std::vector<Ring> rings_of(const Polygon& polygon) {
+  std::vector<Ring> rings = {polygon.outer};
+  rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+  return rings;
+}
+
+Layer roads_of(const map::Features& features) {
+  Layer layer;
+  for (const map::Track& track : features.tracks) {
+    layer.push_back({track.id, class_of(track.surface), ShapeKind::kLine, {track.axis}, {}, track.width_m});
+  }
+  return layer;
+}
+
+Layer areas_of(const map::Features& features) {
+  Layer layer;
+  for (const map::AreaFeature& area : features.areas) {
+    layer.push_back({area.id, class_of(area.surface), ShapeKind::kPolygon, rings_of(area.polygon)});
+  }
+  return layer;
+}
+
+Layer buildings_of(const map::Features& features) {
+  Layer layer;
+  for (const map::Footprint& building : features.footprints) {
+    layer.push_back({building.id, building.is_part ? "Part" : "Building", ShapeKind::kPolygon, rings_of(building.polygon), {}, 0,
+                     building.min_height_m, building.height_m});
+  }
+  return layer;
+}
+
+Layer plants_of(const map::Features& features) {
+  Layer layer;
+  for (const map::PointFeature& point : features.points) {
+    if (point.kind != map::PointKind::kTree) continue;
+    const char* kind = point.is_needleleaved ? "NeedleLeaved" : "BroadLeaved";
+    layer.push_back({point.id, kind, ShapeKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
+  }
+  return layer;
+}
+
+std::string name_of(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
+
+Layer roads_of(const scene::Scene& scene) {
+  Layer layer;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const roads::Road& road : chunk.roads) {
+      layer.push_back({road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), road.width_m});
+    }
+  }
+  return layer;
+}
+
+/// Surfaces are rings whose winding numbers add up, not polygons with holes: each ring is drawn by itself.
+Layer areas_of(const scene::Scene& scene) {
+  Layer layer;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const ground::Surface& surface : chunk.surfaces) {
+      for (const Ring& ring : surface.rings) {
+        const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
+        layer.push_back({surface.id, class_of(surface.surface) + hole, ShapeKind::kPolygon, {ring}, name_of(chunk.tile)});
+      }
+    }
+  }
+  return layer;
+}
+
+Layer buildings_of(const scene::Scene& scene) {
+  Layer layer;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const buildings::Building& building : chunk.buildings) {
+      layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", ShapeKind::kPolygon, rings_of(building.footprint),
+                       name_of(chunk.tile), 0, building.bottom_m, building.top_m - building.bottom_m});
+    }
+  }
+  return layer;
+}
+
+Layer plants_of(const scene::Scene& scene) {
+  Layer layer;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const plants::Tree& tree : chunk.trees) {
+      const char* kind = tree.archetype == plants::Archetype::kNeedleLeaved ? "NeedleLeaved" : "BroadLeaved";
+      layer.push_back({tree.id, kind, ShapeKind::kPoint, {{tree.at}}, name_of(chunk.tile), 0, 0, tree.height_m});
+    }
+  }
+  return layer;
+}
+
+template <typename Source>
+Result<Layer> layer_named(const Source& source, const std::string& name) {
+  if (name == "roads") return roads_of(source);
+  if (name == "areas") return areas_of(source);
+  if (name == "buildings") return buildings_of(source);
+  if (name == "plants") return plants_of(source);
+  if (name == "junctions") return Error{"--layer", "junctions are not outlined yet; this version has roads, areas, buildings and plants"};
+  return Error{"--layer", fmt::format("expected roads, junctions, areas, buildings or plants, found \"{}\"", name)};
+}
+
+// ---- writing ---------------------------------------------------------------------------------------------------------------------------
+
+void write_position(std::string& out, Vec2 p, const map::Plane& plane) {
+  const map::LonLat place = plane.backward(p);
+  fmt::format_to(std::back_inserter(out), "[{:.8f},{:.8f}]", place.lon_deg, place.lat_deg);
+}
+
+void write_positions(std::string& out, const Ring& points, bool closes, const map::Plane& plane) {
+  out += '[';
+  for (std::size_t i = 0; i < points.size() + (closes ? 1 : 0); ++i) {
+    if (i > 0) out += ',';
+    write_position(out, points[i % points.size()], plane);
+  }
+  out += ']';
+}
+
+void write_geometry(std::string& out, const Shape& shape, const map::Plane& plane) {
+  constexpr std::array kNames = {"Point", "LineString", "Polygon"};
+  fmt::format_to(std::back_inserter(out), R"({{"type":"{}","coordinates":)", kNames[static_cast<std::size_t>(shape.geometry)]);
+  if (shape.geometry == ShapeKind::kPoint) {
+    write_position(out, shape.parts[0][0], plane);
+  } else if (shape.geometry == ShapeKind::kLine) {
+    write_positions(out, shape.parts[0], false, plane);
+  } else {
+    out += '[';
+    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+      if (i > 0) out += ',';
+      write_positions(out, shape.parts[i], true, plane);
+    }
+    out += ']';
+  }
+  out += '}';
+}
+
+void write_properties(std::string& out, const Shape& shape) {
+  fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(shape.id.osm), shape.id.part, shape.kind);
+  if (!shape.tile.empty()) fmt::format_to(std::back_inserter(out), R"(,"tile":"{}")", shape.tile);
+  if (shape.width_m > 0) fmt::format_to(std::back_inserter(out), R"(,"width_m":{})", shape.width_m);
+  if (shape.bottom_m != 0) fmt::format_to(std::back_inserter(out), R"(,"bottom_m":{})", shape.bottom_m);
+  if (shape.height_m > 0) fmt::format_to(std::back_inserter(out), R"(,"height_m":{})", shape.height_m);
+  out += '}';
+}
+
+}  // namespace
+
+Result<Layer> layer_of(const map::Features& features, const std::string& name) { return layer_named(features, name); }
+Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) { return layer_named(scene, name); }
+
+std::string geojson_of(const Layer& layer, const map::Plane& plane, const std::vector<std::string>& attributions) {
+  std::string out = R"({"type":"FeatureCollection","attribution":)" + nlohmann::json(attributions).dump() + ",\"features\":[";
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    out += i > 0 ? ",\n" : "\n";
+    out += R"({"type":"Feature","properties":)";
+    write_properties(out, layer[i]);
+    out += ",\"geometry\":";
+    write_geometry(out, layer[i], plane);
+    out += '}';
+  }
+  return out + "\n]}\n";
+}
+
+}  // namespace citykiln::commands

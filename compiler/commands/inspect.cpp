@@ -1,0 +1,173 @@
+// citykiln inspect FILE: what is in a manifest, a tile, a map; and any layer of it for QGIS.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "compiler/commands/geojson.h"
+#include "compiler/commands/output_folder.h"
+#include "compiler/commands/verb.h"
+#include "compiler/commands/write_tiles.h"
+#include "compiler/map/locate.h"
+#include "compiler/source/read_osm.h"
+#include "exporters/file.h"
+#include "exporters/glb.h"
+#include "exporters/manifest.h"
+
+namespace citykiln::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Request {
+  std::string path, layer, geojson_path;
+};
+
+// ---- what is in it -----------------------------------------------------------------------------------------------------------------------
+
+Json chunk_of(const scene::Chunk& chunk) {
+  return {{"tile", to_string(chunk.tile)},
+          {"heights", fmt::format("{} x {} every {} m", chunk.heights.columns, chunk.heights.rows, chunk.heights.step_m)},
+          {"surfaces", chunk.surfaces.size()},
+          {"roads", chunk.roads.size()},
+          {"bridges", chunk.bridges.size()},
+          {"tunnels", chunk.tunnels.size()},
+          {"buildings", chunk.buildings.size()},
+          {"trees", chunk.trees.size()},
+          {"woods", chunk.woods.size()},
+          {"barriers", chunk.barriers.size()},
+          {"lamps", chunk.lamps.size()}};
+}
+
+Json describe(const scene::Scene& scene) {
+  const scene::Header& header = scene.header;
+  Json json = {{"form", "manifest"},
+               {"origin_lonlat_deg", {header.origin.lon_deg, header.origin.lat_deg}},
+               {"region_m", {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y}},
+               {"tile_m", header.tile_m},
+               {"seed", header.seed},
+               {"resampling_error_m", header.resampling_error_m},
+               {"time", header.sky.time},
+               {"sources", header.sources},
+               {"attribution", header.attributions}};
+  json["tiles"] = Json::array();
+  for (const scene::Chunk& chunk : scene.chunks) json["tiles"].push_back(chunk_of(chunk));
+  return json;
+}
+
+Json describe(const bake::BakedTile& tile) {
+  Json json = {{"form", "glb"},
+               {"tile", to_string(tile.tile)},
+               {"origin_m", {tile.origin.x, tile.origin.y, tile.origin.z}},
+               {"tolerance_m", tile.tolerance_m},
+               {"error_m", tile.error_m},
+               {"triangles", triangles_of(tile)},
+               {"instances", instances_of(tile)},
+               {"features", tile.features.size() - 1}};
+  json["materials"] = Json::object();
+  for (const bake::Primitive& primitive : tile.primitives) {
+    json["materials"][std::string(materials::values_of(primitive.material).name)] = primitive.triangles.size();
+  }
+  json["instanced"] = Json::object();
+  for (const bake::Instanced& instanced : tile.instanced) json["instanced"][instanced.name] = instanced.translations.size();
+  return json;
+}
+
+Json box_of(const source::LonLatBox& box) { return {box.west, box.south, box.east, box.north}; }
+
+Json describe(const source::OsmData& osm, const Report& report) {
+  Json json = {{"form", "map"},
+               {"tagged_nodes", osm.nodes.size()},
+               {"ways", osm.ways.size()},
+               {"areas", osm.areas.size()},
+               {"relations", osm.relations.size()},
+               {"node_box_deg", box_of(osm.node_box)}};
+  if (osm.header_box) json["header_box_deg"] = box_of(*osm.header_box);
+  json["diagnoses"] = Json::object();
+  for (const auto& [code, count] : report.counts()) json["diagnoses"][std::string(name_of(code))] = count;
+  return json;
+}
+
+/// Name and value a line; what is nested, one line an item.
+void say(const Json& json, const Console& console) {
+  for (const auto& [key, value] : json.items()) {
+    if (!value.is_array() || value.empty() || !value.front().is_object()) {
+      console.say(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
+      continue;
+    }
+    console.say(fmt::format("{:<20} {}", key, value.size()));
+    for (const Json& item : value) console.say("  " + item.dump());
+  }
+}
+
+// ---- files and layers --------------------------------------------------------------------------------------------------------------------
+
+Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
+                         const std::vector<std::string>& attributions) {
+  if (!layer) return layer.error();
+  return exporters::write_file(request.geojson_path, bytes_of(geojson_of(*layer, plane, attributions)));
+}
+
+Result<Json> inspect_manifest(const Request& request) {
+  const Result<scene::Scene> scene = exporters::read_manifest(request.path, {});
+  if (!scene) return scene.error();
+  if (!request.layer.empty()) {
+    const map::Plane plane(scene->header.origin);
+    const Result<Done> done = write_layer(request, layer_of(*scene, request.layer), plane, scene->header.attributions);
+    if (!done) return done.error();
+  }
+  return describe(*scene);
+}
+
+Result<Json> inspect_tile(const Request& request) {
+  if (!request.layer.empty()) return Error{request.path, "layers are drawn from a map or a manifest"};
+  const Result<bake::BakedTile> tile = exporters::read_glb(request.path);
+  if (!tile) return tile.error();
+  return describe(*tile);
+}
+
+Result<Json> inspect_map(const Request& request) {
+  Report report;
+  const Result<source::OsmData> osm = source::read_osm(request.path, 0, report);
+  if (!osm) return osm.error();
+  if (!request.layer.empty()) {
+    const source::LonLatBox box = map::choose_box(*osm, {});
+    const map::Plane plane(map::default_origin(box));
+    const map::Features features = map::locate(*osm, plane, box, {}, report);
+    const Result<Done> done = write_layer(request, layer_of(features, request.layer), plane, {"© OpenStreetMap contributors"});
+    if (!done) return done.error();
+  }
+  return describe(*osm, report);
+}
+
+Result<Exit> run(const Request& request, const Console& console) {
+  if (request.path.empty()) return Error{"", "no file is given"};
+  if (request.layer.empty() != request.geojson_path.empty()) return Error{"", "--layer and --geojson belong together"};
+  const Result<Json> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
+                            : request.path.ends_with(".glb") ? inspect_tile(request)
+                                                             : inspect_map(request);
+  if (!json) return json.error();
+  if (!request.geojson_path.empty()) {
+    console.say(fmt::format("{}: layer {}", request.geojson_path, request.layer));
+    return Exit::kDone;
+  }
+  say(*json, console);
+  console.answer(json->dump(1));
+  return Exit::kDone;
+}
+
+}  // namespace
+
+Verb inspect_verb() {
+  const auto request = std::make_shared<Request>();
+  Verb verb{"inspect", "says what is in a manifest, a .glb or a map; draws layers of it for QGIS", {}, {}};
+  verb.options = {
+      {"file", "FILE", "a .kiln, a .glb or a map", false, into(request->path)},
+      {"--layer", "NAME", "roads, areas, buildings or plants", false, into(request->layer)},
+      {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false, into(request->geojson_path)},
+  };
+  verb.run = [request](const Console& console) { return run(*request, console); };
+  return verb;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,84 @@
+#include "compiler/commands/load_tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "compiler/commands/run_report.h"
+#include "compiler/pipeline.h"
+#include "exporters/glb.h"
+#include "exporters/manifest.h"
+
+namespace citykiln::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_progress) {
+  const Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
+  if (!scene) return scene.error();
+  Loaded loaded;
+  loaded.header = scene->header;
+  Report report;
+  const std::vector<double> ladder_m = {request.tolerance_m};
+  const Result<Done> fired =
+      fire(*scene, ladder_m, request.threads, report, on_progress, [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+        loaded.tiles.push_back(tile);
+        return Done{};
+      });
+  if (!fired) return fired.error();
+  return loaded;
+}
+
+/// The header of the manifest that lies where a run puts it, if one does.
+std::optional<scene::Header> header_beside(const fs::path& manifest_path, scene::TileKey tile) {
+  std::error_code none;
+  if (!fs::exists(manifest_path, none)) return std::nullopt;
+  // one chunk is enough to know what holds for all
+  const Result<scene::Scene> scene = exporters::read_manifest(manifest_path.string(), std::vector{tile});
+  if (!scene) return std::nullopt;
+  return scene->header;
+}
+
+Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path, const OnProgress& on_progress) {
+  Loaded loaded;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    on_progress("read", static_cast<double>(i) / static_cast<double>(paths.size()));
+    Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
+    if (!tile) return tile.error();
+    loaded.tiles.push_back(std::move(*tile));
+  }
+  std::ranges::stable_sort(loaded.tiles, {}, &bake::BakedTile::tile);
+  loaded.header = header_beside(manifest_path, loaded.tiles.front().tile);
+  return loaded;
+}
+
+Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_progress) {
+  const std::string& folder = request.paths.front();
+  const Result<RunRecord> record = read_report(folder);
+  if (!record) return record.error();
+  std::vector<std::string> paths;
+  for (const WrittenTile& tile : record->tiles) {
+    const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
+    if (tile.level == request.level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
+  }
+  if (paths.empty()) return Error{folder, fmt::format("holds no such tile at level {}", request.level)};
+  return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
+}
+
+}  // namespace
+
+Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
+  if (request.paths.empty()) return Error{"", "no manifest, folder or .glb is given"};
+  const std::string& first = request.paths.front();
+  std::error_code none;
+  const bool is_manifest = first.ends_with(".kiln"), is_folder = fs::is_directory(first, none);
+  if ((is_manifest || is_folder) && request.paths.size() > 1) return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
+  if (is_manifest) return fire_manifest(request, on_progress);
+  if (is_folder) return read_folder(request, on_progress);
+  // OUT/glb/0_0_L0.glb has its manifest at OUT/scene.kiln
+  return read_files(request.paths, fs::path(first).parent_path() / ".." / "scene.kiln", on_progress);
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,183 @@
+// citykiln preview … -o picture.png: a picture of either form.
+#include "preview/preview.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "compiler/commands/load_tiles.h"
+#include "compiler/commands/verb.h"
+#include "compiler/map/plane.h"
+#include "compiler/sky/plan.h"
+#include "compiler/spec.h"
+
+namespace citykiln::commands {
+namespace {
+
+struct Request {
+  LoadRequest load;
+  std::string picture_path, view = "overview", time;
+  std::optional<Vec3> eye, look_at;             ///< Plane metres.
+  std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Degrees, degrees, metres of height.
+  std::optional<double> fov_deg;
+  preview::Options options;
+};
+
+std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& point) {
+  return [&point](const std::string& text) -> Result<Done> {
+    const Result<std::vector<double>> n = parse_numbers(text, 3);
+    if (!n) return n.error();
+    point = Vec3{(*n)[0], (*n)[1], (*n)[2]};
+    return Done{};
+  };
+}
+
+std::function<Result<Done>(const std::string&)> into_whole(int& number, int least) {
+  return [&number, least](const std::string& text) -> Result<Done> {
+    const Result<std::int64_t> whole = parse_whole(text, least);
+    if (!whole) return whole.error();
+    number = static_cast<int>(*whole);
+    return Done{};
+  };
+}
+
+/// "1280x720".
+Result<Done> take_size(const std::string& text, preview::Options& options) {
+  const std::size_t cross = text.find('x');
+  const Result<std::int64_t> width = parse_whole(text.substr(0, cross), 1);
+  const Result<std::int64_t> height = parse_whole(cross == std::string::npos ? "" : text.substr(cross + 1), 1);
+  // a wider picture would not fit into memory
+  if (!width || !height || *width > 32768 || *height > 32768) {
+    return Error{"", fmt::format("expected pixels as WxH, at most 32768 each, found \"{}\"", text)};
+  }
+  options.width = static_cast<int>(*width);
+  options.height = static_cast<int>(*height);
+  return Done{};
+}
+
+Result<Done> take_positive(const std::string& text, double& number) {
+  const Result<double> given = parse_number(text);
+  if (!given || *given <= 0) return Error{"", fmt::format("expected a number above 0, found \"{}\"", text)};
+  number = *given;
+  return Done{};
+}
+
+Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg) {
+  const Result<double> given = parse_number(text);
+  if (!given || *given <= 0 || *given >= 180) return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
+  fov_deg = *given;
+  return Done{};
+}
+
+Result<Done> take_level(const std::string& text, std::size_t& level) {
+  const Result<std::int64_t> whole = parse_whole(text, 0);
+  if (!whole) return whole.error();
+  level = static_cast<std::size_t>(*whole);
+  return Done{};
+}
+
+/// A point as given, in the plane, or by longitude and latitude.
+Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
+                                     const std::optional<scene::Header>& header) {
+  if (in_plane || !lonlat) return in_plane;
+  if (!header) return Error{"--eye-lonlat", "needs the scene's origin: give the manifest, or the folder that holds it"};
+  const Vec2 at = map::Plane(header->origin).forward({lonlat->x, lonlat->y});
+  return std::optional<Vec3>(at_height(at, lonlat->z));
+}
+
+Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) {
+  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, loaded.header);
+  const Result<std::optional<Vec3>> look_at = point_of(request.look_at, request.look_lonlat, loaded.header);
+  if (!eye) return eye.error();
+  if (!look_at) return look_at.error();
+  if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look belong together"};
+
+  Result<preview::Camera> camera = eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
+  if (camera && request.fov_deg) camera->vertical_fov_deg = *request.fov_deg;
+  return camera;
+}
+
+/// The scene's sky, or that of another time; without a manifest, over a place at 45° north.
+Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
+  if (header && request.time.empty()) return header->sky;
+  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.time);
+}
+
+Result<Exit> run(const Request& request, const Console& console) {
+  if (request.picture_path.empty()) return Error{"", "no picture is given (-o FILE.png or FILE.exr)"};
+  const OnProgress on_progress = console.progress();
+  const Result<Loaded> loaded = load_tiles(request.load, on_progress);
+  if (!loaded) return loaded.error();
+  const Result<sky::Sky> sky = sky_of(request, loaded->header);
+  if (!sky) return sky.error();
+  const Result<preview::Camera> camera = camera_of(request, *loaded);
+  if (!camera) return camera.error();
+
+  on_progress("render", 0);
+  preview::Options options = request.options;
+  options.threads = request.load.threads;
+  const preview::Image image = preview::render(loaded->tiles, *sky, *camera, options);
+  const Result<Done> written = preview::write_image(image, request.picture_path);
+  if (!written) return written.error();
+
+  console.say(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width, image.height, options.samples,
+                          loaded->tiles.size()));
+  console.answer(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})", camera->eye.x, camera->eye.y,
+                             camera->eye.z, camera->look_at.x, camera->look_at.y, camera->look_at.z, camera->vertical_fov_deg,
+                             loaded->tiles.size()));
+  return Exit::kDone;
+}
+
+Result<Done> take_only(const std::string& text, std::vector<scene::TileKey>& only) {
+  const Result<scene::TileKey> tile = parse_tile(text);
+  if (!tile) return tile.error();
+  only.insert(std::ranges::upper_bound(only, *tile), *tile);
+  return Done{};
+}
+
+std::vector<Option> tile_options(LoadRequest& load) {
+  return {
+      {"inputs", "SCENE.kiln|OUT|FILE.glb…", "what to look at", true, onto(load.paths)},
+      {"--tolerance", "M", "what a manifest is fired at (0.1)", false, [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
+      {"--level", "N", "which of a folder's levels (0)", false, [&](const std::string& t) { return take_level(t, load.level); }},
+      {"--only", "X_Y", "look at these tiles alone", true, [&](const std::string& t) { return take_only(t, load.only); }},
+      {"--threads", "N", "0: as many as the machine has (0)", false, into_whole(load.threads, 0)},
+  };
+}
+
+std::vector<Option> camera_options(Request& request) {
+  return {
+      {"--view", "NAME", "overview, street, top, north, south, east, west, low (overview)", false, into(request.view)},
+      {"--eye", "X,Y,Z", "where the eye is, metres of the plane", false, into_point(request.eye)},
+      {"--look", "X,Y,Z", "where it looks", false, into_point(request.look_at)},
+      {"--eye-lonlat", "LON,LAT,HEIGHT", "where the eye is, degrees and metres", false, into_point(request.eye_lonlat)},
+      {"--look-lonlat", "LON,LAT,HEIGHT", "where it looks", false, into_point(request.look_lonlat)},
+      {"--fov", "DEG", "vertical field of view", false, [&](const std::string& t) { return take_fov(t, request.fov_deg); }},
+  };
+}
+
+std::vector<Option> picture_options(Request& request) {
+  return {
+      {"--size", "WxH", "pixels (1280x720)", false, [&](const std::string& t) { return take_size(t, request.options); }},
+      {"--spp", "N", "paths a pixel (64)", false, into_whole(request.options.samples, 1)},
+      {"--bounces", "N", "of each path (3)", false, into_whole(request.options.bounces, 0)},
+      {"--exposure", "X", "brightness (1)", false, [&](const std::string& t) { return take_positive(t, request.options.exposure); }},
+      {"--time", "ISO", "of the sky, UTC; else the scene's", false, into(request.time)},
+      {"-o,--out", "FILE.png|FILE.exr", "the picture", false, into(request.picture_path)},
+  };
+}
+
+}  // namespace
+
+Verb preview_verb() {
+  const auto request = std::make_shared<Request>();
+  Verb verb{"preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
+  for (Option& option : camera_options(*request)) verb.options.push_back(std::move(option));
+  for (Option& option : picture_options(*request)) verb.options.push_back(std::move(option));
+  verb.run = [request](const Console& console) { return run(*request, console); };
+  return verb;
+}
+
+}  // namespace citykiln::commands

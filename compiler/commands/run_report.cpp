@@ -1,0 +1,192 @@
+#include "compiler/commands/run_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace citykiln::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Enough to find the place in the map, few enough to read.
+constexpr std::size_t kNamedObjects = 20;
+
+Json ledger_of(const Report& report) {
+  Json ledger = Json::object();
+  for (const auto& [name, account] : report.ledger()) {
+    Json dropped = Json::object();
+    for (const auto& [code, count] : account.dropped) dropped[std::string(name_of(code))] = count;
+    ledger[name] = {{"in", account.in}, {"split", account.split}, {"out", account.out}, {"merged", account.merged}, {"dropped", dropped}};
+  }
+  return ledger;
+}
+
+/// All diagnoses of one code.
+struct Tally {
+  std::uint64_t count = 0;
+  double largest = 0;
+  std::set<OsmId> objects;
+};
+
+Json diagnoses_of(const Report& report) {
+  std::map<Code, Tally> tallies;
+  for (const Diagnosis& diagnosis : report.diagnoses()) {
+    Tally& tally = tallies[diagnosis.code];
+    ++tally.count;
+    tally.largest = std::max(tally.largest, diagnosis.size);
+    tally.objects.insert(diagnosis.object);
+    // the lowest ids, whatever the order in which they were found
+    if (tally.objects.size() > kNamedObjects) tally.objects.erase(std::prev(tally.objects.end()));
+  }
+  Json diagnoses = Json::object();
+  for (const auto& [code, tally] : tallies) {
+    Json objects = Json::array();
+    for (const OsmId object : tally.objects) objects.push_back(to_string(object));
+    diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))}, {"what", text_of(code)}, {"count", tally.count},
+                                             {"largest", tally.largest}, {"objects", objects}};
+  }
+  return diagnoses;
+}
+
+/// How many different objects the chunks hold: what crosses a border is in several.
+template <typename T>
+std::size_t different(const scene::Scene& scene, std::vector<T> scene::Chunk::*member) {
+  std::set<ObjectId> ids;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const T& object : chunk.*member) ids.insert(object.id);
+  }
+  return ids.size();
+}
+
+Json counts_of(const scene::Scene& scene) {
+  return {{"tiles", scene.chunks.size()},
+          {"roads", different(scene, &scene::Chunk::roads)},
+          {"surfaces", different(scene, &scene::Chunk::surfaces)},
+          {"bridges", different(scene, &scene::Chunk::bridges)},
+          {"tunnels", different(scene, &scene::Chunk::tunnels)},
+          {"buildings", different(scene, &scene::Chunk::buildings)},
+          {"trees", different(scene, &scene::Chunk::trees)},
+          {"barriers", different(scene, &scene::Chunk::barriers)},
+          {"lamps", different(scene, &scene::Chunk::lamps)}};
+}
+
+Json levels_of(const Written& written, const Outputs& outputs) {
+  Json levels = Json::array();
+  for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
+    std::uint64_t bytes = 0, triangles = 0;
+    double error_m = 0;
+    for (const WrittenTile& tile : written.tiles) {
+      if (tile.level != n) continue;
+      bytes += tile.file.bytes;
+      triangles += tile.triangles;
+      error_m = std::max(error_m, tile.error_m);
+    }
+    levels.push_back({{"level", n}, {"tolerance_m", outputs.ladder_m[n]}, {"error_m", error_m}, {"triangles", triangles}, {"bytes", bytes}});
+  }
+  return levels;
+}
+
+Json files_of(const Written& written) {
+  Json files = Json::array();
+  for (const WrittenFile& file : written.files) files.push_back({{"file", file.name}, {"bytes", file.bytes}});
+  return files;
+}
+
+Json tiles_of(const Written& written) {
+  Json tiles = Json::array();
+  for (const WrittenTile& tile : written.tiles) {
+    tiles.push_back({{"file", tile.file.name}, {"bytes", tile.file.bytes}, {"x", tile.tile.x}, {"y", tile.tile.y},
+                     {"level", tile.level}, {"tolerance_m", tile.tolerance_m}, {"error_m", tile.error_m},
+                     {"triangles", tile.triangles}, {"instances", tile.instances}});
+  }
+  return tiles;
+}
+
+/// in + split = out + merged + dropped, from the file's own numbers.
+bool balances(const Json& account) {
+  std::uint64_t lost = 0;
+  for (const auto& [code, count] : account.at("dropped").items()) lost += count.get<std::uint64_t>();
+  const auto number = [&](const char* key) { return account.at(key).get<std::uint64_t>(); };
+  return number("in") + number("split") == number("out") + number("merged") + lost;
+}
+
+RunRecord record_of(const Json& report) {
+  RunRecord record;
+  for (const Json& tile : report.at("tiles")) {
+    record.tiles.push_back({{tile.at("file"), tile.at("bytes")}, {tile.at("x"), tile.at("y")}, tile.at("level"), tile.at("tolerance_m"),
+                            tile.at("error_m"), tile.at("triangles"), tile.at("instances")});
+  }
+  record.instances_as_nodes = report.at("instancing") == "nodes";
+  for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
+  for (const auto& [name, account] : report.at("ledger").items()) {
+    if (!balances(account)) record.unbalanced.push_back(name);
+  }
+  return record;
+}
+
+}  // namespace
+
+std::uint64_t Written::bytes() const {
+  std::uint64_t sum = 0;
+  for (const WrittenFile& file : files) sum += file.bytes;
+  for (const WrittenTile& tile : tiles) sum += tile.file.bytes;
+  return sum;
+}
+
+std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report, const Written& written,
+                        const Outputs& outputs) {
+  Json json;
+  json["program"] = "citykiln " CITYKILN_VERSION;
+  json["attribution"] = header.attributions;
+  json["sources"] = header.sources;
+  json["origin"] = {{"lon_deg", header.origin.lon_deg}, {"lat_deg", header.origin.lat_deg}};
+  json["region_m"] = {header.region.min.x, header.region.min.y, header.region.max.x, header.region.max.y};
+  json["tile_m"] = header.tile_m;
+  json["seed"] = header.seed;
+  json["resampling_error_m"] = header.resampling_error_m;
+  json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
+  json["counts"] = counts_of(scene);
+  json["levels"] = levels_of(written, outputs);
+  json["bytes"] = written.bytes();
+  json["balances"] = report.balances();
+  json["ledger"] = ledger_of(report);
+  json["diagnoses"] = diagnoses_of(report);
+  json["files"] = files_of(written);
+  json["tiles"] = tiles_of(written);
+  return json.dump(1) + "\n";
+}
+
+std::string timing_json(std::span<const StageCost> costs, int threads) {
+  Json stages = Json::array();
+  double seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  for (const StageCost& cost : costs) {
+    stages.push_back({{"stage", cost.stage}, {"seconds", cost.seconds}, {"peak_bytes", cost.peak_bytes}});
+    seconds += cost.seconds;
+    peak_bytes = std::max(peak_bytes, cost.peak_bytes);
+  }
+  const Json json = {{"threads", threads}, {"seconds", seconds}, {"peak_bytes", peak_bytes}, {"stages", stages}};
+  return json.dump(1) + "\n";
+}
+
+bool has_objections(const Report& report) {
+  return std::ranges::any_of(report.diagnoses(), [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
+}
+
+Result<RunRecord> read_report(const std::string& folder) {
+  const std::string path = folder + "/report.json";
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path, "cannot be read: not the folder of a finished run"};
+  try {
+    return record_of(Json::parse(file));
+  } catch (const nlohmann::json::exception&) {
+    return Error{path, "is not a report of this program"};
+  }
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,57 @@
+// report.json: what a run took in, what became of it, and what it left; timing.json: what that took, apart, since it is never the same twice.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "compiler/stage_watch.h"
+
+namespace citykiln::commands {
+
+/// A file a run wrote.
+struct WrittenFile {
+  std::string name;  ///< Relative to the folder.
+  std::uint64_t bytes = 0;
+};
+
+/// A tile at a level, in a file.
+struct WrittenTile {
+  WrittenFile file;
+  scene::TileKey tile;
+  std::size_t level = 0;
+  double tolerance_m = 0, error_m = 0;
+  std::uint64_t triangles = 0;  ///< Each instance's counted.
+  std::uint64_t instances = 0;
+};
+
+struct Written {
+  std::vector<WrittenFile> files;  ///< Those that are not tiles.
+  std::vector<WrittenTile> tiles;
+  std::uint64_t bytes() const;
+};
+
+/// The report as JSON. Same inputs, same bytes: no times, no folders, no thread counts in it.
+std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report, const Written& written,
+                        const Outputs& outputs);
+std::string timing_json(std::span<const StageCost> costs, int threads);
+
+/// True where something was mended or dropped: what --strict objects to.
+bool has_objections(const Report& report);
+
+/// What `check` and `preview` need of a report.json.
+struct RunRecord {
+  std::vector<WrittenTile> tiles;
+  bool instances_as_nodes = false;
+  bool has_manifest = false;
+  std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers, added up again, do not balance.
+};
+Result<RunRecord> read_report(const std::string& folder);
+
+}  // namespace citykiln::commands

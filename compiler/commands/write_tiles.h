@@ -1,0 +1,26 @@
+// From a scene to the files of a folder: what compile and bake have in common, so that they cannot differ.
+#pragma once
+
+#include "compiler/bake/baked.h"
+#include "compiler/commands/output_folder.h"
+#include "compiler/commands/run_report.h"
+#include "compiler/contract/report.h"
+#include "compiler/contract/result.h"
+#include "compiler/scene/scene.h"
+#include "compiler/spec.h"
+#include "compiler/stage_watch.h"
+
+namespace citykiln::commands {
+
+/// Writes scene.kiln and glb/<x>_<y>_L<n>.glb, whichever the outputs ask for, one tile at a time.
+Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder, Report& report,
+                              const OnProgress& on_progress);
+
+/// "glb/3_-2_L0.glb".
+std::string glb_name(scene::TileKey tile, std::size_t level);
+
+/// Triangles of a baked tile, each instance's counted.
+std::uint64_t triangles_of(const bake::BakedTile& tile);
+std::uint64_t instances_of(const bake::BakedTile& tile);
+
+}  // namespace citykiln::commands

@@ -1,0 +1,175 @@
+#include "compiler/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/bake/bake.h"
+#include "compiler/buildings/plan.h"
+#include "compiler/ground/plan.h"
+#include "compiler/map/locate.h"
+#include "compiler/plants/plan.h"
+#include "compiler/props/plan.h"
+#include "compiler/roads/plan.h"
+#include "compiler/scene/assemble.h"
+#include "compiler/sky/plan.h"
+#include "compiler/source/read_osm.h"
+#include "compiler/source/read_raster.h"
+#include "compiler/structures/plan.h"
+
+namespace citykiln {
+namespace {
+
+bool holds_nothing(const map::Features& features);
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                                      std::vector<std::string>& credits, Report& report);
+Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region, double resampling_error_m,
+                               const std::vector<std::string>& credits);
+
+}  // namespace
+
+Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress) {
+  StageWatch watch(on_progress);
+  Report report;
+  scene::Recipes recipes;
+
+  // what the map says, where it lies, and what it is
+  watch.enter("read");
+  const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
+  if (!osm) return osm.error();
+  watch.enter("locate");
+  const source::LonLatBox box = map::choose_box(*osm, spec.map);
+  const map::Plane plane(spec.map.origin.value_or(map::default_origin(box)));
+  const map::Features features = map::locate(*osm, plane, box, spec.map, report);
+  if (holds_nothing(features)) return Error{spec.map_path, "holds nothing to compile"};
+
+  // how high the land is
+  watch.enter("heights");
+  std::vector<std::string> credits;
+  Result<map::Heightfield> heights = read_heights(spec, plane, features.region, credits, report);
+  if (!heights) return heights.error();
+  recipes.heights = std::move(*heights);
+
+  // what covers it
+  watch.enter("roads");
+  recipes.roads = roads::plan(features, report);
+  watch.enter("ground");
+  recipes.surfaces = ground::plan(features, report);
+
+  // what leaves it, and what stands on it
+  watch.enter("structures");
+  recipes.structures = structures::plan(features, recipes.heights, report);
+  watch.enter("buildings");
+  recipes.buildings = buildings::plan(features, recipes.heights, report);
+  watch.enter("plants");
+  recipes.plants = plants::plan(features, recipes.surfaces, report);
+  watch.enter("props");
+  recipes.props = props::plan(features, report);
+
+  // the light on it, and all of it sorted into tiles
+  watch.enter("assemble");
+  const Result<scene::Header> header = describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
+  if (!header) return header.error();
+  scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
+  return Compiled{std::move(scene), std::move(report), watch.finish()};
+}
+
+Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                  const OnProgress& on_progress, const TakeBaked& take) {
+  const std::size_t total = scene.chunks.size() * ladder_m.size();
+  std::size_t fired = 0;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (std::size_t level = 0; level < ladder_m.size(); ++level) {
+      on_progress("bake", static_cast<double>(fired++) / static_cast<double>(total));
+      const bake::BakedTile tile = bake::bake(scene.header, chunk, ladder_m[level], threads, report);
+      if (const Result<Done> done = take(tile, level); !done) return done;
+    }
+  }
+  return Done{};
+}
+
+namespace {
+
+constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
+
+bool holds_nothing(const map::Features& f) {
+  return f.tracks.empty() && f.footprints.empty() && f.areas.empty() && f.waterways.empty() && f.barriers.empty() && f.points.empty();
+}
+
+/// The box of degrees that holds a box of the plane. Its sides bend, so corners and middles of sides are asked.
+source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
+  source::LonLatBox box{180, 90, -180, -90};
+  for (const double x : {region.min.x, region.centre().x, region.max.x}) {
+    for (const double y : {region.min.y, region.centre().y, region.max.y}) {
+      const map::LonLat place = plane.backward({x, y});
+      box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
+             std::max(box.north, place.lat_deg)};
+    }
+  }
+  return box;
+}
+
+/// The samples that the window needs, voids filled.
+Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs, const source::LonLatBox& window,
+                                                 Report& report) {
+  std::vector<source::Raster> rasters;
+  for (const source::RasterSpec& spec : specs) {
+    Result<source::Raster> raster = source::read_raster(spec, &window);
+    if (!raster) return raster.error();
+    rasters.push_back(source::fill_voids(std::move(*raster), report));
+  }
+  return rasters;
+}
+
+/// The heights of the region: an error where heightmaps were given and none of them covers any of it.
+Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                                      std::vector<std::string>& credits, Report& report) {
+  const source::LonLatBox window = degrees_of(region, plane);
+  const Result<std::vector<source::Raster>> rasters = read_rasters(spec.rasters, window, report);
+  if (!rasters) return rasters.error();
+  for (const source::Raster& raster : *rasters) credits.push_back(raster.credit);
+
+  Report here;
+  Result<map::Heightfield> heights = map::resample(*rasters, plane, region, here);
+  report.append(here);
+  const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
+  if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
+    return Error{spec.rasters.front().path, fmt::format("covers nothing of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f}",
+                                                        window.west, window.south, window.east, window.north)};
+  }
+  return heights;
+}
+
+/// Tiles that are asked for must be tiles of the map.
+Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::TileKey> only) {
+  const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
+  for (const scene::TileKey tile : only) {
+    if (std::ranges::binary_search(tiles, tile)) continue;
+    return Error{"--only", fmt::format("the map has no tile {}; its tiles run from {} to {}", to_string(tile),
+                                       to_string(tiles.front()), to_string(tiles.back()))};
+  }
+  return Done{};
+}
+
+std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// What holds for the scene as a whole.
+Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region, double resampling_error_m,
+                               const std::vector<std::string>& credits) {
+  Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
+  if (!sky) return sky.error();
+  scene::Header header{plane.origin(), region, spec.tile_m, spec.seed, resampling_error_m, std::move(*sky), {}, {}};
+
+  header.sources.push_back(file_name_of(spec.map_path));
+  for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));
+  header.attributions.emplace_back(kOsmCredit);
+  for (const std::string& credit : credits) {
+    const bool is_new = std::ranges::find(header.attributions, credit) == header.attributions.end();
+    if (!credit.empty() && is_new) header.attributions.push_back(credit);
+  }
+  if (const Result<Done> done = are_tiles_of(header, spec.only); !done) return done.error();
+  return header;
+}
+
+}  // namespace
+}  // namespace citykiln

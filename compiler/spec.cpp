@@ -1,0 +1,319 @@
+#include "compiler/spec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "compiler/sky/plan.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Error expected(std::string_view what, std::string_view found) {
+  return {"", fmt::format("expected {}, found \"{}\"", what, found)};
+}
+
+/// Puts the value of a result where it belongs, or hands the error on.
+template <typename T, typename Target>
+Result<Done> put(Result<T> result, Target& target) {
+  if (!result) return result.error();
+  target = std::move(*result);
+  return Done{};
+}
+
+Result<bool> parse_switch(std::string_view text) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  return expected("true or false", text);
+}
+
+// ---- one function a setting, in the order of the table -------------------------------------------------------------------------------
+
+Result<Done> set_map(CompileSpec& spec, std::string_view text) {
+  spec.map_path = text;
+  return Done{};
+}
+
+Result<Done> set_dem(CompileSpec& spec, std::string_view text) {
+  Result<source::RasterSpec> raster = source::parse_raster_spec(text);
+  if (!raster) return raster.error();
+  spec.rasters.push_back(std::move(*raster));
+  return Done{};
+}
+
+Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
+  Result<std::vector<double>> n = parse_numbers(text, 4);
+  if (!n) return n.error();
+  const source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
+  if (!is_on_earth || box.west >= box.east || box.south >= box.north) {
+    return expected("west,south,east,north in degrees, west below east, south below north", text);
+  }
+  spec.map.bbox = box;
+  return Done{};
+}
+
+Result<Done> set_origin(CompileSpec& spec, std::string_view text) {
+  Result<std::vector<double>> n = parse_numbers(text, 2);
+  if (!n) return n.error();
+  if (std::abs((*n)[0]) > 180 || std::abs((*n)[1]) > 89) return expected("longitude,latitude in degrees", text);
+  spec.map.origin = map::LonLat{(*n)[0], (*n)[1]};
+  return Done{};
+}
+
+Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
+  Result<double> tile_m = parse_number(text);
+  // a chunk's float32 offsets are exact to 16 km (kQuantum_m)
+  if (!tile_m || *tile_m < map::kCell_m || *tile_m > 16384 || std::fmod(*tile_m, map::kCell_m) != 0) {
+    return expected("a whole multiple of 128 m, at most 16384", text);
+  }
+  spec.tile_m = *tile_m;
+  return Done{};
+}
+
+Result<Done> set_only(CompileSpec& spec, std::string_view text) {
+  for (const std::string_view part : split(text, ',')) {
+    Result<scene::TileKey> tile = parse_tile(part);
+    if (!tile) return tile.error();
+    spec.only.push_back(*tile);
+  }
+  std::sort(spec.only.begin(), spec.only.end());
+  spec.only.erase(std::unique(spec.only.begin(), spec.only.end()), spec.only.end());
+  return Done{};
+}
+
+Result<Done> set_out(CompileSpec& spec, std::string_view text) {
+  spec.outputs.folder = text;
+  return Done{};
+}
+
+Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
+  spec.outputs.manifest = spec.outputs.glb = false;
+  for (const std::string_view form : split(text, ',')) {
+    if (form == "kiln") {
+      spec.outputs.manifest = true;
+    } else if (form == "glb") {
+      spec.outputs.glb = true;
+    } else if (form == "usd" || form == "3dtiles") {
+      return Error{"", fmt::format("{} is not written yet; this version writes kiln and glb", form)};
+    } else {
+      return expected("kiln, glb, usd or 3dtiles", form);
+    }
+  }
+  return Done{};
+}
+
+Result<Done> set_lods(CompileSpec& spec, std::string_view text) {
+  return put(parse_ladder(text), spec.outputs.ladder_m);
+}
+
+Result<Done> set_world(CompileSpec&, std::string_view text) {
+  if (text == "plane") return Done{};
+  if (text == "ellipsoid" || text.starts_with("cylinder")) {
+    return Error{"", fmt::format("{} is not baked yet; this version bakes plane", text)};
+  }
+  return expected("plane, ellipsoid or cylinder:R", text);
+}
+
+Result<Done> set_compress(CompileSpec&, std::string_view text) {
+  if (text == "none") return Done{};
+  if (text == "draco" || text == "meshopt") {
+    return Error{"", fmt::format("{} is not written yet; this version writes none", text)};
+  }
+  return expected("none, draco or meshopt", text);
+}
+
+Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
+  if (text != "ext" && text != "nodes") return expected("ext or nodes", text);
+  spec.outputs.instances_as_nodes = text == "nodes";
+  return Done{};
+}
+
+Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
+  if (text != "left" && text != "right") return expected("left or right", text);
+  spec.map.drive_on_left = text == "left";
+  return Done{};
+}
+
+Result<Done> set_time(CompileSpec& spec, std::string_view text) {
+  // whether a time parses does not depend on the place
+  const Result<sky::Sky> sky = sky::plan({}, std::string(text));
+  if (!sky) return sky.error();
+  spec.time = text;
+  return Done{};
+}
+
+Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
+  std::uint64_t seed = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (problem != std::errc() || end != text.data() + text.size()) return expected("a whole number from 0 on", text);
+  spec.seed = seed;
+  return Done{};
+}
+
+Result<Done> set_threads(CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }
+
+Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.is_strict); }
+
+constexpr Setting kSettings[] = {
+    {"map", "FILE", "the extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
+    {"dem", "FILE[,key=value…]", "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
+    {"bbox", "W,S,E,N", "what to compile, degrees; else the extract's own box", false, set_bbox},
+    {"origin", "LON,LAT", "of the plane, degrees; else the box's centre to 0.01°", false, set_origin},
+    {"tile", "M", "size of a tile, a whole multiple of 128 m (1024)", false, set_tile},
+    {"only", "X_Y[,X_Y…]", "compile these tiles alone", true, set_only},
+    {"out", "FOLDER", "where the outputs go", false, set_out},
+    {"emit", "kiln,glb", "what to write (kiln,glb)", false, set_emit},
+    {"lods", "M,M,…", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
+    {"world", "plane", "what the plane is bent into (plane)", false, set_world},
+    {"compress", "none", "of glb (none)", false, set_compress},
+    {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false, set_instancing},
+    {"drive-on", "left|right", "side of the road (right)", false, set_drive_on},
+    {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
+    {"seed", "N", "of all chance (0)", false, set_seed},
+    {"threads", "N", "0: as many as the machine has (0)", false, set_threads},
+    {"strict", "", "exit 2 where data was mended or dropped", false, set_strict},
+};
+
+/// How a JSON value would be written on the command line.
+std::string text_of(const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const json& item : value) text += (text.empty() ? "" : ",") + text_of(item);
+  return text;
+}
+
+/// "spec.json:3:14" for the byte (from 1) of a text.
+std::string place_of(const std::string& path, std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
+  return fmt::format("{}:{}:{}", path, std::count(before.begin(), before.end(), '\n') + 1, before.size() - line_begin + 1);
+}
+
+Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& spec) {
+  if (!setting.repeats || !value.is_array()) return apply(setting, text_of(value), spec);
+  for (const json& item : value) {
+    const Result<Done> done = apply(setting, text_of(item), spec);
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& spec) {
+  for (const Setting& setting : kSettings) {
+    if (setting.name == key) return apply_json(setting, value, spec);
+  }
+  return Error{"", fmt::format("\"{}\" is not a setting", key)};
+}
+
+}  // namespace
+
+std::span<const Setting> settings() { return kSettings; }
+
+Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec) {
+  CompileSpec changed = spec;
+  const Result<Done> done = setting.apply(changed, text);
+  if (!done) return Error{"--" + std::string(setting.name), to_string(done.error())};
+  spec = std::move(changed);
+  return Done{};
+}
+
+Result<CompileSpec> read_spec(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path, "cannot be read"};
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+
+  json document;
+  try {
+    document = json::parse(text);
+  } catch (const json::parse_error& problem) {
+    return Error{place_of(path, text, problem.byte), "is not JSON from here on"};
+  }
+  if (!document.is_object()) return Error{path, "expected a JSON object of settings"};
+
+  CompileSpec spec;
+  for (const auto& [key, value] : document.items()) {
+    const Result<Done> done = apply_key(key, value, spec);
+    if (!done) return Error{path, to_string(done.error())};
+  }
+  return spec;
+}
+
+Result<Done> is_complete(const CompileSpec& spec) {
+  if (spec.map_path.empty()) return Error{"", "no map is given"};
+  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
+  return Done{};
+}
+
+Result<std::vector<double>> parse_ladder(std::string_view text) {
+  std::vector<double> ladder_m;
+  for (const std::string_view part : split(text, ',')) {
+    const Result<double> tolerance_m = parse_number(part);
+    const double last = ladder_m.empty() ? 0 : ladder_m.back();
+    if (!tolerance_m || !(*tolerance_m > last)) return expected("tolerances in metres that rise from above 0", text);
+    ladder_m.push_back(*tolerance_m);
+  }
+  return ladder_m;
+}
+
+Result<scene::TileKey> parse_tile(std::string_view text) {
+  const std::size_t gap = text.find('_');
+  scene::TileKey tile;
+  const auto read = [](std::string_view part, std::int32_t& into) {
+    const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), into);
+    return problem == std::errc() && end == part.data() + part.size();
+  };
+  if (gap == std::string_view::npos || !read(text.substr(0, gap), tile.x) || !read(text.substr(gap + 1), tile.y)) {
+    return expected("a tile X_Y, as in 3_-2", text);
+  }
+  return tile;
+}
+
+std::string to_string(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
+
+Result<double> parse_number(std::string_view text) {
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return expected("a number", text);
+  return number;
+}
+
+Result<std::vector<double>> parse_numbers(std::string_view text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text, ',')) {
+    const Result<double> number = parse_number(part);
+    if (!number) return number.error();
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count) return expected(fmt::format("{} numbers with commas between", count), text);
+  return numbers;
+}
+
+Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least) {
+  std::int64_t number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = problem == std::errc() && end == text.data() + text.size();
+  // what counts threads, pixels or paths fits into an int
+  if (!is_whole || number < least || number > 0x7fffffff) return expected(fmt::format("a whole number from {} on", least), text);
+  return number;
+}
+
+}  // namespace citykiln
