@@ -1,0 +1,291 @@
+#include "compiler/source/assemble_areas.h"
+
+// GCC 12 takes the user name behind an osmium::OSMObject for a read past its end
+#pragma GCC diagnostic ignored "-Wstringop-overread"
+
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstring>
+#include <exception>
+#include <osmium/area/assembler.hpp>
+#include <osmium/builder/osm_object_builder.hpp>
+#include <osmium/osm/area.hpp>
+#include <set>
+
+#include "compiler/contract/for_each_slot.h"
+
+namespace citykiln::source {
+namespace {
+
+// candidates a slot: enough to hide the cost of handing out work
+constexpr std::size_t kCandidatesPerSlot = 256;
+
+struct Candidate {
+  const osmium::Way* way = nullptr;
+  const osmium::Relation* relation = nullptr;
+};
+
+// The areas of one slot; ranges count from the slot's own vectors.
+struct Slot {
+  std::vector<Area> areas;
+  std::vector<AreaRing> rings;
+  std::vector<Location> points;
+  std::vector<OsmId> broken;
+};
+
+OsmId id_of(const Candidate& candidate) {
+  return candidate.way ? OsmId{OsmType::kWay, candidate.way->id()}
+                       : OsmId{OsmType::kRelation, candidate.relation->id()};
+}
+
+bool has_description(const osmium::TagList& tags) {
+  return std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return describes(tag.key()); });
+}
+
+bool is_candidate(const osmium::Way& way) {
+  constexpr std::size_t kNodesOfATriangle = 4;  // the first again as the last
+  if (way.nodes().size() < kNodesOfATriangle || way.tags().has_tag("area", "no") || !has_description(way.tags()))
+    return false;
+  if (way.ends_have_same_id()) return true;
+  const osmium::Location first = way.nodes().front().location();
+  return first.valid() && first == way.nodes().back().location();
+}
+
+bool is_candidate(const osmium::Relation& relation) {
+  const char* type = relation.tags().get_value_by_key("type", "");
+  if (std::strcmp(type, "multipolygon") != 0 && std::strcmp(type, "boundary") != 0) return false;
+  return std::any_of(relation.members().begin(), relation.members().end(),
+                     [](const osmium::RelationMember& member) { return member.type() == osmium::item_type::way; });
+}
+
+bool has_missing_nodes(const osmium::Way& way) {
+  return std::any_of(way.nodes().begin(), way.nodes().end(),
+                     [](const osmium::NodeRef& node_ref) { return !node_ref.location().valid(); });
+}
+
+// The closed way without its missing nodes, closed again.
+const osmium::Way& close_around_gaps(const osmium::Way& way, osmium::memory::Buffer& buffer) {
+  {
+    osmium::builder::WayBuilder builder(buffer);
+    builder.set_id(way.id());
+    osmium::builder::WayNodeListBuilder nodes(builder);
+    const osmium::NodeRef* first = nullptr;
+    const osmium::NodeRef* last = nullptr;
+    for (const osmium::NodeRef& node_ref : way.nodes()) {
+      if (!node_ref.location().valid()) continue;
+      nodes.add_node_ref(node_ref);
+      if (!first) first = &node_ref;
+      last = &node_ref;
+    }
+    if (first && first->location() != last->location()) nodes.add_node_ref(*first);
+  }
+  return buffer.get<osmium::Way>(buffer.commit());
+}
+
+osmium::area::AssemblerConfig assembler_config() {
+  osmium::area::AssemblerConfig config;
+  config.create_empty_areas = false;
+  config.ignore_invalid_locations = true;
+  return config;
+}
+
+// What the assembler reads where an element has gaps, and where it writes; apart, since growing moves a buffer's contents. The assembler
+// keeps a reference to its settings.
+struct Workspace {
+  osmium::area::AssemblerConfig config = assembler_config();
+  osmium::memory::Buffer mended{16 * 1024};
+  osmium::memory::Buffer areas{64 * 1024};
+};
+
+// A relation and its way members, all there.
+struct Members {
+  const osmium::Relation* relation = nullptr;
+  std::vector<const osmium::Way*> ways;
+  bool is_complete = true;
+};
+
+const osmium::Way* find_way(const Elements& elements, std::int64_t id) {
+  const auto found = std::lower_bound(elements.ways.begin(), elements.ways.end(), id,
+                                      [](const osmium::Way* way, std::int64_t wanted) { return way->id() < wanted; });
+  return found != elements.ways.end() && (*found)->id() == id ? *found : nullptr;
+}
+
+// The relation with only those way members that are in the extract: the assembler wants each of them.
+const osmium::Relation& without_absent(const osmium::Relation& relation, const Elements& elements,
+                                       osmium::memory::Buffer& buffer) {
+  {
+    osmium::builder::RelationBuilder builder(buffer);
+    builder.set_id(relation.id());
+    osmium::builder::RelationMemberListBuilder members(builder);
+    for (const osmium::RelationMember& member : relation.members()) {
+      if (member.type() != osmium::item_type::way || !find_way(elements, member.ref())) continue;
+      members.add_member(member.type(), member.ref(), member.role());
+    }
+  }
+  return buffer.get<osmium::Relation>(buffer.commit());
+}
+
+Members find_members(const osmium::Relation& relation, const Elements& elements, osmium::memory::Buffer& buffer) {
+  Members members;
+  members.relation = &relation;
+  for (const osmium::RelationMember& member : relation.members()) {
+    if (member.type() != osmium::item_type::way) continue;
+    const osmium::Way* way = find_way(elements, member.ref());
+    if (way) members.ways.push_back(way);
+    if (!way) members.is_complete = false;
+  }
+  if (!members.is_complete) members.relation = &without_absent(relation, elements, buffer);
+  return members;
+}
+
+using Segment = std::pair<osmium::Location, osmium::Location>;
+
+Segment segment(osmium::Location a, osmium::Location b) { return a < b ? Segment{a, b} : Segment{b, a}; }
+
+// Segments of the members that are called inner. Where their outer ring is missing they must not pass for outer ones.
+std::set<Segment> segments_of_inner_members(const Members& members) {
+  std::set<Segment> segments;
+  auto way = members.ways.begin();
+  for (const osmium::RelationMember& member : members.relation->members()) {
+    const osmium::WayNodeList& nodes = (*way++)->nodes();
+    if (std::strcmp(member.role(), "inner") != 0) continue;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      segments.insert(segment(nodes[i - 1].location(), nodes[i].location()));
+  }
+  return segments;
+}
+
+Location location_of(const osmium::NodeRef& node_ref) { return {node_ref.location().x(), node_ref.location().y()}; }
+
+// Exact: the turn at the westernmost point of a simple ring. The products stay below 2^63, since longitudes differ by
+// less than 2^32 and latitudes by less than 2^31.
+bool is_counter_clockwise(std::span<const Location> ring) {
+  const Location west = ring.front(), before = ring.back(), after = ring[1];
+  const auto dx1 = std::int64_t{after.lon_e7} - west.lon_e7, dy1 = std::int64_t{after.lat_e7} - west.lat_e7;
+  const auto dx2 = std::int64_t{before.lon_e7} - west.lon_e7, dy2 = std::int64_t{before.lat_e7} - west.lat_e7;
+  return dx1 * dy2 > dy1 * dx2;
+}
+
+void add_ring(const osmium::NodeRefList& nodes, std::uint32_t part, bool is_outer, Slot& slot) {
+  AreaRing ring{{static_cast<std::uint32_t>(slot.points.size()), 0}, part, is_outer};
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) slot.points.push_back(location_of(nodes[i]));
+  ring.points.count = static_cast<std::uint32_t>(slot.points.size()) - ring.points.first;
+  const auto begin = slot.points.begin() + ring.points.first;
+  std::rotate(begin, std::min_element(begin, slot.points.end()), slot.points.end());
+  if (is_counter_clockwise({begin, slot.points.end()}) != is_outer) std::reverse(begin + 1, slot.points.end());
+  slot.rings.push_back(ring);
+}
+
+bool is_made_of(const osmium::NodeRefList& ring, const std::set<Segment>& segments) {
+  return segments.contains(segment(ring[0].location(), ring[1].location()));
+}
+
+// Copies the rings of an assembled area; leaves out outer rings made of `not_outer`. False if nothing is left.
+bool add_area(const osmium::Area& assembled, OsmId from, const std::set<Segment>& not_outer, Slot& slot) {
+  Area area;
+  area.from = from;
+  area.rings.first = static_cast<std::uint32_t>(slot.rings.size());
+  std::uint32_t part = 0;
+  for (const osmium::OuterRing& outer : assembled.outer_rings()) {
+    if (is_made_of(outer, not_outer)) continue;
+    add_ring(outer, part, true, slot);
+    for (const osmium::InnerRing& inner : assembled.inner_rings(outer)) add_ring(inner, part, false, slot);
+    ++part;
+  }
+  area.rings.count = static_cast<std::uint32_t>(slot.rings.size()) - area.rings.first;
+  if (area.rings.count == 0) return false;
+  slot.areas.push_back(area);
+  return true;
+}
+
+bool assemble_way(const osmium::Way& way, Workspace& space, Slot& slot) {
+  const osmium::Way& whole = has_missing_nodes(way) ? close_around_gaps(way, space.mended) : way;
+  osmium::area::Assembler assembler(space.config);
+  if (!assembler(whole, space.areas)) return false;
+  return add_area(space.areas.get<osmium::Area>(0), {OsmType::kWay, way.id()}, {}, slot);
+}
+
+bool assemble_relation(const osmium::Relation& relation, const Elements& elements, Workspace& space, Slot& slot) {
+  const Members members = find_members(relation, elements, space.mended);
+  if (members.ways.empty()) return false;
+  std::set<Segment> not_outer;
+  if (!members.is_complete) not_outer = segments_of_inner_members(members);
+  osmium::area::Assembler assembler(space.config);
+  if (!assembler(*members.relation, members.ways, space.areas)) return false;
+  return add_area(space.areas.get<osmium::Area>(0), {OsmType::kRelation, relation.id()}, not_outer, slot);
+}
+
+bool assemble(const Candidate& candidate, const Elements& elements, Workspace& space, Slot& slot) {
+  space.mended.clear();
+  space.areas.clear();
+  try {
+    return candidate.way ? assemble_way(*candidate.way, space, slot)
+                         : assemble_relation(*candidate.relation, elements, space, slot);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elements) {
+  Slot slot;
+  Workspace space;
+  for (const Candidate& candidate : candidates) {
+    if (!assemble(candidate, elements, space, slot)) slot.broken.push_back(id_of(candidate));
+  }
+  return slot;
+}
+
+void append(const Slot& slot, OsmData& data) {
+  const auto first_ring = static_cast<std::uint32_t>(data.rings.size());
+  const auto first_point = static_cast<std::uint32_t>(data.ring_points.size());
+  for (Area area : slot.areas) {
+    area.rings.first += first_ring;
+    data.areas.push_back(area);
+  }
+  for (AreaRing ring : slot.rings) {
+    ring.points.first += first_point;
+    data.rings.push_back(ring);
+  }
+  data.ring_points.insert(data.ring_points.end(), slot.points.begin(), slot.points.end());
+}
+
+std::vector<Candidate> find_candidates(const Elements& elements) {
+  std::vector<Candidate> candidates;
+  for (const osmium::Way* way : elements.ways) {
+    if (is_candidate(*way)) candidates.push_back({.way = way});
+  }
+  for (const osmium::Relation* relation : elements.relations) {
+    if (is_candidate(*relation)) candidates.push_back({.relation = relation});
+  }
+  return candidates;
+}
+
+}  // namespace
+
+bool describes(std::string_view key) {
+  // as libosmium's AssemblerLegacy has it, the test keys of osm-testdata included
+  constexpr std::array<std::string_view, 6> kSayNothing = {"type",       "source",  "note",
+                                                           "created_by", "test:id", "test:section"};
+  return std::find(kSayNothing.begin(), kSayNothing.end(), key) == kSayNothing.end();
+}
+
+void assemble_areas(const Elements& elements, int threads, OsmData& data, Report& report) {
+  const std::vector<Candidate> candidates = find_candidates(elements);
+  const std::size_t slot_count = (candidates.size() + kCandidatesPerSlot - 1) / kCandidatesPerSlot;
+  const std::vector<Slot> slots = for_each_slot<Slot>(slot_count, threads, [&](std::size_t i) {
+    const std::size_t first = i * kCandidatesPerSlot;
+    const std::size_t count = std::min(kCandidatesPerSlot, candidates.size() - first);
+    return assemble_slot(std::span(candidates).subspan(first, count), elements);
+  });
+  Account& account = report.account("source", "area");
+  account.in += candidates.size();
+  for (const Slot& slot : slots) {
+    append(slot, data);
+    for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
+  }
+  account.out += data.areas.size();
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,72 @@
+#include "compiler/source/decode_osm.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <osmium/io/bzip2_compression.hpp>
+#include <osmium/io/gzip_compression.hpp>
+#include <osmium/io/pbf_input.hpp>
+#include <osmium/io/reader.hpp>
+#include <osmium/io/xml_input.hpp>
+#include <osmium/thread/pool.hpp>
+#include <thread>
+
+#include "compiler/source/osm_file_kind.h"
+
+namespace citykiln::source {
+namespace {
+
+const char* osmium_name(OsmFormat format) {
+  switch (format) {
+    case OsmFormat::kXml:
+      return "osm";
+    case OsmFormat::kXmlGzip:
+      return "osm.gz";
+    case OsmFormat::kXmlBzip2:
+      return "osm.bz2";
+    case OsmFormat::kPbf:
+      return "pbf";
+  }
+  return "";
+}
+
+std::optional<LonLatBox> box_of(const osmium::io::Header& header) {
+  const osmium::Box box = header.joined_boxes();
+  if (!box.valid()) return std::nullopt;
+  return LonLatBox{box.bottom_left().lon(), box.bottom_left().lat(), box.top_right().lon(), box.top_right().lat()};
+}
+
+DecodedOsm decode(const std::string& path, OsmFormat format, int threads) {
+  // absolute, since libosmium would hand a name like http:x to curl
+  const osmium::io::File file(std::filesystem::absolute(path).string(), osmium_name(format));
+  osmium::thread::Pool pool(threads > 0 ? threads
+                                        : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  osmium::io::Reader reader(file, osmium::osm_entity_bits::nwr, pool);
+  DecodedOsm decoded;
+  decoded.header_box = box_of(reader.header());
+  while (osmium::memory::Buffer buffer = reader.read()) decoded.buffers.push_back(std::move(buffer));
+  reader.close();
+  return decoded;
+}
+
+}  // namespace
+
+Result<DecodedOsm> decode_osm(const std::string& path, int threads) {
+  const Result<OsmFormat> format = osm_format_of(path);
+  if (!format) return format.error();
+  try {
+    return decode(path, *format, threads);
+  } catch (const osmium::xml_error& error) {
+    if (error.line == 0) return Error{path, error.error_string};
+    return Error{fmt::format("{}:{}:{}", path, error.line, error.column + 1), "malformed XML: " + error.error_string};
+  } catch (const std::bad_alloc&) {
+    return Error{path, "not enough memory to hold the extract"};
+  } catch (const std::exception& error) {
+    return Error{path, error.what()};
+  }
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,107 @@
+// The rules are those of libosmium's AssemblerLegacy (osmium/area/assembler_legacy.hpp); unlike it, a closed outer way
+// stays an area of its own where the relation has tags itself.
+#include "compiler/source/old_style_multipolygons.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "compiler/source/assemble_areas.h"
+
+namespace citykiln::source {
+namespace {
+
+using Words = std::pair<std::uint32_t, std::uint32_t>;
+
+// Sorted pairs of key and value that describe.
+std::vector<Words> description_of(const OsmData& data, Range tags) {
+  std::vector<Words> words;
+  for (const Tag& tag : data.tags_of(tags)) {
+    if (describes(data.strings[tag.key])) words.emplace_back(tag.key, tag.value);
+  }
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+const Way* find_way(const OsmData& data, std::int64_t id) {
+  const auto found = std::lower_bound(data.ways.begin(), data.ways.end(), id,
+                                      [](const Way& way, std::int64_t i) { return way.id < i; });
+  return found != data.ways.end() && found->id == id ? &*found : nullptr;
+}
+
+const Relation* find_relation(const OsmData& data, std::int64_t id) {
+  const auto found = std::lower_bound(data.relations.begin(), data.relations.end(), id,
+                                      [](const Relation& relation, std::int64_t i) { return relation.id < i; });
+  return found != data.relations.end() && found->id == id ? &*found : nullptr;
+}
+
+struct MemberWays {
+  std::vector<const Way*> outer, inner;
+};
+
+MemberWays ways_of(const OsmData& data, const Relation& relation) {
+  MemberWays ways;
+  for (std::uint32_t i = 0; i < relation.members.count; ++i) {
+    const Member& member = data.members[relation.members.first + i];
+    const Way* way = member.object.type == OsmType::kWay ? find_way(data, member.object.id) : nullptr;
+    if (way) (data.strings[member.role] == "inner" ? ways.inner : ways.outer).push_back(way);
+  }
+  return ways;
+}
+
+std::vector<Words> common_description(const OsmData& data, const std::vector<const Way*>& ways) {
+  if (ways.empty()) return {};
+  std::vector<Words> common = description_of(data, ways.front()->tags);
+  for (const Way* way : ways) {
+    const std::vector<Words> theirs = description_of(data, way->tags);
+    std::erase_if(common, [&](Words words) { return !std::binary_search(theirs.begin(), theirs.end(), words); });
+  }
+  return common;
+}
+
+// Appends the area's own tags and `more` as its new tags.
+void add_tags(OsmData& data, Area& area, const std::vector<Words>& more) {
+  const auto first = static_cast<std::uint32_t>(data.tags.size());
+  for (std::uint32_t i = 0; i < area.tags.count; ++i) data.tags.push_back(Tag(data.tags[area.tags.first + i]));
+  for (const auto& [key, value] : more) data.tags.push_back({key, value});
+  area.tags = {first, static_cast<std::uint32_t>(data.tags.size()) - first};
+  const auto by_words = [](const Tag& a, const Tag& b) { return Words{a.key, a.value} < Words{b.key, b.value}; };
+  std::sort(data.tags.begin() + first, data.tags.end(), by_words);
+}
+
+// Mends the tags of one multipolygon and notes the ways whose areas it takes the place of.
+void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::int64_t>& merged_ways) {
+  const MemberWays ways = ways_of(data, relation);
+  std::vector<Words> description = description_of(data, area.tags);
+  if (description.empty()) {
+    description = common_description(data, ways.outer);
+    if (description.empty()) return;
+    add_tags(data, area, description);
+    for (const Way* way : ways.outer) {
+      if (description_of(data, way->tags) == description) merged_ways.insert(way->id);
+    }
+  }
+  for (const Way* way : ways.inner) {
+    if (description_of(data, way->tags) == description) merged_ways.insert(way->id);
+  }
+}
+
+}  // namespace
+
+void merge_old_style_multipolygons(OsmData& data, Report& report) {
+  std::set<std::int64_t> merged_ways;
+  for (Area& area : data.areas) {
+    if (area.from.type != OsmType::kRelation) continue;
+    const Relation* relation = find_relation(data, area.from.id);
+    if (relation && data.value_of(relation->tags, "type") == "multipolygon") merge(data, area, *relation, merged_ways);
+  }
+  Account& account = report.account("source", "area");
+  const auto is_merged = [&](const Area& area) {
+    return area.from.type == OsmType::kWay && merged_ways.contains(area.from.id);
+  };
+  const std::size_t count = std::erase_if(data.areas, is_merged);
+  account.merged += count;
+  account.out -= count;
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,126 @@
+#include "compiler/source/order_elements.h"
+
+#include <algorithm>
+#include <cstring>
+#include <osmium/osm/object_comparisons.hpp>
+#include <string_view>
+
+namespace citykiln::source {
+namespace {
+
+OsmId id_of(const osmium::OSMObject& object) {
+  const OsmType type = object.type() == osmium::item_type::node  ? OsmType::kNode
+                       : object.type() == osmium::item_type::way ? OsmType::kWay
+                                                                 : OsmType::kRelation;
+  return {type, object.id()};
+}
+
+std::string_view bytes_of(const osmium::OSMObject& object) {
+  return {reinterpret_cast<const char*>(object.data()), object.byte_size()};
+}
+
+// by id, then the one to keep first
+bool goes_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
+  if (a->id() != b->id()) return a->id() < b->id();
+  if (a->version() != b->version()) return a->version() > b->version();
+  return bytes_of(*a) < bytes_of(*b);
+}
+
+// Sorts, then keeps the first of each id.
+template <typename Pointer>
+void keep_one_each(std::vector<Pointer>& elements, Account& account, Report& report) {
+  const auto not_rising = [](Pointer a, Pointer b) { return a->id() >= b->id(); };
+  if (std::adjacent_find(elements.begin(), elements.end(), not_rising) == elements.end()) return;
+  std::sort(elements.begin(), elements.end(), goes_before);
+  const auto same_id = [&](Pointer kept, Pointer next) {
+    if (kept->id() != next->id()) return false;
+    report.add(Code::kDuplicateElement, id_of(*next));
+    ++account.merged;
+    return true;
+  };
+  elements.erase(std::unique(elements.begin(), elements.end(), same_id), elements.end());
+}
+
+template <typename Pointer>
+void drop_deleted(std::vector<Pointer>& elements, Account& account, Report& report) {
+  const auto is_deleted = [&](Pointer element) {
+    if (!element->deleted()) return false;
+    report.drop(account, Code::kDeletedElement, id_of(*element));
+    return true;
+  };
+  elements.erase(std::remove_if(elements.begin(), elements.end(), is_deleted), elements.end());
+}
+
+void drop_nodes_without_place(std::vector<const osmium::Node*>& nodes, Account& account, Report& report) {
+  const auto has_no_place = [&](const osmium::Node* node) {
+    if (node->location().valid()) return false;
+    report.drop(account, Code::kNodeWithoutPlace, id_of(*node));
+    return true;
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_no_place), nodes.end());
+}
+
+// Collects pointers and reports a file that is not sorted as OSM files are: nodes, ways, relations, each by id.
+Elements collect(std::vector<osmium::memory::Buffer>& buffers, Report& report) {
+  Elements elements;
+  const osmium::OSMObject* previous = nullptr;
+  bool is_sorted = true;
+  for (osmium::memory::Buffer& buffer : buffers) {
+    for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
+      if (object.type() == osmium::item_type::node) elements.nodes.push_back(static_cast<osmium::Node*>(&object));
+      if (object.type() == osmium::item_type::way) elements.ways.push_back(static_cast<osmium::Way*>(&object));
+      if (object.type() == osmium::item_type::relation)
+        elements.relations.push_back(static_cast<osmium::Relation*>(&object));
+      if (previous && is_sorted) is_sorted = !(osmium::object_order_type_id_version{}(object, *previous));
+      previous = &object;
+    }
+  }
+  if (!is_sorted) report.add(Code::kUnsortedFile, OsmId{});
+  return elements;
+}
+
+template <typename Pointer>
+void clean(std::vector<Pointer>& elements, Account& account, Report& report) {
+  account.in += elements.size();
+  keep_one_each(elements, account, report);
+  drop_deleted(elements, account, report);
+}
+
+}  // namespace
+
+Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& report) {
+  Elements elements = collect(buffers, report);
+  Account& node_account = report.account("source", "node");
+  clean(elements.nodes, node_account, report);
+  drop_nodes_without_place(elements.nodes, node_account, report);
+  node_account.out += elements.nodes.size();
+  clean(elements.ways, report.account("source", "way"), report);
+  clean(elements.relations, report.account("source", "relation"), report);
+  return elements;
+}
+
+void locate_way_nodes(const Elements& elements) {
+  // ids and places side by side: the search then touches no element
+  std::vector<osmium::object_id_type> ids;
+  std::vector<osmium::Location> places;
+  ids.reserve(elements.nodes.size());
+  places.reserve(elements.nodes.size());
+  for (const osmium::Node* node : elements.nodes) {
+    ids.push_back(node->id());
+    places.push_back(node->location());
+  }
+  std::size_t guess = 0;
+  for (osmium::Way* way : elements.ways) {
+    for (osmium::NodeRef& node_ref : way->nodes()) {
+      // nodes of a way are mostly drawn one after the other, so the next id is the likeliest
+      if (guess >= ids.size() || ids[guess] != node_ref.ref()) {
+        guess = std::lower_bound(ids.begin(), ids.end(), node_ref.ref()) - ids.begin();
+      }
+      const bool is_there = guess < ids.size() && ids[guess] == node_ref.ref();
+      node_ref.set_location(is_there ? places[guess] : osmium::Location{});
+      guess += is_there ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,172 @@
+// Decode once into memory, put the elements in order, look up places, flatten, assemble areas.
+#include "compiler/source/read_osm.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "compiler/source/assemble_areas.h"
+#include "compiler/source/decode_osm.h"
+#include "compiler/source/old_style_multipolygons.h"
+#include "compiler/source/order_elements.h"
+#include "compiler/source/unique_strings.h"
+
+namespace citykiln::source {
+namespace {
+
+std::uint32_t size_of(const auto& vector) { return static_cast<std::uint32_t>(vector.size()); }
+
+Location location_of(osmium::Location place) { return {place.x(), place.y()}; }
+
+Range add_tags(const osmium::TagList& tags, UniqueStrings& strings, OsmData& data) {
+  const Range run{size_of(data.tags), static_cast<std::uint32_t>(tags.size())};
+  for (const osmium::Tag& tag : tags)
+    data.tags.push_back({strings.number_of(tag.key()), strings.number_of(tag.value())});
+  return run;
+}
+
+LonLatBox box_of(const std::vector<const osmium::Node*>& nodes) {
+  if (nodes.empty()) return {};
+  Location low = location_of(nodes.front()->location()), high = low;
+  for (const osmium::Node* node : nodes) {
+    const Location at = location_of(node->location());
+    low = {std::min(low.lon_e7, at.lon_e7), std::min(low.lat_e7, at.lat_e7)};
+    high = {std::max(high.lon_e7, at.lon_e7), std::max(high.lat_e7, at.lat_e7)};
+  }
+  return {low.lon_deg(), low.lat_deg(), high.lon_deg(), high.lat_deg()};
+}
+
+void add_nodes(const Elements& elements, UniqueStrings& strings, OsmData& data) {
+  for (const osmium::Node* node : elements.nodes) {
+    if (node->tags().empty()) continue;
+    data.nodes.push_back({node->id(), location_of(node->location()), add_tags(node->tags(), strings, data)});
+  }
+  data.node_box = box_of(elements.nodes);
+}
+
+void add_ways(const Elements& elements, UniqueStrings& strings, OsmData& data, Report& report) {
+  Account& account = report.account("source", "way");
+  for (const osmium::Way* way : elements.ways) {
+    Range nodes{size_of(data.way_nodes), 0};
+    for (const osmium::NodeRef& node_ref : way->nodes()) {
+      if (node_ref.location().valid()) data.way_nodes.push_back({node_ref.ref(), location_of(node_ref.location())});
+    }
+    nodes.count = size_of(data.way_nodes) - nodes.first;
+    const std::size_t missing = way->nodes().size() - nodes.count;
+    if (missing > 0) report.add(Code::kMissingNode, {OsmType::kWay, way->id()}, static_cast<double>(missing));
+    if (nodes.count < 2) {
+      data.way_nodes.resize(nodes.first);
+      report.drop(account, Code::kWayTooShort, {OsmType::kWay, way->id()});
+      continue;
+    }
+    data.ways.push_back({way->id(), nodes, add_tags(way->tags(), strings, data)});
+  }
+  account.out += data.ways.size();
+}
+
+template <typename Pointer>
+bool contains(const std::vector<Pointer>& elements, std::int64_t id) {
+  const auto found = std::lower_bound(elements.begin(), elements.end(), id,
+                                      [](Pointer element, std::int64_t wanted) { return element->id() < wanted; });
+  return found != elements.end() && (*found)->id() == id;
+}
+
+bool contains(const Elements& elements, OsmId id) {
+  if (id.type == OsmType::kNode) return contains(elements.nodes, id.id);
+  if (id.type == OsmType::kWay) return contains(elements.ways, id.id);
+  return contains(elements.relations, id.id);
+}
+
+OsmId id_of(const osmium::RelationMember& member) {
+  const OsmType type = member.type() == osmium::item_type::node  ? OsmType::kNode
+                       : member.type() == osmium::item_type::way ? OsmType::kWay
+                                                                 : OsmType::kRelation;
+  return {type, member.ref()};
+}
+
+void add_relations(const Elements& elements, UniqueStrings& strings, OsmData& data, Report& report) {
+  Account& account = report.account("source", "relation");
+  for (const osmium::Relation* relation : elements.relations) {
+    const OsmId id{OsmType::kRelation, relation->id()};
+    if (relation->tags().empty()) {
+      report.drop(account, Code::kRelationWithoutTags, id);
+      continue;
+    }
+    Range members{size_of(data.members), static_cast<std::uint32_t>(relation->members().size())};
+    std::size_t missing = 0;
+    for (const osmium::RelationMember& member : relation->members()) {
+      data.members.push_back({id_of(member), strings.number_of(member.role())});
+      if (!contains(elements, id_of(member))) ++missing;
+    }
+    if (missing > 0) report.add(Code::kMissingMember, id, static_cast<double>(missing));
+    data.relations.push_back({relation->id(), members, add_tags(relation->tags(), strings, data)});
+  }
+  account.out += data.relations.size();
+}
+
+void sort_run(Range run, OsmData& data) {
+  const auto first = data.tags.begin() + run.first;
+  std::sort(first, first + run.count,
+            [](const Tag& a, const Tag& b) { return a.key != b.key ? a.key < b.key : a.value < b.value; });
+}
+
+// Renumbers keys, values and roles by the alphabet, then sorts each element's tags.
+void sort_strings(const UniqueStrings& strings, OsmData& data) {
+  data.strings = strings.sorted();
+  const std::vector<std::uint32_t> places = strings.places_in_sorted();
+  for (Tag& tag : data.tags) tag = {places[tag.key], places[tag.value]};
+  for (Member& member : data.members) member.role = places[member.role];
+  for (const Node& node : data.nodes) sort_run(node.tags, data);
+  for (const Way& way : data.ways) sort_run(way.tags, data);
+  for (const Relation& relation : data.relations) sort_run(relation.tags, data);
+}
+
+// The relation's tags without its type, which says how it is built and not what it is.
+Range tags_without_type(Range tags, OsmData& data) {
+  Range run{size_of(data.tags), 0};
+  for (std::uint32_t i = 0; i < tags.count; ++i) {
+    const Tag tag = data.tags[tags.first + i];
+    if (data.strings[tag.key] != "type") data.tags.push_back(tag);
+  }
+  run.count = size_of(data.tags) - run.first;
+  return run;
+}
+
+// Areas and elements are both sorted, so one walk over each kind finds the tags.
+void tag_areas(OsmData& data) {
+  auto way = data.ways.begin();
+  auto relation = data.relations.begin();
+  for (Area& area : data.areas) {
+    if (area.from.type == OsmType::kWay) {
+      while (way->id != area.from.id) ++way;
+      area.tags = way->tags;
+    } else {
+      while (relation->id != area.from.id) ++relation;
+      area.tags = tags_without_type(relation->tags, data);
+    }
+  }
+}
+
+}  // namespace
+
+Result<OsmData> read_osm(const std::string& path, int threads, Report& report) {
+  Result<DecodedOsm> decoded = decode_osm(path, threads);
+  if (!decoded) return decoded.error();
+  const Elements elements = order_elements(decoded->buffers, report);
+  locate_way_nodes(elements);
+
+  OsmData data;
+  data.file_name = std::filesystem::path(path).filename().string();
+  data.header_box = decoded->header_box;
+  UniqueStrings strings;
+  add_nodes(elements, strings, data);
+  add_ways(elements, strings, data, report);
+  add_relations(elements, strings, data, report);
+  sort_strings(strings, data);
+
+  assemble_areas(elements, threads, data, report);
+  tag_areas(data);
+  merge_old_style_multipolygons(data, report);
+  return data;
+}
+
+}  // namespace citykiln::source

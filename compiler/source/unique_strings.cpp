@@ -1,0 +1,35 @@
+#include "compiler/source/unique_strings.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace citykiln::source {
+
+std::uint32_t UniqueStrings::number_of(std::string_view text) {
+  const auto [entry, is_new] = numbers_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
+  if (is_new) texts_.push_back(text);
+  return entry->second;
+}
+
+std::vector<std::uint32_t> UniqueStrings::numbers_by_alphabet() const {
+  std::vector<std::uint32_t> numbers(texts_.size());
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  std::sort(numbers.begin(), numbers.end(), [&](std::uint32_t a, std::uint32_t b) { return texts_[a] < texts_[b]; });
+  return numbers;
+}
+
+std::vector<std::string> UniqueStrings::sorted() const {
+  std::vector<std::string> strings;
+  strings.reserve(texts_.size());
+  for (const std::uint32_t number : numbers_by_alphabet()) strings.emplace_back(texts_[number]);
+  return strings;
+}
+
+std::vector<std::uint32_t> UniqueStrings::places_in_sorted() const {
+  const std::vector<std::uint32_t> numbers = numbers_by_alphabet();
+  std::vector<std::uint32_t> places(numbers.size());
+  for (std::uint32_t place = 0; place < numbers.size(); ++place) places[numbers[place]] = place;
+  return places;
+}
+
+}  // namespace citykiln::source
