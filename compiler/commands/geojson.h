@@ -21,7 +21,7 @@ struct Shape {
   std::string kind;         ///< Its class, "Residential".
   ShapeKind geometry{};
   std::vector<Ring> parts;  ///< One point, one line, or one polygon's rings with the outer one first. Plane metres.
-  std::string tile;         ///< Of which chunk it is a piece; empty: whole.
+  std::string tile{};       ///< Of which chunk it is a piece; empty: whole.
   double width_m = 0, bottom_m = 0, height_m = 0;  ///< 0: it has none.
 };
 using Layer = std::vector<Shape>;

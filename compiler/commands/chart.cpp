@@ -1,0 +1,89 @@
+// citykiln chart NAME… -o DIR: speed against accuracy, measured here and now.
+#include "compiler/commands/chart.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "compiler/commands/verb.h"
+#include "compiler/spec.h"
+
+namespace citykiln::commands {
+namespace {
+
+/// The charts there are. One row a chart.
+struct Kind {
+  const char* name;
+  Result<std::vector<Chart>> (*make)(const ChartRequest& request);
+};
+constexpr std::array kKinds = {Kind{"plane", chart_plane}, Kind{"terrain", chart_terrain}};
+
+Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
+  std::string known;
+  for (const Kind& kind : kKinds) {
+    if (kind.name == name) return kind.make(request);
+    known += (known.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  return Error{"chart", fmt::format("expected one of {}, found \"{}\"", known, name)};
+}
+
+Result<Exit> run(const ChartRequest& request, const Console& console) {
+  if (request.names.empty()) return Error{"", "no chart is named (plane, terrain)"};
+  if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
+  for (const std::string& name : request.names) {
+    const Result<std::vector<Chart>> charts = make(name, request);
+    if (!charts) return charts.error();
+    for (const Chart& chart : *charts) {
+      if (const Result<Done> written = write_chart(chart, request.folder); !written) return written.error();
+      console.say(fmt::format("{0}/{1}.csv, {0}/{1}.svg: {2}", request.folder, chart.name, chart.title));
+    }
+  }
+  return Exit::kDone;
+}
+
+Result<Done> take_bbox(const std::string& text, ChartRequest& request) {
+  const Result<std::vector<double>> n = parse_numbers(text, 4);
+  if (!n) return n.error();
+  request.bbox = {(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  request.has_bbox = true;
+  return Done{};
+}
+
+Result<Done> take_number(const std::string& text, double least, double most, double& number) {
+  const Result<double> given = parse_number(text);
+  if (!given || *given < least || *given > most) return Error{"", fmt::format("expected a number from {} to {}, found \"{}\"", least, most, text)};
+  number = *given;
+  return Done{};
+}
+
+Result<Done> take_threads(const std::string& text, int& threads) {
+  const Result<std::int64_t> whole = parse_whole(text, 0);
+  if (!whole) return whole.error();
+  threads = static_cast<int>(*whole);
+  return Done{};
+}
+
+}  // namespace
+
+Verb chart_verb() {
+  const auto request = std::make_shared<ChartRequest>();
+  Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
+  verb.options = {
+      {"names", "NAME…", "plane, terrain", true, onto(request->names)},
+      {"--dem", "FILE[,key=value…]", "terrain: the heightmap", true, onto(request->rasters)},
+      {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false, [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
+      {"--cell", "M", "terrain: size of the pieces that are meshed (1024)", false,
+       [request = request.get()](const std::string& t) { return take_number(t, 128, 65536, request->cell_m); }},
+      {"--lat", "DEG", "plane: latitude of the origin (42.5)", false,
+       [request = request.get()](const std::string& t) { return take_number(t, -80, 80, request->lat_deg); }},
+      {"--threads", "N", "0: as many as the machine has (0)", false,
+       [request = request.get()](const std::string& t) { return take_threads(t, request->threads); }},
+      {"-o,--out", "FOLDER", "where charts go", false, into(request->folder)},
+  };
+  verb.run = [request](const Console& console) { return run(*request, console); };
+  return verb;
+}
+
+}  // namespace citykiln::commands

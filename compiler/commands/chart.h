@@ -1,0 +1,52 @@
+// Charts of speed against accuracy: a table of series, written as CSV, and drawn as SVG by gnuplot.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/contract/result.h"
+#include "compiler/source/raster.h"
+
+namespace citykiln::commands {
+
+struct Axis {
+  std::string label;  ///< With its unit: "distance from the origin (km)".
+  bool is_logarithmic = false;
+};
+
+struct Series {
+  std::string name;
+  std::vector<std::pair<double, double>> points;
+  bool is_reference = false;  ///< Somebody else's figure: drawn as lone points.
+};
+
+struct Chart {
+  std::string name;  ///< Of the files: "plane_length".
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series;
+};
+
+/// Writes NAME.csv (columns series, x, y) and NAME.svg into the folder. Errors: a folder that cannot be written; gnuplot missing or unwilling, the CSV stays
+/// then.
+Result<Done> write_chart(const Chart& chart, const std::string& folder);
+
+/// What a chart may be told.
+struct ChartRequest {
+  std::vector<std::string> names;
+  std::string folder;
+  source::LonLatBox bbox;               ///< Of the terrain chart; all of the heightmap where empty.
+  bool has_bbox = false;
+  std::vector<std::string> rasters;     ///< As --dem gives them; the terrain chart draws the first.
+  double lat_deg = 42.5;                ///< Of the plane chart's origin.
+  double cell_m = 1024;                 ///< Of the terrain chart.
+  int threads = 0;
+};
+
+/// How far lengths and angles of the plane are off against the geodesic, over the distance from the origin, beside other projections; time per point in their names.
+Result<std::vector<Chart>> chart_plane(const ChartRequest& request);
+/// The vertical error of the ground against its triangles, and against time, over tolerances, beside other meshers' figures.
+Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
+
+}  // namespace citykiln::commands

@@ -1,0 +1,141 @@
+// What ground costs: the certified vertical error of its meshes against triangles and against time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/commands/chart.h"
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/ground/expand.h"
+#include "compiler/map/locate.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::commands {
+namespace {
+
+/// Figures of other meshers on Mapbox' Fuji tile at 5 m, samples as pixels; two cores (PLATFORM.md, "Peers").
+struct Peer {
+  const char* name;
+  double triangles, seconds, error_m;
+};
+constexpr Peer kPeersOnFuji[] = {
+    {"hmm, Fuji 512² at 5 m", 123'402, 0.12, 5}, {"delatin, Fuji 512² at 5 m", 123'279, 0.50, 5}, {"martini, Fuji 512² at 5 m", 187'985, 0.02, 8.8}};
+constexpr Peer kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159, 2.0, 5}, {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
+
+/// Western and northern edge of a Web Mercator tile's column and row.
+map::LonLat corner_of_tile(int z, double x, double y) {
+  const double n = std::exp2(z);
+  const double lat_rad = std::atan(std::sinh(std::numbers::pi * (1 - 2 * y / n)));
+  return {x / n * 360 - 180, lat_rad * 180 / std::numbers::pi};
+}
+
+/// What the chart meshes, in degrees.
+Result<source::LonLatBox> box_of(const ChartRequest& request, const source::RasterSpec& spec, const source::Raster& raster) {
+  if (request.has_bbox) return request.bbox;
+  if (spec.bounds) return *spec.bounds;
+  if (spec.tile_zxy) {
+    const auto [z, x, y] = *spec.tile_zxy;
+    const map::LonLat north_west = corner_of_tile(z, x, y), south_east = corner_of_tile(z, x + 1, y + 1);
+    return source::LonLatBox{north_west.lon_deg, south_east.lat_deg, south_east.lon_deg, north_west.lat_deg};
+  }
+  if (!raster.system_wkt.empty()) return Error{spec.path, "lies in a projection: say which part with --bbox W,S,E,N"};
+  const auto& g = raster.from_grid;
+  return source::LonLatBox{g[0], g[3] + g[5] * (raster.rows - 1), g[0] + g[1] * (raster.columns - 1), g[3]};
+}
+
+/// The largest box of whole cells about the origin that lies in the box of degrees.
+Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, double cell_m) {
+  const Vec2 sw = plane.forward({box.west, box.south}), se = plane.forward({box.east, box.south});
+  const Vec2 nw = plane.forward({box.west, box.north}), ne = plane.forward({box.east, box.north});
+  const auto up = [&](double v) { return std::ceil(v / cell_m) * cell_m; };
+  const auto down = [&](double v) { return std::floor(v / cell_m) * cell_m; };
+  return {{up(std::max(sw.x, nw.x)), up(std::max(sw.y, se.y))}, {down(std::min(se.x, ne.x)), down(std::min(nw.y, ne.y))}};
+}
+
+struct Terrain {
+  map::Heightfield heights;
+  std::vector<Box2> cells;
+};
+
+std::vector<Box2> cells_of(const Box2& region, double cell_m) {
+  std::vector<Box2> cells;
+  for (double y = region.min.y; y < region.max.y; y += cell_m) {
+    for (double x = region.min.x; x < region.max.x; x += cell_m) cells.push_back({{x, y}, {x + cell_m, y + cell_m}});
+  }
+  return cells;
+}
+
+Result<Terrain> read_terrain(const ChartRequest& request) {
+  if (request.rasters.empty()) return Error{"chart terrain", "needs a heightmap (--dem FILE)"};
+  const Result<source::RasterSpec> spec = source::parse_raster_spec(request.rasters.front());
+  if (!spec) return spec.error();
+  Result<source::Raster> raster = source::read_raster(*spec, nullptr);
+  if (!raster) return raster.error();
+
+  const Result<source::LonLatBox> box = box_of(request, *spec, *raster);
+  if (!box) return box.error();
+  const map::Plane plane(map::default_origin(*box));
+  const Box2 region = whole_cells_in(*box, plane, request.cell_m);
+  if (region.is_empty()) return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
+
+  Report ignored;
+  const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
+  Result<map::Heightfield> heights = map::resample(rasters, plane, region, ignored);
+  if (!heights) return heights.error();
+  return Terrain{std::move(*heights), cells_of(region, request.cell_m)};
+}
+
+struct Measure {
+  double triangles = 0, error_m = 0, seconds = 0;
+};
+
+Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<Measure> cells = for_each_slot<Measure>(terrain.cells.size(), threads, [&](std::size_t i) {
+    Report ignored;
+    const ground::GroundMesh cell = ground::expand_cell({}, terrain.heights, terrain.cells[i], tolerance_m, ignored);
+    return Measure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
+  });
+  Measure all;
+  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  for (const Measure& cell : cells) {
+    all.triangles += cell.triangles;
+    all.error_m = std::max(all.error_m, cell.error_m);
+  }
+  return all;
+}
+
+/// The peers that were measured on this heightmap.
+std::span<const Peer> peers_on(const std::string& raster) {
+  if (raster.find("fuji") != std::string::npos) return kPeersOnFuji;
+  if (raster.find("N42E001") != std::string::npos) return kPeersOnN42E001;
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
+  const Result<Terrain> terrain = read_terrain(request);
+  if (!terrain) return terrain.error();
+  const map::Heightfield& heights = terrain->heights;
+  const std::string what = fmt::format("{} x {} heights every {} m, cells of {} m", heights.columns, heights.rows, heights.step_m, request.cell_m);
+  Chart triangles{"terrain_triangles", "Vertical error against triangles: " + what, {"triangles", true}, {"largest vertical error (m)", true}, {}};
+  Chart seconds{"terrain_time", "Vertical error against time: " + what, {"seconds", true}, {"largest vertical error (m)", true}, {}};
+
+  triangles.series.push_back({"citykiln, certified", {}});
+  seconds.series.push_back({"citykiln, certified", {}});
+  for (const double tolerance_m : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
+    const Measure measure = mesh(*terrain, tolerance_m, request.threads);
+    triangles.series.front().points.emplace_back(measure.triangles, measure.error_m);
+    seconds.series.front().points.emplace_back(measure.seconds, measure.error_m);
+  }
+  for (const Peer& peer : peers_on(request.rasters.front())) {
+    triangles.series.push_back({peer.name, {{peer.triangles, peer.error_m}}, true});
+    seconds.series.push_back({peer.name, {{peer.seconds, peer.error_m}}, true});
+  }
+  return std::vector{triangles, seconds};
+}
+
+}  // namespace citykiln::commands
