@@ -174,14 +174,14 @@ Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(p
 
 constexpr Setting kSettings[] = {
     {"map", "FILE", "the extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
-    {"dem", "FILE[,key=value…]", "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
+    {"dem", "FILE[,key=value...]", "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
     {"bbox", "W,S,E,N", "what to compile, degrees; else the extract's own box", false, set_bbox},
     {"origin", "LON,LAT", "of the plane, degrees; else the box's centre to 0.01°", false, set_origin},
     {"tile", "M", "size of a tile, a whole multiple of 128 m (1024)", false, set_tile},
-    {"only", "X_Y[,X_Y…]", "compile these tiles alone", true, set_only},
+    {"only", "X_Y[,X_Y...]", "compile these tiles alone", true, set_only},
     {"out", "FOLDER", "where the outputs go", false, set_out},
     {"emit", "kiln,glb", "what to write (kiln,glb)", false, set_emit},
-    {"lods", "M,M,…", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
+    {"lods", "M,M,...", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
     {"world", "plane", "what the plane is bent into (plane)", false, set_world},
     {"compress", "none", "of glb (none)", false, set_compress},
     {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false, set_instancing},

@@ -71,8 +71,8 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME…", "plane, terrain", true, onto(request->names)},
-      {"--dem", "FILE[,key=value…]", "terrain: the heightmap", true, onto(request->rasters)},
+      {"names", "NAME...", "plane, terrain", true, onto(request->names)},
+      {"--dem", "FILE[,key=value...]", "terrain: the heightmap", true, onto(request->rasters)},
       {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false, [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
       {"--cell", "M", "terrain: size of the pieces that are meshed (1024)", false,
        [request = request.get()](const std::string& t) { return take_number(t, 128, 65536, request->cell_m); }},

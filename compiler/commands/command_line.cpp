@@ -25,12 +25,9 @@ void declare(CLI::App& app, const Option& option) {
     app.add_flag(option.flags, option.help);
     return;
   }
-  CLI::Option* declared = app.add_option(option.flags, option.help)->type_name(option.value)->allow_extra_args(false);
-  if (option.repeats && option.flags.front() != '-') {
-    declared->expected(1, CLI::detail::expected_max_vector_size);
-  } else if (option.repeats) {
-    declared->take_all();
-  }
+  CLI::Option* declared = app.add_option(option.flags, option.help)->type_name(option.value);
+  const bool stands_by_place = option.flags.front() != '-';
+  if (option.repeats) declared->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(stands_by_place);
 }
 
 CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {

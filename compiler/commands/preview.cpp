@@ -139,7 +139,7 @@ Result<Done> take_only(const std::string& text, std::vector<scene::TileKey>& onl
 
 std::vector<Option> tile_options(LoadRequest& load) {
   return {
-      {"inputs", "SCENE.kiln|OUT|FILE.glb…", "what to look at", true, onto(load.paths)},
+      {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to look at", true, onto(load.paths)},
       {"--tolerance", "M", "what a manifest is fired at (0.1)", false, [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
       {"--level", "N", "which of a folder's levels (0)", false, [&](const std::string& t) { return take_level(t, load.level); }},
       {"--only", "X_Y", "look at these tiles alone", true, [&](const std::string& t) { return take_only(t, load.only); }},
