@@ -19,8 +19,9 @@
 namespace citykiln::source {
 namespace {
 
-// candidates a slot: enough to hide the cost of handing out work
-constexpr std::size_t kCandidatesPerSlot = 256;
+// candidates a slot: enough to hide the cost of handing out work; relations take longer and differ more
+constexpr std::size_t kWaysPerSlot = 256;
+constexpr std::size_t kRelationsPerSlot = 1;
 
 struct Candidate {
   const osmium::Way* way = nullptr;
@@ -28,10 +29,7 @@ struct Candidate {
 };
 
 // The areas of one slot; ranges count from the slot's own vectors.
-struct Slot {
-  std::vector<Area> areas;
-  std::vector<AreaRing> rings;
-  std::vector<Location> points;
+struct Slot : AssembledAreas {
   std::vector<OsmId> broken;
 };
 
@@ -169,12 +167,12 @@ bool is_counter_clockwise(std::span<const Location> ring) {
 }
 
 void add_ring(const osmium::NodeRefList& nodes, std::uint32_t part, bool is_outer, Slot& slot) {
-  AreaRing ring{{static_cast<std::uint32_t>(slot.points.size()), 0}, part, is_outer};
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) slot.points.push_back(location_of(nodes[i]));
-  ring.points.count = static_cast<std::uint32_t>(slot.points.size()) - ring.points.first;
-  const auto begin = slot.points.begin() + ring.points.first;
-  std::rotate(begin, std::min_element(begin, slot.points.end()), slot.points.end());
-  if (is_counter_clockwise({begin, slot.points.end()}) != is_outer) std::reverse(begin + 1, slot.points.end());
+  AreaRing ring{{static_cast<std::uint32_t>(slot.ring_points.size()), 0}, part, is_outer};
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) slot.ring_points.push_back(location_of(nodes[i]));
+  ring.points.count = static_cast<std::uint32_t>(slot.ring_points.size()) - ring.points.first;
+  const auto begin = slot.ring_points.begin() + ring.points.first;
+  std::rotate(begin, std::min_element(begin, slot.ring_points.end()), slot.ring_points.end());
+  if (is_counter_clockwise({begin, slot.ring_points.end()}) != is_outer) std::reverse(begin + 1, slot.ring_points.end());
   slot.rings.push_back(ring);
 }
 
@@ -237,29 +235,40 @@ Slot assemble_slot(std::span<const Candidate> candidates, const Elements& elemen
   return slot;
 }
 
-void append(const Slot& slot, OsmData& data) {
-  const auto first_ring = static_cast<std::uint32_t>(data.rings.size());
-  const auto first_point = static_cast<std::uint32_t>(data.ring_points.size());
+void append(const Slot& slot, AssembledAreas& all) {
+  const auto first_ring = static_cast<std::uint32_t>(all.rings.size());
+  const auto first_point = static_cast<std::uint32_t>(all.ring_points.size());
   for (Area area : slot.areas) {
     area.rings.first += first_ring;
-    data.areas.push_back(area);
+    all.areas.push_back(area);
   }
   for (AreaRing ring : slot.rings) {
     ring.points.first += first_point;
-    data.rings.push_back(ring);
+    all.rings.push_back(ring);
   }
-  data.ring_points.insert(data.ring_points.end(), slot.points.begin(), slot.points.end());
+  all.ring_points.insert(all.ring_points.end(), slot.ring_points.begin(), slot.ring_points.end());
 }
 
-std::vector<Candidate> find_candidates(const Elements& elements) {
-  std::vector<Candidate> candidates;
+struct Candidates {
+  std::vector<Candidate> relations, ways;
+};
+
+Candidates find_candidates(const Elements& elements) {
+  Candidates candidates;
   for (const osmium::Way* way : elements.ways) {
-    if (is_candidate(*way)) candidates.push_back({.way = way});
+    if (is_candidate(*way)) candidates.ways.push_back({.way = way});
   }
   for (const osmium::Relation* relation : elements.relations) {
-    if (is_candidate(*relation)) candidates.push_back({.relation = relation});
+    if (is_candidate(*relation)) candidates.relations.push_back({.relation = relation});
   }
   return candidates;
+}
+
+// Spans of at most `size` candidates.
+void cut(const std::vector<Candidate>& candidates, std::size_t size, std::vector<std::span<const Candidate>>& pieces) {
+  for (std::size_t first = 0; first < candidates.size(); first += size) {
+    pieces.push_back(std::span(candidates).subspan(first, std::min(size, candidates.size() - first)));
+  }
 }
 
 }  // namespace
@@ -271,21 +280,26 @@ bool describes(std::string_view key) {
   return std::find(kSayNothing.begin(), kSayNothing.end(), key) == kSayNothing.end();
 }
 
-void assemble_areas(const Elements& elements, int threads, OsmData& data, Report& report) {
-  const std::vector<Candidate> candidates = find_candidates(elements);
-  const std::size_t slot_count = (candidates.size() + kCandidatesPerSlot - 1) / kCandidatesPerSlot;
-  const std::vector<Slot> slots = for_each_slot<Slot>(slot_count, threads, [&](std::size_t i) {
-    const std::size_t first = i * kCandidatesPerSlot;
-    const std::size_t count = std::min(kCandidatesPerSlot, candidates.size() - first);
-    return assemble_slot(std::span(candidates).subspan(first, count), elements);
-  });
+AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report) {
+  AssembledAreas all;
+  const Candidates candidates = find_candidates(elements);
+  // relations first: one of them can take as long as all ways together
+  std::vector<std::span<const Candidate>> pieces;
+  cut(candidates.relations, kRelationsPerSlot, pieces);
+  const std::size_t relation_slots = pieces.size();
+  cut(candidates.ways, kWaysPerSlot, pieces);
+  std::vector<Slot> slots =
+      for_each_slot<Slot>(pieces.size(), threads, [&](std::size_t i) { return assemble_slot(pieces[i], elements); });
+
   Account& account = report.account("source", "area");
-  account.in += candidates.size();
+  account.in += candidates.ways.size() + candidates.relations.size();
+  std::rotate(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(relation_slots), slots.end());
   for (const Slot& slot : slots) {
-    append(slot, data);
+    append(slot, all);
     for (const OsmId id : slot.broken) report.drop(account, Code::kBrokenArea, id);
   }
-  account.out += data.areas.size();
+  account.out += all.areas.size();
+  return all;
 }
 
 }  // namespace citykiln::source

@@ -5,8 +5,13 @@
 #include <osmium/osm/object_comparisons.hpp>
 #include <string_view>
 
+#include "compiler/contract/for_each_slot.h"
+
 namespace citykiln::source {
 namespace {
+
+// ways a slot: enough to hide the cost of handing out work
+constexpr std::size_t kWaysPerSlot = 512;
 
 OsmId id_of(const osmium::OSMObject& object) {
   const OsmType type = object.type() == osmium::item_type::node  ? OsmType::kNode
@@ -86,6 +91,36 @@ void clean(std::vector<Pointer>& elements, Account& account, Report& report) {
   drop_deleted(elements, account, report);
 }
 
+// Ids and places side by side: the search then touches no element.
+struct NodePlaces {
+  std::vector<osmium::object_id_type> ids;
+  std::vector<osmium::Location> places;
+};
+
+NodePlaces places_of(const std::vector<const osmium::Node*>& nodes) {
+  NodePlaces result;
+  result.ids.reserve(nodes.size());
+  result.places.reserve(nodes.size());
+  for (const osmium::Node* node : nodes) {
+    result.ids.push_back(node->id());
+    result.places.push_back(node->location());
+  }
+  return result;
+}
+
+void locate(osmium::Way& way, const NodePlaces& nodes) {
+  std::size_t guess = nodes.ids.size();
+  for (osmium::NodeRef& node_ref : way.nodes()) {
+    // nodes of a way are mostly drawn one after the other, so the next id is the likeliest
+    if (guess >= nodes.ids.size() || nodes.ids[guess] != node_ref.ref()) {
+      guess = static_cast<std::size_t>(std::lower_bound(nodes.ids.begin(), nodes.ids.end(), node_ref.ref()) - nodes.ids.begin());
+    }
+    const bool is_there = guess < nodes.ids.size() && nodes.ids[guess] == node_ref.ref();
+    node_ref.set_location(is_there ? nodes.places[guess] : osmium::Location{});
+    guess += is_there ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& report) {
@@ -99,28 +134,13 @@ Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& re
   return elements;
 }
 
-void locate_way_nodes(const Elements& elements) {
-  // ids and places side by side: the search then touches no element
-  std::vector<osmium::object_id_type> ids;
-  std::vector<osmium::Location> places;
-  ids.reserve(elements.nodes.size());
-  places.reserve(elements.nodes.size());
-  for (const osmium::Node* node : elements.nodes) {
-    ids.push_back(node->id());
-    places.push_back(node->location());
-  }
-  std::size_t guess = 0;
-  for (osmium::Way* way : elements.ways) {
-    for (osmium::NodeRef& node_ref : way->nodes()) {
-      // nodes of a way are mostly drawn one after the other, so the next id is the likeliest
-      if (guess >= ids.size() || ids[guess] != node_ref.ref()) {
-        guess = std::lower_bound(ids.begin(), ids.end(), node_ref.ref()) - ids.begin();
-      }
-      const bool is_there = guess < ids.size() && ids[guess] == node_ref.ref();
-      node_ref.set_location(is_there ? places[guess] : osmium::Location{});
-      guess += is_there ? 1 : 0;
-    }
-  }
+void locate_way_nodes(const Elements& elements, int threads) {
+  const NodePlaces nodes = places_of(elements.nodes);
+  const std::size_t slots = (elements.ways.size() + kWaysPerSlot - 1) / kWaysPerSlot;
+  for_each_index(slots, threads, [&](std::size_t slot) {
+    const std::size_t end = std::min(elements.ways.size(), (slot + 1) * kWaysPerSlot);
+    for (std::size_t i = slot * kWaysPerSlot; i < end; ++i) locate(*elements.ways[i], nodes);
+  });
 }
 
 }  // namespace citykiln::source

@@ -24,6 +24,6 @@ struct Elements {
 Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& report);
 
 /// Writes each way node's place into the ways, by the nodes' ids; where the node is missing the place stays invalid.
-void locate_way_nodes(const Elements& elements);
+void locate_way_nodes(const Elements& elements, int threads);
 
 }  // namespace citykiln::source

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/source/assemble_areas.h"
 #include "compiler/source/decode_osm.h"
 #include "compiler/source/old_style_multipolygons.h"
@@ -146,24 +147,44 @@ void tag_areas(OsmData& data) {
   }
 }
 
+// Everything but the areas.
+OsmData flatten(const Elements& elements, Report& report) {
+  OsmData data;
+  UniqueStrings strings;
+  add_nodes(elements, strings, data);
+  add_ways(elements, strings, data, report);
+  add_relations(elements, strings, data, report);
+  sort_strings(strings, data);
+  return data;
+}
+
+// Flattens and assembles at the same time: one large relation is done by one thread alone.
+OsmData build(const Elements& elements, int threads, Report& report) {
+  OsmData data;
+  AssembledAreas areas;
+  Report area_report;
+  for_each_index(2, threads, [&](std::size_t i) {
+    if (i == 0) areas = assemble_areas(elements, threads, area_report);
+    if (i == 1) data = flatten(elements, report);
+  });
+  report.append(area_report);
+  data.areas = std::move(areas.areas);
+  data.rings = std::move(areas.rings);
+  data.ring_points = std::move(areas.ring_points);
+  return data;
+}
+
 }  // namespace
 
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report) {
   Result<DecodedOsm> decoded = decode_osm(path, threads);
   if (!decoded) return decoded.error();
   const Elements elements = order_elements(decoded->buffers, report);
-  locate_way_nodes(elements);
+  locate_way_nodes(elements, threads);
 
-  OsmData data;
+  OsmData data = build(elements, threads, report);
   data.file_name = std::filesystem::path(path).filename().string();
   data.header_box = decoded->header_box;
-  UniqueStrings strings;
-  add_nodes(elements, strings, data);
-  add_ways(elements, strings, data, report);
-  add_relations(elements, strings, data, report);
-  sort_strings(strings, data);
-
-  assemble_areas(elements, threads, data, report);
   tag_areas(data);
   merge_old_style_multipolygons(data, report);
   return data;
