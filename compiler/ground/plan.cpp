@@ -12,14 +12,14 @@ std::uint32_t whole_m2(double area_m2) {
   return static_cast<std::uint32_t>(std::min(std::floor(area_m2 + 0.5), 4.0e9));
 }
 
-Surface surface_of(const map::AreaFeature& area) {
+Surface area_surface(const map::AreaFeature& area) {
   Surface surface{area.id, area.surface, whole_m2(area_m2(area.polygon)), {area.polygon.outer}};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }
 
 // A waterway as a road of water: the same stroke.
-Surface surface_of(const map::Waterway& water) {
+Surface water_surface(const map::Waterway& water) {
   return surface_of(roads::Road{water.id, water.axis, map::SurfaceClass::kRiver, water.width_m, true, true});
 }
 
@@ -30,7 +30,7 @@ std::vector<Surface> plan(const map::Features& features, Report& report) {
   Account areas, waters;
   for (const map::AreaFeature& area : features.areas) {
     ++areas.in, ++areas.out;
-    surfaces.push_back(surface_of(area));
+    surfaces.push_back(area_surface(area));
   }
   for (const map::Waterway& water : features.waterways) {
     ++waters.in;
@@ -40,7 +40,7 @@ std::vector<Surface> plan(const map::Features& features, Report& report) {
       continue;
     }
     ++waters.out;
-    surfaces.push_back(surface_of(water));
+    surfaces.push_back(water_surface(water));
   }
   report.account("ground", "area") = areas;
   report.account("ground", "waterway") = waters;
