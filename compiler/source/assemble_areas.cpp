@@ -3,7 +3,6 @@
 // GCC 12 takes the user name behind an osmium::OSMObject for a read past its end
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -89,8 +88,8 @@ osmium::area::AssemblerConfig assembler_config() {
   return config;
 }
 
-// What the assembler reads where an element has gaps, and where it writes; apart, since growing moves a buffer's contents. The assembler
-// keeps a reference to its settings.
+// What the assembler reads where an element has gaps, and where it writes; apart, since growing moves a buffer's
+// contents. The assembler keeps a reference to its settings.
 struct Workspace {
   osmium::area::AssemblerConfig config = assembler_config();
   osmium::memory::Buffer mended{16 * 1024};
@@ -172,7 +171,8 @@ void add_ring(const osmium::NodeRefList& nodes, std::uint32_t part, bool is_oute
   ring.points.count = static_cast<std::uint32_t>(slot.ring_points.size()) - ring.points.first;
   const auto begin = slot.ring_points.begin() + ring.points.first;
   std::rotate(begin, std::min_element(begin, slot.ring_points.end()), slot.ring_points.end());
-  if (is_counter_clockwise({begin, slot.ring_points.end()}) != is_outer) std::reverse(begin + 1, slot.ring_points.end());
+  if (is_counter_clockwise({begin, slot.ring_points.end()}) != is_outer)
+    std::reverse(begin + 1, slot.ring_points.end());
   slot.rings.push_back(ring);
 }
 

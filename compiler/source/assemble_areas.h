@@ -19,14 +19,14 @@ struct AssembledAreas {
   std::vector<Location> ring_points;
 };
 
-/// Assembles the areas. Candidates are closed ways of at least four nodes with a tag that describes and without area=no, and relations of
-/// type multipolygon or boundary with a way among their members.
+/// Assembles the areas. Candidates are closed ways of at least four nodes with a tag that describes and without
+/// area=no, and relations of type multipolygon or boundary with a way among their members.
 ///
-/// Missing nodes are left out of the ring. Of a relation with missing members the present ones are assembled, and outer rings that turn out
-/// to be made of inner members are left out. What cannot be assembled is diagnosed kBrokenArea. Account "source/area".
-/// Guarantees: sorted by id; outer rings counter-clockwise, inner ones clockwise, each starting at its westernmost point (southernmost of
-/// these).
-/// Cost: O(n log n) a candidate, where few segments share their range of longitudes; parallel over candidates.
+/// Missing nodes are left out of the ring. Of a relation with missing members the present ones are assembled, and outer
+/// rings that turn out to be made of inner members are left out. What cannot be assembled is diagnosed kBrokenArea.
+/// Account "source/area". Guarantees: sorted by id; outer rings counter-clockwise, inner ones clockwise, each starting
+/// at its westernmost point (southernmost of these). Cost: O(n log n) a candidate, where few segments share their range
+/// of longitudes; parallel over candidates.
 AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report);
 
 }  // namespace citykiln::source

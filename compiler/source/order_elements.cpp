@@ -113,7 +113,8 @@ void locate(osmium::Way& way, const NodePlaces& nodes) {
   for (osmium::NodeRef& node_ref : way.nodes()) {
     // nodes of a way are mostly drawn one after the other, so the next id is the likeliest
     if (guess >= nodes.ids.size() || nodes.ids[guess] != node_ref.ref()) {
-      guess = static_cast<std::size_t>(std::lower_bound(nodes.ids.begin(), nodes.ids.end(), node_ref.ref()) - nodes.ids.begin());
+      guess = static_cast<std::size_t>(std::lower_bound(nodes.ids.begin(), nodes.ids.end(), node_ref.ref()) -
+                                       nodes.ids.begin());
     }
     const bool is_there = guess < nodes.ids.size() && nodes.ids[guess] == node_ref.ref();
     node_ref.set_location(is_there ? nodes.places[guess] : osmium::Location{});

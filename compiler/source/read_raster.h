@@ -15,6 +15,7 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
 /// @param window  If given, only samples needed inside this box (and a margin of 16 samples) are read.
+/// A raster that does not come near the window has no columns and no rows.
 /// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
 

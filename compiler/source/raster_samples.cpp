@@ -1,0 +1,97 @@
+// Terrarium: https://github.com/tilezen/joerd/blob/master/docs/formats.md. Mapbox:
+// https://docs.mapbox.com/data/tilesets/guides/access-elevation-data.
+#include "compiler/source/raster_samples.h"
+
+#include <gdal_priv.h>
+
+#include <cmath>
+#include <limits>
+
+#include "compiler/source/quiet_gdal.h"
+
+namespace citykiln::source {
+namespace {
+
+constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+// SRTM's void, whatever the file says
+constexpr double kSrtmVoid = -32768;
+// no height in any unit; what is beyond is a nodata value that the file forgot to name
+constexpr double kNoHeight = 1e9;
+
+// Reads one band's window as doubles. False on failure.
+bool read_band(GDALRasterBand& band, const PixelWindow& window, std::vector<double>& values) {
+  values.resize(static_cast<std::size_t>(window.columns) * window.rows);
+  return band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values.data(), window.columns,
+                       window.rows, GDT_Float64, 0, 0, nullptr) == CE_None;
+}
+
+double nodata_of(GDALRasterBand& band) {
+  int has_nodata = 0;
+  const double nodata = band.GetNoDataValue(&has_nodata);
+  return has_nodata ? nodata : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool is_void(double value, double nodata) {
+  return !std::isfinite(value) || value == nodata || value == static_cast<double>(static_cast<float>(nodata)) ||
+         value == kSrtmVoid || std::abs(value) > kNoHeight;
+}
+
+Error unreadable(const RasterSpec& spec, const QuietGdal& quiet) {
+  return {spec.path, "the samples cannot be read: " + quiet.last_message()};
+}
+
+Result<std::vector<float>> read_plain(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
+  const QuietGdal quiet;
+  GDALRasterBand& band = *dataset.GetRasterBand(1);
+  std::vector<double> values;
+  if (!read_band(band, window, values)) return unreadable(spec, quiet);
+  const double nodata = nodata_of(band), band_scale = band.GetScale(), band_offset = band.GetOffset();
+  std::vector<float> heights_m;
+  heights_m.reserve(values.size());
+  for (const double value : values) {
+    const double height_m = spec.scale * (band_scale * value + band_offset) + spec.offset_m;
+    heights_m.push_back(is_void(value, nodata) ? kVoid : static_cast<float>(height_m));
+  }
+  return heights_m;
+}
+
+double decode(const std::string& encoding, double red, double green, double blue) {
+  if (encoding == "terrarium") return 256 * red + green + blue / 256 - 32768;
+  return -10000 + 0.1 * (65536 * red + 256 * green + blue);
+}
+
+Result<std::vector<float>> read_coloured(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
+  const QuietGdal quiet;
+  std::vector<double> red, green, blue, alpha;
+  const bool is_read = read_band(*dataset.GetRasterBand(1), window, red) &&
+                       read_band(*dataset.GetRasterBand(2), window, green) &&
+                       read_band(*dataset.GetRasterBand(3), window, blue) &&
+                       (dataset.GetRasterCount() < 4 || read_band(*dataset.GetRasterBand(4), window, alpha));
+  if (!is_read) return unreadable(spec, quiet);
+  std::vector<float> heights_m;
+  heights_m.reserve(red.size());
+  for (std::size_t i = 0; i < red.size(); ++i) {
+    const bool is_transparent = !alpha.empty() && alpha[i] == 0;
+    const double height_m = spec.scale * decode(spec.encoding, red[i], green[i], blue[i]) + spec.offset_m;
+    heights_m.push_back(is_transparent ? kVoid : static_cast<float>(height_m));
+  }
+  return heights_m;
+}
+
+}  // namespace
+
+Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow& window, const RasterSpec& spec) {
+  const int bands = dataset.GetRasterCount();
+  GDALRasterBand& first = *dataset.GetRasterBand(1);
+  if (spec.encoding.empty()) {
+    if (first.GetColorTable()) return Error{spec.path, "a picture with a palette holds no heights"};
+    if (bands > 2) return Error{spec.path, "a coloured picture needs encoding=terrarium or encoding=mapbox"};
+    return read_plain(dataset, window, spec);
+  }
+  if (bands < 3 || first.GetRasterDataType() != GDT_Byte) {
+    return Error{spec.path, "encoding=" + spec.encoding + " needs three bands of 8 bits"};
+  }
+  return read_coloured(dataset, window, spec);
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,119 @@
+#include <fmt/core.h>
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::source {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> pieces;
+  for (;;) {
+    const std::size_t end = text.find(at);
+    pieces.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return pieces;
+    text.remove_prefix(end + 1);
+  }
+}
+
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number number{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+// `count` numbers with slashes between them
+template <typename Number>
+std::optional<std::vector<Number>> parse_numbers(std::string_view text, std::size_t count) {
+  std::vector<Number> numbers;
+  for (const std::string_view piece : split(text, '/')) {
+    const std::optional<Number> number = parse_number<Number>(piece);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+// Each of these says what it expected if the value does not parse; nothing if it does.
+using Complaint = std::optional<std::string_view>;
+
+Complaint set_bounds(std::string_view value, RasterSpec& spec) {
+  const auto edges = parse_numbers<double>(value, 4);
+  if (!edges) return "W/S/E/N in degrees";
+  const LonLatBox box{(*edges)[0], (*edges)[1], (*edges)[2], (*edges)[3]};
+  if (!(box.west < box.east && box.south < box.north && box.south >= -90 && box.north <= 90)) {
+    return "W/S/E/N in degrees with west < east and south < north";
+  }
+  spec.bounds = box;
+  return std::nullopt;
+}
+
+Complaint set_tile(std::string_view value, RasterSpec& spec) {
+  constexpr int kDeepestZoom = 30;
+  const auto zxy = parse_numbers<int>(value, 3);
+  if (!zxy) return "Z/X/Y as whole numbers";
+  const int z = (*zxy)[0], x = (*zxy)[1], y = (*zxy)[2];
+  if (z < 0 || z > kDeepestZoom || x < 0 || y < 0 || x >= 1 << z || y >= 1 << z) return "Z/X/Y with X and Y below 2^Z";
+  spec.tile_zxy = {z, x, y};
+  return std::nullopt;
+}
+
+Complaint set_number(std::string_view value, double& number) {
+  const std::optional<double> parsed = parse_number<double>(value);
+  if (!parsed) return "a number";
+  number = *parsed;
+  return std::nullopt;
+}
+
+Complaint set_encoding(std::string_view value, RasterSpec& spec) {
+  if (value != "terrarium" && value != "mapbox") return "terrarium or mapbox";
+  spec.encoding = value;
+  return std::nullopt;
+}
+
+constexpr std::string_view kKeys = "bounds, scale, offset, encoding, tile, credit";
+
+Complaint set(std::string_view key, std::string_view value, RasterSpec& spec, bool& is_known) {
+  if (key == "bounds") return set_bounds(value, spec);
+  if (key == "scale") return set_number(value, spec.scale);
+  if (key == "offset") return set_number(value, spec.offset_m);
+  if (key == "encoding") return set_encoding(value, spec);
+  if (key == "tile") return set_tile(value, spec);
+  if (key == "credit") {
+    spec.credit = value;
+    return std::nullopt;
+  }
+  is_known = false;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<RasterSpec> parse_raster_spec(std::string_view text) {
+  const std::vector<std::string_view> pieces = split(text, ',');
+  RasterSpec spec;
+  spec.path = pieces.front();
+  if (spec.path.empty()) return Error{std::string(text), "expected a heightmap's file name first"};
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const std::size_t equals = pieces[i].find('=');
+    const std::string_view key = pieces[i].substr(0, equals);
+    if (equals == std::string_view::npos)
+      return Error{spec.path, fmt::format("expected key=value, found '{}'", pieces[i])};
+    bool is_known = true;
+    const Complaint expected = set(key, pieces[i].substr(equals + 1), spec, is_known);
+    if (!is_known) return Error{spec.path, fmt::format("unknown key '{}'; expected one of {}", key, kKeys)};
+    if (expected)
+      return Error{spec.path,
+                   fmt::format("expected {} after {}=, found '{}'", *expected, key, pieces[i].substr(equals + 1))};
+  }
+  return spec;
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,112 @@
+#include "compiler/source/raster_system.h"
+
+#include <cpl_conv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "compiler/source/quiet_gdal.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::source {
+namespace {
+
+using Transform = std::unique_ptr<OGRCoordinateTransformation>;
+
+OGRSpatialReference wgs84() {
+  OGRSpatialReference system;
+  system.SetFromUserInput(SRS_WKT_WGS84_LAT_LONG);
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return system;
+}
+
+OGRSpatialReference system_from(const std::string& wkt) {
+  OGRSpatialReference system;
+  system.importFromWkt(wkt.c_str());
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return system;
+}
+
+bool is_wgs84(const OGRSpatialReference& system) {
+  constexpr const char* kOptions[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT", nullptr};
+  const OGRSpatialReference reference = wgs84();
+  return system.IsGeographic() && system.IsSame(&reference, kOptions);
+}
+
+std::string wkt_of(const OGRSpatialReference& system) {
+  char* text = nullptr;
+  constexpr const char* kOptions[] = {"FORMAT=WKT2_2018", nullptr};
+  system.exportToWkt(&text, kOptions);
+  std::string wkt = text ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
+struct Place {
+  double x = 0, y = 0;
+};
+
+Place place_of(const Raster& raster, double column, double row) {
+  const std::array<double, 6>& a = raster.from_grid;
+  return {a[0] + a[1] * column + a[2] * row, a[3] + a[4] * column + a[5] * row};
+}
+
+// Metres between two near places in longitude and latitude, on the ellipsoid of WGS84.
+double distance_m(Place a, Place b) {
+  constexpr double kEquator_m = 6378137.0, kEccentricity2 = 6.69437999014e-3, kRadians = M_PI / 180;
+  const double latitude = (a.y + b.y) / 2 * kRadians;
+  const double w2 = 1 - kEccentricity2 * std::sin(latitude) * std::sin(latitude);
+  const double prime_vertical_m = kEquator_m / std::sqrt(w2);
+  const double meridian_m = prime_vertical_m * (1 - kEccentricity2) / w2;
+  return std::hypot((b.x - a.x) * kRadians * prime_vertical_m * std::cos(latitude),
+                    (b.y - a.y) * kRadians * meridian_m);
+}
+
+// From the raster's system to longitude and latitude; nothing where no way is known.
+Transform to_wgs84(const std::string& wkt) {
+  const OGRSpatialReference from = system_from(wkt), to = wgs84();
+  return Transform(OGRCreateCoordinateTransformation(&from, &to));
+}
+
+}  // namespace
+
+std::string system_wkt_of(const OGRSpatialReference& system) { return is_wgs84(system) ? "" : wkt_of(system); }
+
+std::string web_mercator_wkt() {
+  OGRSpatialReference system;
+  system.importFromEPSG(3857);
+  return wkt_of(system);
+}
+
+double spacing_m_of(const Raster& raster) {
+  const QuietGdal quiet;
+  const double column = (raster.columns - 1) / 2.0, row = (raster.rows - 1) / 2.0;
+  std::array<Place, 3> places = {place_of(raster, column, row), place_of(raster, column + 1, row),
+                                 place_of(raster, column, row + 1)};
+  if (!raster.system_wkt.empty()) {
+    const Transform transform = to_wgs84(raster.system_wkt);
+    for (Place& place : places) {
+      if (!transform || !transform->Transform(1, &place.x, &place.y)) return 0;
+    }
+  }
+  constexpr double kStep_m = 0x1p-10;
+  return std::round(std::min(distance_m(places[0], places[1]), distance_m(places[0], places[2])) / kStep_m) * kStep_m;
+}
+
+Result<ToRasterSystem> to_system_of(const Raster& raster) {
+  if (raster.system_wkt.empty()) return ToRasterSystem([](double&, double&) {});
+  const QuietGdal quiet;
+  const OGRSpatialReference from = wgs84(), to = system_from(raster.system_wkt);
+  const std::shared_ptr<OGRCoordinateTransformation> transform(OGRCreateCoordinateTransformation(&from, &to));
+  if (!transform)
+    return Error{raster.file_name, "its reference system cannot be reached from WGS84: " + quiet.last_message()};
+  return ToRasterSystem([transform](double& x, double& y) {
+    const QuietGdal quiet_call;
+    if (!transform->Transform(1, &x, &y)) x = y = std::numeric_limits<double>::quiet_NaN();
+  });
+}
+
+}  // namespace citykiln::source

@@ -1,0 +1,59 @@
+#include "compiler/source/raster_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::source {
+namespace {
+
+// for interpolation, resampling and the reach of smooth filling beyond the box
+constexpr int kMargin = 16;
+// steps along an edge of the box: its image bends by less than the margin between two of them
+constexpr int kSteps = 32;
+
+struct Bounds {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void take(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// First index and count, within 0 … size - 1.
+std::pair<int, int> clamp(Bounds bounds, int size) {
+  const double first = std::max(0.0, std::floor(bounds.low) - kMargin);
+  const double last = std::min(size - 1.0, std::ceil(bounds.high) + kMargin);
+  if (!(first <= last)) return {0, 0};
+  return {static_cast<int>(first), static_cast<int>(last - first) + 1};
+}
+
+}  // namespace
+
+Result<PixelWindow> window_of(const Raster& raster, const LonLatBox& box) {
+  const Result<ToRasterSystem> to_system = to_system_of(raster);
+  if (!to_system) return to_system.error();
+  const std::array<double, 6>& a = raster.from_grid;
+  const double determinant = a[1] * a[5] - a[2] * a[4];
+  if (determinant == 0 || !std::isfinite(determinant)) return Error{raster.file_name, "its grid has no extent"};
+
+  Bounds columns, rows;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      double x = box.west + (box.east - box.west) * i / kSteps;
+      double y = box.south + (box.north - box.south) * j / kSteps;
+      (*to_system)(x, y);
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      columns.take((a[5] * (x - a[0]) - a[2] * (y - a[3])) / determinant);
+      rows.take((a[1] * (y - a[3]) - a[4] * (x - a[0])) / determinant);
+    }
+  }
+  const auto [column, column_count] = clamp(columns, raster.columns);
+  const auto [row, row_count] = clamp(rows, raster.rows);
+  if (column_count == 0 || row_count == 0) return PixelWindow{};
+  return PixelWindow{column, row, column_count, row_count};
+}
+
+}  // namespace citykiln::source
