@@ -1,0 +1,39 @@
+// Test fixtures: extracts written as text, and OsmData printed for comparison.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "compiler/source/read_osm.h"
+
+namespace citykiln::source {
+
+/// A folder of its own for each test, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  /// Writes a file and returns its path.
+  std::string write(const std::string& name, std::string_view bytes) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// An .osm document around the elements.
+std::string osm(std::string_view elements);
+
+/// All bytes of a file.
+std::string bytes_of(const std::string& path);
+
+/// Everything in `data` but the file's name, one line an element: equal text, equal data.
+std::string text_of(const OsmData& data);
+
+/// Reads an .osm document of these elements; fails the test on an error.
+OsmData read(std::string_view elements, Report& report, int threads = 1);
+
+}  // namespace citykiln::source
