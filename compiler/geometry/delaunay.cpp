@@ -89,15 +89,19 @@ Delaunay& Delaunay::operator=(Delaunay&&) noexcept = default;
 const std::vector<GridPoint>& Delaunay::vertices() const { return triangulation_->vertices; }
 const std::vector<DelaunayFace>& Delaunay::faces() const { return triangulation_->faces; }
 
-std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t near) {
-  Triangulation& t = *triangulation_;
+std::uint32_t Delaunay::face_to_split(GridPoint p, std::uint32_t near) const {
+  const Triangulation& t = *triangulation_;
   Cdt::Locate_type where;
   int corner = 0;
-  const Cdt::Point point = cgal_point(p);
-  const Cdt::Face_handle face = t.cdt.locate(point, where, corner, t.handles[near]);
+  const Cdt::Face_handle face = t.cdt.locate(cgal_point(p), where, corner, t.handles[near]);
   const bool on_constraint = where == Cdt::EDGE && face->is_constrained(corner);
-  if (on_constraint || (where != Cdt::FACE && where != Cdt::EDGE)) return {};
-  const Cdt::Vertex_handle vertex = t.cdt.insert(point, where, face, corner);
+  if (on_constraint || (where != Cdt::FACE && where != Cdt::EDGE)) return kNoFace;
+  return t.cdt.is_infinite(face) ? kNoFace : face->info().value;
+}
+
+std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t face) {
+  Triangulation& t = *triangulation_;
+  const Cdt::Vertex_handle vertex = t.cdt.insert(cgal_point(p), t.handles[face]);
   vertex->info() = static_cast<std::uint32_t>(t.vertices.size());
   t.vertices.push_back(p);
   t.refresh_about(vertex);

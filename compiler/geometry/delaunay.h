@@ -34,9 +34,12 @@ class Delaunay {
   const std::vector<GridPoint>& vertices() const;
   const std::vector<DelaunayFace>& faces() const;
 
-  /// Puts a point in, beginning the search at face `near`. Returns the faces that changed or are new, all about the new vertex (the last one);
-  /// nothing, and no change, where the point is a vertex already or lies on a constrained edge or outside.
-  std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t near);
+  /// The face that a new point at p would split (one of two on an edge), searched from face `near`; kNoFace where p is a vertex already, lies on a
+  /// constrained edge, or outside.
+  std::uint32_t face_to_split(GridPoint p, std::uint32_t near) const;
+
+  /// Puts a point into the face that face_to_split found. Returns the faces that changed or are new, all about the new vertex (the last one).
+  std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t face);
 
  private:
   struct Triangulation;

@@ -16,6 +16,9 @@ namespace {
 
 using map::Heightfield;
 
+// How much finer than the tolerance borders are split at most.
+constexpr double kFinestBorders = 8;
+
 // One planar partition of the cell: its edges, its triangles, and what covers each of them (an index into the surfaces, or kNoSurface).
 struct Partition {
   Arrangement arrangement;
@@ -89,38 +92,39 @@ Partition partition_all(const Layers& layers, const Box2& cell) {
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
-// The borders that are seen, each with what lies to its left and right, and the cell's own border.
-struct Borders {
-  std::vector<std::pair<GridPoint, GridPoint>> edges;
-  std::vector<OwnedSegment> segments;  // owners: number of the surface in `surfaces`, see owner_of
-  std::vector<std::uint32_t> surfaces; // sorted
+// A border that is seen: what lies to its left and right. The cell's own border has nothing on one side, and is not between two surfaces.
+struct Border {
+  GridPoint a, b;  // a < b
+  std::uint32_t left, right;
+  bool is_cell_border;
 };
 
-std::uint32_t owner_of(const Borders& borders, std::uint32_t surface) {
-  return static_cast<std::uint32_t>(std::lower_bound(borders.surfaces.begin(), borders.surfaces.end(), surface) - borders.surfaces.begin());
-}
-
-Borders seen_borders(const Partition& all) {
-  Borders borders;
-  borders.surfaces = all.face_surface;
-  std::sort(borders.surfaces.begin(), borders.surfaces.end());
-  borders.surfaces.erase(std::unique(borders.surfaces.begin(), borders.surfaces.end()), borders.surfaces.end());
+std::vector<Border> seen_borders(const Partition& all) {
+  std::vector<Border> borders;
   const auto& faces = all.triangulation.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = faces[f].neighbours[i];
-      // inner edges once; the hull's edges have one face anyway
-      if (!faces[f].is_constrained[i] || (beyond != kNoFace && beyond < f)) continue;
+      if (!faces[f].is_constrained[i]) continue;
       const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]], b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
-      if (beyond == kNoFace) {
-        borders.edges.emplace_back(a, b);
-      } else if (all.face_surface[f] != all.face_surface[beyond]) {
-        borders.edges.emplace_back(a, b);
-        borders.segments.push_back({a, b, owner_of(borders, all.face_surface[f]), 1});
-        borders.segments.push_back({a, b, owner_of(borders, all.face_surface[beyond]), -1});
-      }
+      const std::uint32_t left = all.face_surface[f];
+      if (beyond == kNoFace) borders.push_back({std::min(a, b), std::max(a, b), left, left, true});
+      // an inner edge is met from both sides; the one that sees it from its lower end counts
+      else if (a < b && left != all.face_surface[beyond]) borders.push_back({a, b, left, all.face_surface[beyond], false});
     }
   return borders;
+}
+
+// The surfaces that are seen, sorted: the owners of the second arrangement are their places in this list.
+std::vector<std::uint32_t> seen_surfaces(const Partition& all) {
+  std::vector<std::uint32_t> surfaces = all.face_surface;
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  return surfaces;
+}
+
+std::uint32_t place_in(const std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
 Vec3 on_field(const Heightfield& heights, Vec2 p) { return at_height(p, snapped(map::height_m_at(heights, p))); }
@@ -136,22 +140,41 @@ void split_edge(const Heightfield& heights, Vec3 a, Vec3 b, double tolerance_m, 
   split_edge(heights, middle, b, tolerance_m, points);
 }
 
-// Step 3: the points that borders need to follow the field, and all ends, so that none on the cell's border is lost.
-std::vector<GridPoint> points_along(const Borders& borders, const Heightfield& heights, double tolerance_m) {
+// Step 3: the borders bent through the points they need to follow the field. Those of the cell stay straight and only need the points.
+struct Bent {
+  std::vector<OwnedSegment> segments;
   std::vector<GridPoint> points;
-  for (const auto& [p, q] : borders.edges) {
+};
+
+Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint32_t>& surfaces, const Heightfield& heights, double tolerance_m,
+                   double inner_tolerance_m) {
+  Bent bent;
+  std::vector<GridPoint> path;
+  for (const Border& border : borders) {
     // from the lower end, so that both cells of a common border split it alike
-    const auto [a, b] = std::minmax(p, q);
-    points.push_back(a), points.push_back(b);
-    split_edge(heights, on_field(heights, plane_point(a)), on_field(heights, plane_point(b)), tolerance_m, points);
+    path = {border.a, border.b};
+    split_edge(heights, on_field(heights, plane_point(border.a)), on_field(heights, plane_point(border.b)),
+               border.is_cell_border ? tolerance_m : inner_tolerance_m, path);
+    if (border.is_cell_border) {
+      bent.points.insert(bent.points.end(), path.begin(), path.end());
+      continue;
+    }
+    const auto along = [&](GridPoint p) { return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y); };
+    std::sort(path.begin(), path.end(), [&](GridPoint p, GridPoint q) { return along(p) < along(q); });
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      bent.segments.push_back({path[i - 1], path[i], place_in(surfaces, border.left), 1});
+      bent.segments.push_back({path[i - 1], path[i], place_in(surfaces, border.right), -1});
+    }
   }
-  return points;
+  return bent;
 }
 
 // Only the borders that are seen, split where the height asks for it.
-Partition partition_seen(const Partition& all, const Layers& layers, const Heightfield& heights, const Box2& cell, double tolerance_m) {
-  const Borders borders = seen_borders(all);
-  Arrangement arrangement = arrange(borders.segments, points_along(borders, heights, tolerance_m), cell);
+Partition partition_seen(const Partition& all, const Layers& layers, const Heightfield& heights, const Box2& cell, double tolerance_m,
+                         double inner_tolerance_m) {
+  const std::vector<std::uint32_t> surfaces = seen_surfaces(all);
+  const Bent bent = bend_to_field(seen_borders(all), surfaces, heights, tolerance_m, inner_tolerance_m);
+  Arrangement arrangement = arrange(bent.segments, bent.points, cell);
   Delaunay triangulation = triangulated(arrangement);
   const Seed seed = seed_of(triangulation, layers);
   const std::uint32_t on_top = [&] {
@@ -159,12 +182,12 @@ Partition partition_seen(const Partition& all, const Layers& layers, const Heigh
       if (step.winding > 0) return layers.order[step.owner];
     return kNoSurface;
   }();
-  std::vector<std::uint32_t> ranks(borders.surfaces.size());
+  std::vector<std::uint32_t> ranks(surfaces.size());
   for (std::uint32_t i = 0; i < ranks.size(); ++i) ranks[i] = i;
   KnownFace known{seed.face, {}};
-  if (std::binary_search(borders.surfaces.begin(), borders.surfaces.end(), on_top)) known.windings.push_back({owner_of(borders, on_top), 1});
+  if (std::binary_search(surfaces.begin(), surfaces.end(), on_top)) known.windings.push_back({place_in(surfaces, on_top), 1});
   std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks);
-  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoSurface : borders.surfaces[owner];
+  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoSurface : surfaces[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
@@ -198,14 +221,16 @@ struct Growing {
     error.error_m = std::max(error.error_m, error.mendable.error_m);
   }
 
-  // Puts the face's worst point in; the faces that changed.
+  // Puts the face's worst point in; the faces that changed. None where the point is there already.
   std::span<const std::uint32_t> insert_worst(std::uint32_t f) {
     const Vec3 p = on_field(heights, snapped(errors[f].mendable.at));
-    const auto changed = triangulation.insert(grid_point(in_plan(p)), f);
-    if (changed.empty()) return changed;
+    // rounding may have carried the point into a neighbour, and that one's region
+    const std::uint32_t split = triangulation.face_to_split(grid_point(in_plan(p)), f);
+    if (split == kNoFace) return {};
+    const std::uint32_t surface = face_surface[split];
+    const auto changed = triangulation.insert(grid_point(in_plan(p)), split);
     vertices.push_back(p);
     // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that region
-    const std::uint32_t surface = face_surface[f];
     face_surface.resize(triangulation.faces().size(), surface);
     errors.resize(triangulation.faces().size());
     for (const std::uint32_t c : changed) face_surface[c] = surface;
@@ -250,12 +275,18 @@ GroundMesh finished(const Growing& growing) {
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Heightfield& heights, const Box2& cell, double tolerance_m, Report& report) {
   const Layers layers = layers_near(surfaces, cell);
   const Partition all = partition_all(layers, cell);
-  Partition seen = partition_seen(all, layers, heights, cell, tolerance_m);
-  Growing growing{heights, seen.triangulation, seen.face_surface, {}, std::vector<FaceError>(seen.face_surface.size())};
-  for (const GridPoint p : seen.triangulation.vertices()) growing.vertices.push_back(on_field(heights, plane_point(p)));
-  refine(growing, tolerance_m);
-  GroundMesh ground = finished(growing);
-  if (ground.error_m > tolerance_m) report.add(Code::kToleranceNotMet, {}, ground.error_m);
+  GroundMesh ground;
+  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further vertex: then the borders are split more
+  // finely. The cell's own border is not: its vertices are the neighbour's too.
+  for (double inner_m = tolerance_m; inner_m >= tolerance_m / kFinestBorders; inner_m /= 2) {
+    Partition seen = partition_seen(all, layers, heights, cell, tolerance_m, inner_m);
+    Growing growing{heights, seen.triangulation, seen.face_surface, {}, std::vector<FaceError>(seen.face_surface.size())};
+    for (const GridPoint p : seen.triangulation.vertices()) growing.vertices.push_back(on_field(heights, plane_point(p)));
+    refine(growing, tolerance_m);
+    ground = finished(growing);
+    if (ground.error_m <= tolerance_m) return ground;
+  }
+  report.add(Code::kToleranceNotMet, {}, ground.error_m);
   return ground;
 }
 

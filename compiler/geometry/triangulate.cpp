@@ -1,0 +1,102 @@
+#include "compiler/geometry/triangulate.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <map>
+
+#include "compiler/geometry/snap.h"
+
+namespace citykiln {
+namespace {
+
+constexpr std::uint32_t kNoPoint = 0xffffffffu;
+
+// A vertex knows its point; crossings that CGAL puts in have none at first.
+struct PointIndex {
+  std::uint32_t value = kNoPoint;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                                       CGAL::Exact_predicates_tag>;
+
+double area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) / 2; }
+Vec2 place_of(Cdt::Vertex_handle v) { return {v->point().x(), v->point().y()}; }
+Vec2 corner(Cdt::Face_handle face, int i) { return place_of(face->vertex(i)); }
+
+void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
+  std::vector<Cdt::Vertex_handle> handles;
+  for (const Vec2 p : ring) {
+    const auto hint = handles.empty() ? Cdt::Face_handle() : handles.back()->face();
+    handles.push_back(cdt.insert({p.x, p.y}, hint));
+    if (handles.back()->info().value == kNoPoint) handles.back()->info().value = static_cast<std::uint32_t>(points.size());
+    points.push_back(p);
+  }
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i]) cdt.insert_constraint(handles[i], next);
+}
+
+// Appends all faces that can be reached from `start` without crossing a constraint.
+std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start, std::map<Cdt::Face_handle, bool>& is_seen) {
+  std::vector<Cdt::Face_handle> region = {start};
+  is_seen[start] = true;
+  for (std::size_t next = 0; next < region.size(); ++next)
+    for (int i = 0; i < 3; ++i) {
+      const Cdt::Face_handle beyond = region[next]->neighbor(i);
+      if (region[next]->is_constrained(i) || cdt.is_infinite(beyond) || is_seen[beyond]) continue;
+      is_seen[beyond] = true;
+      region.push_back(beyond);
+    }
+  return region;
+}
+
+bool is_inside(const Polygon& polygon, const std::vector<Cdt::Face_handle>& region) {
+  double largest_m2 = -1;
+  Vec2 middle;
+  for (const Cdt::Face_handle face : region) {
+    const Vec2 a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
+    if (area_m2(a, b, c) <= largest_m2) continue;
+    largest_m2 = area_m2(a, b, c);
+    middle = (a + b + c) * (1 / 3.0);
+  }
+  return contains(polygon, middle);
+}
+
+void append(PlaneTriangles& product, Cdt::Face_handle face) {
+  Triangle triangle;
+  for (int i = 0; i < 3; ++i) {
+    std::uint32_t& index = face->vertex(i)->info().value;
+    if (index == kNoPoint) {
+      index = static_cast<std::uint32_t>(product.points.size());
+      product.points.push_back(snapped(corner(face, i)));
+    }
+    triangle[i] = index;
+  }
+  // snapping a crossing can flatten a sliver
+  const auto& p = product.points;
+  if (area_m2(p[triangle[0]], p[triangle[1]], p[triangle[2]]) > 0) product.triangles.push_back(triangle);
+}
+
+}  // namespace
+
+PlaneTriangles triangulate(const Polygon& polygon) {
+  PlaneTriangles product;
+  Cdt cdt;
+  insert_ring(cdt, polygon.outer, product.points);
+  for (const Ring& hole : polygon.holes) insert_ring(cdt, hole, product.points);
+  if (cdt.dimension() < 2) return product;
+  std::map<Cdt::Face_handle, bool> is_seen;
+  for (const Cdt::Face_handle face : cdt.finite_face_handles()) {
+    if (is_seen[face]) continue;
+    const auto region = region_of(cdt, face, is_seen);
+    if (!is_inside(polygon, region)) continue;
+    for (const Cdt::Face_handle inside : region) append(product, inside);
+  }
+  return product;
+}
+
+}  // namespace citykiln

@@ -1,0 +1,28 @@
+// What a building is for, as far as its looks go.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace citykiln::map {
+
+/// Rows of building_classes.inc.
+enum class BuildingClass : std::uint8_t {
+#define BUILDING(name, height_m, level_m) name,
+#include "compiler/map/building_classes.inc"
+#undef BUILDING
+  kCount
+};
+
+struct BuildingValues {
+  std::string_view name;
+  double height_m;  ///< Where neither height nor levels are tagged; 0: by the footprint's area.
+  double level_m;   ///< Height of a storey.
+};
+
+const BuildingValues& values_of(BuildingClass building);
+
+/// The class of a value of building=* or building:part=*; kPlain where no row knows it.
+BuildingClass building_class_of(std::string_view value);
+
+}  // namespace citykiln::map

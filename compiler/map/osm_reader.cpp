@@ -1,0 +1,90 @@
+#include "compiler/map/osm_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+namespace {
+
+// Rings that reach far out of the region (a lake, a national park) keep their vertices within this of it.
+constexpr double kKeptAround_m = 256;
+
+Ring located_ring(const Reading& reading, const source::AreaRing& ring) {
+  Ring points;
+  for (const source::Location at : reading.osm.points_of(ring)) points.push_back(reading.plane.snapped_forward(at));
+  points = without_repeats(points);
+  if (points.size() < 3) return {};
+  const double area = signed_area_m2(points);
+  if ((area > 0) != ring.is_outer) std::reverse(points.begin(), points.end());
+  return area == 0 ? Ring{} : points;
+}
+
+Polygon trimmed(const Polygon& polygon, const Box2& box) {
+  Polygon kept{trimmed_to(polygon.outer, box), {}};
+  for (const Ring& hole : polygon.holes)
+    if (Ring ring = trimmed_to(hole, box); !ring.empty()) kept.holes.push_back(std::move(ring));
+  return kept;
+}
+
+}  // namespace
+
+LocatedLine located(const Reading& reading, const source::Way& way) {
+  LocatedLine line;
+  for (const source::NodeRef& node : reading.osm.nodes_of(way)) {
+    const Vec2 p = reading.plane.snapped_forward(node.at);
+    if (!line.axis.empty() && line.axis.back() == p) continue;
+    line.axis.push_back(p);
+    line.node_ids.push_back(node.id);
+  }
+  return line;
+}
+
+std::vector<LocatedPolygon> located(const Reading& reading, const source::Area& area) {
+  std::vector<LocatedPolygon> polygons;
+  bool lost = false;
+  for (const source::AreaRing& ring : reading.osm.rings_of(area)) {
+    Ring points = located_ring(reading, ring);
+    if (ring.is_outer) lost = points.empty();
+    if (points.empty() || lost) continue;
+    if (ring.is_outer) polygons.push_back({ring.part, {std::move(points), {}}, 0});
+    else if (!polygons.empty()) polygons.back().polygon.holes.push_back(std::move(points));
+  }
+  const Box2 box = reading.region.widened(kKeptAround_m);
+  for (LocatedPolygon& located : polygons) {
+    located.area_m2 = area_m2(located.polygon);
+    located.polygon = trimmed(located.polygon, box);
+  }
+  return polygons;
+}
+
+std::optional<double> tagged_length_m(const Reading& reading, OsmId id, source::Range tags, std::string_view key, double least_m, double most_m) {
+  const std::string_view text = reading.tag(tags, key);
+  if (text.empty()) return std::nullopt;
+  const auto length = length_m_of(text);
+  if (length && *length >= least_m && *length <= most_m) return length;
+  reading.report.add(Code::kBadTagValue, id);
+  return std::nullopt;
+}
+
+std::int8_t tagged_layer(const Reading& reading, OsmId id, source::Range tags) {
+  const std::string_view text = reading.tag(tags, "layer");
+  if (text.empty()) return 0;
+  const auto layer = number_of(text);
+  if (layer && std::abs(*layer) <= 10) return static_cast<std::int8_t>(*layer);
+  reading.report.add(Code::kBadTagValue, id);
+  return 0;
+}
+
+Passage tagged_passage(const Reading& reading, source::Range tags) {
+  const std::string_view tunnel = reading.tag(tags, "tunnel");
+  const bool is_inside = says_yes(reading.tag(tags, "indoor")) || reading.tag(tags, "location") == "underground" || reading.tag(tags, "highway") == "corridor";
+  // a passage through a building runs on the ground below it
+  if ((says_yes(tunnel) && tunnel != "building_passage") || is_inside) return Passage::kTunnel;
+  return says_yes(reading.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;
+}
+
+bool is_near(const Reading& reading, const Polyline& line) { return box_of(line).touches(reading.region); }
+
+}  // namespace citykiln::map

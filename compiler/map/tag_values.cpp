@@ -1,0 +1,102 @@
+#include "compiler/map/tag_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace citykiln::map {
+namespace {
+
+struct Colour {
+  std::string_view name;
+  Srgb srgb;
+};
+
+constexpr Colour kColours[] = {
+    {"white", {255, 255, 255}}, {"black", {20, 20, 20}}, {"grey", {128, 128, 128}}, {"gray", {128, 128, 128}}, {"silver", {192, 192, 192}},
+    {"lightgrey", {211, 211, 211}}, {"lightgray", {211, 211, 211}}, {"darkgrey", {100, 100, 100}}, {"darkgray", {100, 100, 100}},
+    {"dimgray", {105, 105, 105}}, {"red", {178, 50, 40}}, {"darkred", {139, 0, 0}}, {"maroon", {128, 30, 20}}, {"brown", {130, 80, 50}},
+    {"saddlebrown", {139, 69, 19}}, {"sienna", {160, 82, 45}}, {"chocolate", {170, 100, 50}}, {"tan", {210, 180, 140}}, {"beige", {232, 222, 196}},
+    {"ivory", {255, 255, 240}}, {"cream", {245, 235, 205}}, {"yellow", {235, 205, 90}}, {"gold", {212, 175, 55}}, {"orange", {220, 140, 60}},
+    {"salmon", {240, 150, 130}}, {"pink", {240, 190, 185}}, {"green", {80, 130, 80}}, {"darkgreen", {30, 80, 40}}, {"lightgreen", {160, 210, 150}},
+    {"olive", {128, 128, 60}}, {"blue", {70, 100, 160}}, {"lightblue", {173, 206, 226}}, {"navy", {30, 40, 90}}, {"purple", {110, 60, 120}},
+    {"turquoise", {90, 180, 170}}, {"wheat", {245, 222, 179}}, {"peru", {205, 133, 63}}, {"firebrick", {160, 50, 40}}, {"slategray", {112, 128, 144}},
+    {"lightyellow", {250, 245, 205}}, {"sandybrown", {225, 165, 100}}, {"linen", {250, 240, 230}}, {"khaki", {215, 205, 140}}};
+
+std::string_view trimmed(std::string_view text) {
+  text = text.substr(0, text.find(';'));
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+// A number at the front of the text, which then begins behind it.
+std::optional<double> take_number(std::string_view& text) {
+  std::string digits(text.substr(0, text.find_first_not_of("0123456789.,-+")));
+  const std::size_t taken = digits.size();
+  for (char& c : digits) c = c == ',' ? '.' : c;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) return std::nullopt;
+  text = trimmed(text.substr(taken));
+  return value;
+}
+
+std::optional<std::uint8_t> hex_byte(std::string_view digits) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return static_cast<std::uint8_t>(digits.size() == 1 ? value * 17 : value);
+}
+
+std::optional<Srgb> hex_colour(std::string_view digits) {
+  const std::size_t width = digits.size() / 3;
+  if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
+  const auto r = hex_byte(digits.substr(0, width)), g = hex_byte(digits.substr(width, width)), b = hex_byte(digits.substr(2 * width));
+  if (!r || !g || !b) return std::nullopt;
+  return Srgb{*r, *g, *b};
+}
+
+constexpr double kFoot_m = 0.3048, kInch_m = 0.0254, kLongest_m = 10000;
+
+}  // namespace
+
+std::optional<double> number_of(std::string_view value) {
+  value = trimmed(value);
+  const auto number = take_number(value);
+  return value.empty() ? number : std::nullopt;
+}
+
+std::optional<double> length_m_of(std::string_view value) {
+  value = trimmed(value);
+  auto number = take_number(value);
+  if (!number) return std::nullopt;
+  if (value == "ft" || value == "feet" || value == "foot") {
+    *number *= kFoot_m;
+  } else if (value == "km") {
+    *number *= 1000;
+  } else if (!value.empty() && value.front() == '\'') {
+    value.remove_prefix(1);
+    const auto inches = take_number(value);
+    *number = *number * kFoot_m + inches.value_or(0) * kInch_m;
+  } else if (!value.empty() && value != "m" && value != "metres" && value != "meters" && value != "metre" && value != "meter") {
+    return std::nullopt;
+  }
+  if (!(std::abs(*number) < kLongest_m)) return std::nullopt;
+  return number;
+}
+
+std::optional<Srgb> colour_of(std::string_view value) {
+  value = trimmed(value);
+  if (!value.empty() && value.front() == '#') return hex_colour(value.substr(1));
+  std::string name;
+  for (const char c : value)
+    if (c != ' ' && c != '_') name += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  for (const Colour& colour : kColours)
+    if (colour.name == name) return colour.srgb;
+  return hex_colour(name);
+}
+
+bool says_yes(std::string_view value) { return !value.empty() && value != "no" && value != "0" && value != "false"; }
+
+}  // namespace citykiln::map

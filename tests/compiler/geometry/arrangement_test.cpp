@@ -1,0 +1,113 @@
+#include "compiler/geometry/arrangement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/contract/draw.h"
+
+namespace citykiln {
+namespace {
+
+constexpr Box2 kCell{{0, 0}, {128, 128}};
+
+// Random closed triangles, some far larger than the cell, with corners crowded onto a coarse lattice so that many coincide.
+std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double reach_m, int lattice) {
+  const Draw draw(seed, StableId{1}, "triangles");
+  std::vector<OwnedSegment> segments;
+  for (int t = 0; t < count; ++t) {
+    GridPoint corner[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto coordinate = [&](int k) {
+        return static_cast<std::int64_t>(draw.between(-reach_m, 128 + reach_m, static_cast<std::uint32_t>(t * 6 + i * 2 + k)) * 1024) / lattice * lattice;
+      };
+      corner[i] = {coordinate(0), coordinate(1)};
+    }
+    for (int i = 0; i < 3; ++i) segments.push_back({corner[i], corner[(i + 1) % 3], static_cast<std::uint32_t>(t), 1});
+  }
+  return segments;
+}
+
+std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+int sign(std::int64_t v) { return (v > 0) - (v < 0); }
+
+bool on_segment(GridPoint a, GridPoint b, GridPoint p) {
+  return turn(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+}
+
+// Do two edges meet elsewhere than at a common end?
+bool conflict(const Arrangement& r, const ArrangedEdge& e, const ArrangedEdge& f) {
+  const GridPoint a = r.vertices[e.a], b = r.vertices[e.b], c = r.vertices[f.a], d = r.vertices[f.b];
+  for (const auto p : {f.a, f.b})
+    if (p != e.a && p != e.b && on_segment(a, b, r.vertices[p])) return true;
+  for (const auto p : {e.a, e.b})
+    if (p != f.a && p != f.b && on_segment(c, d, r.vertices[p])) return true;
+  return sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 && sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
+}
+
+int conflicts(const Arrangement& r) {
+  int count = 0;
+  for (std::size_t i = 0; i < r.edges.size(); ++i)
+    for (std::size_t j = i + 1; j < r.edges.size(); ++j) count += conflict(r, r.edges[i], r.edges[j]);
+  return count;
+}
+
+TEST(Arrangement, EdgesMeetOnlyAtTheirEnds) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const int lattice = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 1024 : 8192;
+    EXPECT_EQ(conflicts(arrange(random_triangles(seed, 25, seed % 2 ? 400 : 0, lattice), {}, kCell)), 0) << "seed " << seed;
+  }
+}
+
+TEST(Arrangement, EdgesMeetOnlyAtTheirEndsWhereAllIsCrowdedIntoAFewGridSteps) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    std::vector<OwnedSegment> segments = random_triangles(seed, 8, 0, 1);
+    for (OwnedSegment& s : segments)
+      for (GridPoint* p : {&s.a, &s.b}) p->x = 60000 + p->x % 12, p->y = 60000 + p->y % 12;
+    EXPECT_EQ(conflicts(arrange(segments, {}, kCell)), 0) << "seed " << seed;
+  }
+}
+
+// Rings are closed and the windings of an inner vertex' edges cancel, owner by owner.
+TEST(Arrangement, WindingsAddUpToNothingAroundEachInnerVertex) {
+  const Arrangement r = arrange(random_triangles(5, 40, 200, 1), {}, kCell);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> out;  // vertex, owner
+  for (const ArrangedEdge& e : r.edges)
+    for (std::uint32_t s = e.first; s < e.first + e.count; ++s) {
+      out[{e.a, r.steps[s].owner}] += r.steps[s].winding;
+      out[{e.b, r.steps[s].owner}] -= r.steps[s].winding;
+    }
+  for (const auto& [key, sum] : out) {
+    const GridPoint p = r.vertices[key.first];
+    const bool inner = p.x > 0 && p.y > 0 && p.x < 128 * 1024 && p.y < 128 * 1024;
+    EXPECT_TRUE(!inner || sum == 0);
+  }
+}
+
+std::vector<GridPoint> on_line_x(const Arrangement& r, std::int64_t x) {
+  std::vector<GridPoint> points;
+  for (const GridPoint p : r.vertices)
+    if (p.x == x) points.push_back(p);
+  return points;
+}
+
+TEST(Arrangement, NeighbouringCellsShareTheirBorderVertices) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto segments = random_triangles(seed, 40, 100, seed % 2 ? 1 : 512);
+    const Arrangement west = arrange(segments, {}, kCell), east = arrange(segments, {}, {{128, 0}, {256, 128}});
+    EXPECT_EQ(on_line_x(west, 128 * 1024), on_line_x(east, 128 * 1024)) << "seed " << seed;
+  }
+}
+
+TEST(Arrangement, TheOrderOfSegmentsDoesNotMatter) {
+  auto segments = random_triangles(3, 40, 50, 1);
+  const Arrangement forth = arrange(segments, {}, kCell);
+  std::reverse(segments.begin(), segments.end());
+  const Arrangement back = arrange(segments, {}, kCell);
+  EXPECT_EQ(forth.vertices, back.vertices);
+  EXPECT_EQ(forth.edges.size(), back.edges.size());
+}
+
+}  // namespace
+}  // namespace citykiln

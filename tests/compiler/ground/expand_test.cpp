@@ -1,0 +1,145 @@
+#include "compiler/ground/expand.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/contract/draw.h"
+#include "compiler/ground/plan.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Heightfield;
+using map::SurfaceClass;
+
+constexpr Box2 kCell{{0, 0}, {128, 128}};
+
+Heightfield rough_field(double step_m, double height_m) {
+  Heightfield field{{-256, -256}, step_m, static_cast<int>(768 / step_m) + 1, static_cast<int>(768 / step_m) + 1, {}, 0};
+  const Draw draw(1, StableId{2}, "heights");
+  for (int i = 0; i < field.columns * field.rows; ++i)
+    field.heights.push_back(static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * height_m / map::kHeightQuantum_m));
+  return field;
+}
+
+// Crossing and overlapping triangles and quads of several classes.
+std::vector<Surface> crossing_surfaces(std::uint64_t seed, int count) {
+  constexpr SurfaceClass kClasses[] = {SurfaceClass::kMeadow, SurfaceClass::kForest, SurfaceClass::kLake, SurfaceClass::kResidentialRoad, SurfaceClass::kBuilding};
+  std::vector<Surface> surfaces;
+  const Draw draw(seed, StableId{3}, "surfaces");
+  for (int s = 0; s < count; ++s) {
+    Ring ring;
+    for (int i = 0; i < 3; ++i) {
+      const auto index = static_cast<std::uint32_t>(s * 6 + i * 2);
+      ring.push_back({std::floor(draw.between(-60, 316, index) * 1024) / 1024, std::floor(draw.between(-60, 190, index + 1) * 1024) / 1024});
+    }
+    if (signed_area_m2(ring) < 0) std::reverse(ring.begin(), ring.end());
+    surfaces.push_back({{{OsmType::kWay, s + 1}, 0}, kClasses[s % 5], static_cast<std::uint32_t>(signed_area_m2(ring)), {ring}});
+  }
+  return surfaces;
+}
+
+double plan_area_m2(const GroundMesh& g) {
+  double twice = 0;
+  for (const Triangle& t : g.mesh.triangles) {
+    const Vec2 a = in_plan(g.mesh.positions[t[0]]);
+    const double one = cross(in_plan(g.mesh.positions[t[1]]) - a, in_plan(g.mesh.positions[t[2]]) - a);
+    EXPECT_GT(one, 0);
+    twice += one;
+  }
+  return twice / 2;
+}
+
+TEST(Ground, FacesTileTheCellExactly) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    const GroundMesh g = expand_cell(crossing_surfaces(seed, 30), rough_field(16, 20), kCell, 0.5, report);
+    EXPECT_EQ(plan_area_m2(g), 128.0 * 128.0) << "seed " << seed;
+  }
+}
+
+TEST(Ground, EachInnerEdgeHasTwoFaces) {
+  Report report;
+  const GroundMesh g = expand_cell(crossing_surfaces(4, 30), rough_field(16, 20), kCell, 0.5, report);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
+  for (const Triangle& t : g.mesh.triangles)
+    for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
+  for (const auto& [edge, count] : faces) {
+    const Vec3 a = g.mesh.positions[edge.first], b = g.mesh.positions[edge.second];
+    const bool on_border = (a.x == b.x && (a.x == 0 || a.x == 128)) || (a.y == b.y && (a.y == 0 || a.y == 128));
+    EXPECT_EQ(count, on_border ? 1 : 2);
+  }
+}
+
+TEST(Ground, EachFaceHasTheSurfaceOnTop) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Report report;
+    const auto surfaces = crossing_surfaces(seed, 20);
+    const GroundMesh g = expand_cell(surfaces, rough_field(16, 20), kCell, 0.5, report);
+    const SurfaceMap map = map_surfaces(surfaces, kCell);
+    double wrong_m2 = 0;
+    for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
+      const Triangle& t = g.mesh.triangles[f];
+      const Vec2 a = in_plan(g.mesh.positions[t[0]]), b = in_plan(g.mesh.positions[t[1]]), c = in_plan(g.mesh.positions[t[2]]);
+      const Vec2 centre = (a + b + c) * (1.0 / 3);
+      if (surface_at(map, centre) != g.face_surface[f]) wrong_m2 += cross(b - a, c - a) / 2;
+    }
+    // rounding moves borders by at most a grid step: 1 mm along some 3 km of them
+    EXPECT_LT(wrong_m2, 3) << "seed " << seed;
+  }
+}
+
+TEST(Ground, StatedErrorIsNeverExceeded) {
+  for (const double tolerance_m : {0.02, 0.5, 5.0}) {
+    Report report;
+    const Heightfield field = rough_field(16, 40);
+    const GroundMesh g = expand_cell(crossing_surfaces(9, 20), field, kCell, tolerance_m, report);
+    EXPECT_LE(g.error_m, tolerance_m);
+    const Draw draw(1, StableId{4}, "samples");
+    double largest = 0;
+    for (std::uint32_t i = 0; i < 200000; ++i) {
+      const Triangle& t = g.mesh.triangles[i % g.mesh.triangles.size()];
+      double u = draw.unit(2 * i), v = draw.unit(2 * i + 1);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      const Vec3 a = g.mesh.positions[t[0]];
+      const Vec3 p = a + (g.mesh.positions[t[1]] - a) * u + (g.mesh.positions[t[2]] - a) * v;
+      largest = std::max(largest, std::abs(p.z - map::height_m_at(field, in_plan(p))));
+    }
+    EXPECT_LE(largest, g.error_m + 1e-9);
+    EXPECT_GE(largest, g.error_m * 0.3);
+  }
+}
+
+std::vector<Vec3> on_line_x(const GroundMesh& g, double x) {
+  std::vector<Vec3> points;
+  for (const Vec3 p : g.mesh.positions)
+    if (p.x == x) points.push_back(p);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+TEST(Ground, CellsMadeApartMeetVertexForVertex) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    const auto surfaces = crossing_surfaces(seed, 40);
+    const Heightfield field = rough_field(16, 20);
+    std::vector<Surface> trimmed;
+    for (const Surface& s : surfaces) trimmed.push_back(trimmed_to(s, Box2{{128, 0}, {256, 128}}.widened(1)));
+    const GroundMesh west = expand_cell(surfaces, field, kCell, 0.1, report);
+    const GroundMesh east = expand_cell(trimmed, field, {{128, 0}, {256, 128}}, 0.1, report);
+    EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
+  }
+}
+
+TEST(Ground, FlatAndEmptyIsTwoTriangles) {
+  Report report;
+  const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
+  const GroundMesh g = expand_cell({}, flat, kCell, 0.02, report);
+  EXPECT_EQ(g.mesh.triangles.size(), 2u);
+  EXPECT_EQ(g.error_m, 0);
+}
+
+}  // namespace
+}  // namespace citykiln::ground
