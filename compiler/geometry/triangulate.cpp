@@ -2,9 +2,8 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
-#include <map>
 
 #include "compiler/geometry/snap.h"
 
@@ -18,11 +17,17 @@ struct PointIndex {
   std::uint32_t value = kNoPoint;
 };
 
+struct FaceState {
+  bool is_seen = false;
+};
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                                       CGAL::Exact_predicates_tag>;
+using FaceInfo = CGAL::Triangulation_face_base_with_info_2<FaceState, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
+using Cdt =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::Exact_predicates_tag>;
 
 double area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a) / 2; }
 Vec2 place_of(Cdt::Vertex_handle v) { return {v->point().x(), v->point().y()}; }
@@ -33,22 +38,24 @@ void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
   for (const Vec2 p : ring) {
     const auto hint = handles.empty() ? Cdt::Face_handle() : handles.back()->face();
     handles.push_back(cdt.insert({p.x, p.y}, hint));
-    if (handles.back()->info().value == kNoPoint) handles.back()->info().value = static_cast<std::uint32_t>(points.size());
+    if (handles.back()->info().value == kNoPoint)
+      handles.back()->info().value = static_cast<std::uint32_t>(points.size());
     points.push_back(p);
   }
   for (std::size_t i = 0; i < handles.size(); ++i)
-    if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i]) cdt.insert_constraint(handles[i], next);
+    if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i])
+      cdt.insert_constraint(handles[i], next);
 }
 
-// Appends all faces that can be reached from `start` without crossing a constraint.
-std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start, std::map<Cdt::Face_handle, bool>& is_seen) {
+// All faces that can be reached from `start` without crossing a constraint.
+std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start) {
   std::vector<Cdt::Face_handle> region = {start};
-  is_seen[start] = true;
+  start->info().is_seen = true;
   for (std::size_t next = 0; next < region.size(); ++next)
     for (int i = 0; i < 3; ++i) {
       const Cdt::Face_handle beyond = region[next]->neighbor(i);
-      if (region[next]->is_constrained(i) || cdt.is_infinite(beyond) || is_seen[beyond]) continue;
-      is_seen[beyond] = true;
+      if (region[next]->is_constrained(i) || cdt.is_infinite(beyond) || beyond->info().is_seen) continue;
+      beyond->info().is_seen = true;
       region.push_back(beyond);
     }
   return region;
@@ -89,10 +96,9 @@ PlaneTriangles triangulate(const Polygon& polygon) {
   insert_ring(cdt, polygon.outer, product.points);
   for (const Ring& hole : polygon.holes) insert_ring(cdt, hole, product.points);
   if (cdt.dimension() < 2) return product;
-  std::map<Cdt::Face_handle, bool> is_seen;
   for (const Cdt::Face_handle face : cdt.finite_face_handles()) {
-    if (is_seen[face]) continue;
-    const auto region = region_of(cdt, face, is_seen);
+    if (face->info().is_seen) continue;
+    const auto region = region_of(cdt, face);
     if (!is_inside(polygon, region)) continue;
     for (const Cdt::Face_handle inside : region) append(product, inside);
   }

@@ -29,10 +29,14 @@ Vec2 direction_of(double turns) {
   const double x = (fraction - quarter * 0.25) * kTau;
   const Vec2 d = {small_cosine(x), small_sine(x)};
   switch (static_cast<int>(quarter) % 4) {
-    case 0: return d;
-    case 1: return left_of(d);
-    case 2: return {-d.x, -d.y};
-    default: return {d.y, -d.x};
+    case 0:
+      return d;
+    case 1:
+      return left_of(d);
+    case 2:
+      return {-d.x, -d.y};
+    default:
+      return {d.y, -d.x};
   }
 }
 

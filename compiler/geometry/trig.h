@@ -7,8 +7,9 @@ namespace citykiln {
 
 /// The direction that lies `turns` full circles counter-clockwise of +x: {cosine, sine}.
 ///
-/// Each component is within 4e-16 of the true one, and the length within 4e-16 of 1. Only + − × and floor, so that every CPU gives the same bits. Quarter
-/// turns are exact. Any finite `turns`; beyond 2^40 its fraction has lost its digits. O(1).
+/// Each component is within 5e-16 of the true one, and the length within 5e-16 of 1. Only + − × and floor, so that
+/// every CPU gives the same bits. Quarter turns are exact. Any finite `turns`; beyond 2^40 its fraction has lost its
+/// digits. O(1).
 Vec2 direction_of(double turns);
 
 }  // namespace citykiln
