@@ -13,7 +13,7 @@ std::uint32_t whole_m2(double area_m2) {
 }
 
 Surface area_surface(const map::AreaFeature& area) {
-  Surface surface{area.id, area.surface, whole_m2(area_m2(area.polygon)), {area.polygon.outer}};
+  Surface surface{area.id, area.surface, whole_m2(area.area_m2), {area.polygon.outer}};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }

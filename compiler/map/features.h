@@ -48,8 +48,9 @@ struct Footprint {
 /// A piece of land or water with one class.
 struct AreaFeature {
   ObjectId id;
-  Polygon polygon;
+  Polygon polygon;           ///< Trimmed to what is near the region.
   SurfaceClass surface{};
+  double area_m2 = 0;        ///< Of the whole.
 };
 
 /// A river, stream, canal or ditch as a line.

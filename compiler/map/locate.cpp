@@ -1,0 +1,102 @@
+#include "compiler/map/locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/map/locate_parts.h"
+
+namespace citykiln::map {
+namespace {
+
+using source::LonLatBox;
+
+// A file without a box of its own takes that of its roads and buildings but for the outermost two in a hundred: long relations drag in far nodes.
+constexpr double kLeftOutShare = 0.02;
+
+struct Coordinates {
+  std::vector<std::int32_t> lon, lat;
+};
+
+Coordinates coordinates_of(const source::OsmData& osm, std::string_view key) {
+  Coordinates places;
+  for (const source::Way& way : osm.ways) {
+    if (osm.value_of(way.tags, key).empty()) continue;
+    for (const source::NodeRef& node : osm.nodes_of(way)) places.lon.push_back(node.at.lon_e7), places.lat.push_back(node.at.lat_e7);
+  }
+  return places;
+}
+
+double quantile_deg(std::vector<std::int32_t>& values, double share) {
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth * 1e-7;
+}
+
+LonLatBox middle_of(Coordinates places) {
+  const double cut = kLeftOutShare / 2;
+  return {quantile_deg(places.lon, cut), quantile_deg(places.lat, cut), quantile_deg(places.lon, 1 - cut), quantile_deg(places.lat, 1 - cut)};
+}
+
+// Enough buildings to tell where the extract is.
+constexpr std::size_t kEnoughPoints = 400;
+
+double to_cell_down(double v) { return std::floor(v / kCell_m) * kCell_m; }
+double to_cell_up(double v) { return std::ceil(v / kCell_m) * kCell_m; }
+
+// The box's sides are not straight in the plane: points along them count too.
+Box2 region_of(const Plane& plane, const LonLatBox& box) {
+  constexpr int kSteps = 8;
+  Box2 around;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double lon = box.west + (box.east - box.west) * i / kSteps, lat = box.south + (box.north - box.south) * i / kSteps;
+    for (const LonLat p : {LonLat{lon, box.south}, LonLat{lon, box.north}, LonLat{box.west, lat}, LonLat{box.east, lat}}) around.grow(plane.forward(p));
+  }
+  Box2 region{{to_cell_down(around.min.x), to_cell_down(around.min.y)}, {to_cell_up(around.max.x), to_cell_up(around.max.y)}};
+  if (region.width() == 0) region.max.x += kCell_m;
+  if (region.height() == 0) region.max.y += kCell_m;
+  return region;
+}
+
+template <typename Feature>
+void sort_by_id(std::vector<Feature>& features) {
+  std::sort(features.begin(), features.end(), [](const Feature& a, const Feature& b) { return a.id < b.id; });
+}
+
+}  // namespace
+
+LonLatBox choose_box(const source::OsmData& osm, const Options& options) {
+  if (options.bbox) return *options.bbox;
+  if (osm.header_box) return *osm.header_box;
+  Coordinates buildings = coordinates_of(osm, "building");
+  if (buildings.lon.size() >= kEnoughPoints) return middle_of(std::move(buildings));
+  Coordinates roads = coordinates_of(osm, "highway");
+  if (roads.lon.size() >= kEnoughPoints) return middle_of(std::move(roads));
+  return osm.node_box;
+}
+
+LonLat default_origin(const LonLatBox& box) {
+  const auto rounded = [](double v) { return std::floor(v * 100 + 0.5) / 100; };
+  return {rounded((box.west + box.east) / 2), rounded((box.south + box.north) / 2)};
+}
+
+Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options&, Report& report) {
+  const Reading reading{osm, plane, region_of(plane, box), report};
+  Features features;
+  features.region = reading.region;
+  features.tracks = locate_tracks(reading);
+  features.footprints = locate_footprints(reading);
+  features.areas = locate_areas(reading);
+  for (AreaFeature& sea : locate_sea(reading)) features.areas.push_back(std::move(sea));
+  features.waterways = locate_waterways(reading);
+  features.barriers = locate_barriers(reading);
+  features.points = locate_points(reading);
+  sort_by_id(features.tracks);
+  sort_by_id(features.footprints);
+  sort_by_id(features.areas);
+  sort_by_id(features.waterways);
+  sort_by_id(features.barriers);
+  sort_by_id(features.points);
+  return features;
+}
+
+}  // namespace citykiln::map

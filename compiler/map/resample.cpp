@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "compiler/map/locate.h"
+#include "compiler/map/precise_plane.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::map {
+namespace {
+
+using source::Raster;
+
+// Finer steps than 1 m model no more than noise; coarser ones than 64 m make cells of two triangles.
+constexpr double kFinestStep_m = 1, kCoarsestStep_m = 64;
+// Of a quantum: libraries' sines move a height by far less.
+constexpr double kNearTie = 1e-6;
+
+double step_for(std::span<const Raster> rasters) {
+  double finest_m = kCoarsestStep_m;
+  for (const Raster& raster : rasters) finest_m = std::min(finest_m, raster.spacing_m);
+  double step_m = kFinestStep_m;
+  while (step_m * 2 <= finest_m) step_m *= 2;
+  return step_m;
+}
+
+Heightfield empty_field(const Box2& region, double step_m) {
+  // whole steps of the plane's grid, one beyond the region on every side
+  const auto down = [&](double v) { return std::floor(v / step_m) * step_m - step_m; };
+  const auto up = [&](double v) { return std::ceil(v / step_m) * step_m + step_m; };
+  Heightfield field{{down(region.min.x), down(region.min.y)}, step_m, 0, 0, {}, 0};
+  field.columns = static_cast<int>((up(region.max.x) - field.min.x) / step_m) + 1;
+  field.rows = static_cast<int>((up(region.max.y) - field.min.y) / step_m) + 1;
+  return field;
+}
+
+// A raster ready to be asked: grid coordinates from places, and back.
+struct Sampler {
+  const Raster& raster;
+  source::ToRasterSystem to_system;  // empty: longitude and latitude themselves
+  double determinant;
+
+  explicit Sampler(const Raster& r, source::ToRasterSystem t)
+      : raster(r), to_system(std::move(t)), determinant(r.from_grid[1] * r.from_grid[5] - r.from_grid[2] * r.from_grid[4]) {}
+
+  // The bilinear height at a place, nothing outside the samples. Real is double, or long double near a tie.
+  template <typename Real>
+  std::optional<Real> height_m(Real lon_deg, Real lat_deg) const {
+    Real x = lon_deg, y = lat_deg;
+    if (!raster.system_wkt.empty()) {
+      double px = static_cast<double>(lon_deg), py = static_cast<double>(lat_deg);
+      to_system(px, py);
+      x = px, y = py;
+    }
+    const auto& g = raster.from_grid;
+    const Real u = x - g[0], v = y - g[3];
+    return bilinear<Real>((u * g[5] - v * g[2]) / determinant, (v * g[1] - u * g[4]) / determinant);
+  }
+
+  template <typename Real>
+  std::optional<Real> bilinear(Real column, Real row) const {
+    // half a sample beyond the outermost still belongs to them
+    if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5)) return std::nullopt;
+    column = std::clamp<Real>(column, 0, raster.columns - 1), row = std::clamp<Real>(row, 0, raster.rows - 1);
+    const int c = std::min(static_cast<int>(column), std::max(0, raster.columns - 2)), r = std::min(static_cast<int>(row), std::max(0, raster.rows - 2));
+    const int east = std::min(c + 1, raster.columns - 1), south = std::min(r + 1, raster.rows - 1);
+    const Real u = column - c, v = row - r;
+    const Real north_m = raster.at(c, r) * (1 - u) + raster.at(east, r) * u, south_m = raster.at(c, south) * (1 - u) + raster.at(east, south) * u;
+    const Real height = north_m * (1 - v) + south_m * v;
+    if (std::isnan(height)) return std::nullopt;
+    return height;
+  }
+};
+
+template <typename Real>
+std::optional<Real> first_height_m(std::span<const Sampler> samplers, Real lon_deg, Real lat_deg) {
+  for (const Sampler& sampler : samplers)
+    if (const auto height = sampler.height_m<Real>(lon_deg, lat_deg)) return height;
+  return std::nullopt;
+}
+
+// In quanta; recomputed in long double where the last bits of a double would decide.
+std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p) {
+  const LonLat place = plane.backward(p);
+  const auto height = first_height_m<double>(samplers, place.lon_deg, place.lat_deg);
+  if (!height) return std::nullopt;
+  const double quanta = *height / kHeightQuantum_m + 0.5;
+  if (std::abs(quanta - std::round(quanta)) > kNearTie) return static_cast<std::int32_t>(std::floor(quanta));
+  const PreciseLonLat precise = precise_backward(plane.origin(), p, place);
+  const auto exact = first_height_m<long double>(samplers, precise.lon_deg, precise.lat_deg);
+  return static_cast<std::int32_t>(floorl(exact.value_or(*height) / kHeightQuantum_m + 0.5L));
+}
+
+// Places without height take that of the nearest row neighbour, then of the nearest row: total, and in a fixed order.
+std::size_t fill_missing(Heightfield& field, const std::vector<bool>& known) {
+  const auto index = [&](int i, int j) { return static_cast<std::size_t>(j) * field.columns + i; };
+  std::size_t missing = 0;
+  std::vector<bool> row_known(field.rows, false);
+  for (int j = 0; j < field.rows; ++j)
+    for (int i = 0; i < field.columns; ++i) {
+      if (known[index(i, j)]) continue;
+      ++missing;
+      for (int d = 1; d < field.columns; ++d) {
+        const int west = i - d, east = i + d;
+        if (west >= 0 && known[index(west, j)]) { field.heights[index(i, j)] = field.heights[index(west, j)]; break; }
+        if (east < field.columns && known[index(east, j)]) { field.heights[index(i, j)] = field.heights[index(east, j)]; break; }
+      }
+    }
+  for (int j = 0; j < field.rows; ++j) row_known[j] = std::find(known.begin() + index(0, j), known.begin() + index(0, j) + field.columns, true) != known.begin() + index(0, j) + field.columns;
+  for (int j = 0; j < field.rows; ++j) {
+    if (row_known[j]) continue;
+    for (int d = 1; d < field.rows; ++d) {
+      const int from = j - d >= 0 && row_known[j - d] ? j - d : j + d < field.rows && row_known[j + d] ? j + d : -1;
+      if (from < 0) continue;
+      std::copy_n(field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, from)), field.columns, field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, j)));
+      break;
+    }
+  }
+  return missing;
+}
+
+// The largest vertical distance of a raster's own samples inside the field to the field.
+double resampling_error_m(const Heightfield& field, const Raster& raster, const Plane& plane) {
+  if (!raster.system_wkt.empty()) return 0;  // stated for rasters in degrees, whose samples can be placed exactly
+  double largest = 0;
+  const Box2 box = field.box();
+  for (int r = 0; r < raster.rows; ++r)
+    for (int c = 0; c < raster.columns; ++c) {
+      const auto& g = raster.from_grid;
+      const Vec2 p = plane.forward({g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r});
+      if (box.contains(p) && !std::isnan(raster.at(c, r))) largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
+    }
+  // upwards to the next quantum: a figure to state, not to compute with
+  return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
+}
+
+Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const Box2& region) {
+  const LonLat centre = plane.backward(region.centre());
+  const Raster& first = rasters.front();
+  const auto& g = first.from_grid;
+  return {first.file_name, fmt::format("expected heights for the map about {:.3f}, {:.3f} (longitude, latitude), found samples from {:.3f}, {:.3f} to {:.3f}, {:.3f}{}",
+                                       centre.lon_deg, centre.lat_deg, g[0], g[3] + g[5] * (first.rows - 1), g[0] + g[1] * (first.columns - 1), g[3],
+                                       first.system_wkt.empty() ? "" : " of its own system")};
+}
+
+}  // namespace
+
+Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& region, Report& report) {
+  Heightfield field = empty_field(region, step_for(rasters));
+  field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
+  if (rasters.empty()) return field;
+  std::vector<Sampler> samplers;
+  for (const Raster& raster : rasters) {
+    auto to_system = source::to_system_of(raster);
+    if (!to_system) return to_system.error();
+    samplers.emplace_back(raster, *to_system);
+  }
+  std::vector<bool> known(field.heights.size(), false);
+  for (int j = 0; j < field.rows; ++j)
+    for (int i = 0; i < field.columns; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
+      const auto height = quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m});
+      if (height) field.heights[at] = *height, known[at] = true;
+    }
+  if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);
+  const std::size_t missing = fill_missing(field, known);
+  if (missing > 0) report.add(Code::kNoHeight, {}, static_cast<double>(missing) / static_cast<double>(known.size()));
+  for (const Raster& raster : rasters) field.resampling_error_m = std::max(field.resampling_error_m, resampling_error_m(field, raster, plane));
+  return field;
+}
+
+}  // namespace citykiln::map
