@@ -1,6 +1,7 @@
 // Areas of closed ways and of multipolygon and boundary relations, by libosmium's area assembler.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "compiler/contract/report.h"

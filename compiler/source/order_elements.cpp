@@ -1,7 +1,6 @@
 #include "compiler/source/order_elements.h"
 
 #include <algorithm>
-#include <cstring>
 #include <osmium/osm/object_comparisons.hpp>
 #include <string_view>
 

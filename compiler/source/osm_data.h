@@ -1,4 +1,5 @@
-// What an OpenStreetMap extract holds, read once: elements with their tags, and areas already assembled. Plain data, sorted, no geometry yet.
+// What an OpenStreetMap extract holds, read once: elements with their tags, and areas already assembled. Plain data,
+// sorted, no geometry yet.
 #pragma once
 
 #include <cstdint>
@@ -55,14 +56,16 @@ struct Way {
   Range tags;
 };
 
-/// One ring of an area. Outer rings run counter-clockwise, inner ones clockwise, in longitude and latitude; the last point is not repeated.
+/// One ring of an area. Outer rings run counter-clockwise, inner ones clockwise, in longitude and latitude; the last
+/// point is not repeated.
 struct AreaRing {
   Range points;            ///< Into OsmData::ring_points.
   std::uint32_t part = 0;  ///< Which polygon of the multipolygon, from 0; its outer ring comes first, its holes follow.
   bool is_outer = true;
 };
 
-/// A closed way or a multipolygon or boundary relation, assembled by libosmium: rings are simple and do not cross each other.
+/// A closed way or a multipolygon or boundary relation, assembled by libosmium: rings are simple and do not cross each
+/// other.
 struct Area {
   OsmId from;
   Range rings;  ///< Into OsmData::rings.
@@ -88,18 +91,23 @@ struct OsmData {
   std::vector<Node> nodes;           ///< Tagged nodes only; the others live in way_nodes.
   std::vector<Way> ways;
   std::vector<NodeRef> way_nodes;
-  std::vector<Area> areas;           ///< Sorted by `from`. A closed way may be here and in `ways`: tags decide which one is meant.
+  std::vector<Area>
+      areas;  ///< Sorted by `from`. A closed way may be here and in `ways`: tags decide which one is meant.
   std::vector<AreaRing> rings;
   std::vector<Location> ring_points;
-  std::vector<Relation> relations;   ///< All with tags, also those that are in `areas`.
+  std::vector<Relation> relations;  ///< All with tags, also those that are in `areas`.
   std::vector<Member> members;
   std::optional<LonLatBox> header_box;  ///< As the file's header says.
   LonLatBox node_box;                   ///< Of all nodes in the file; zeros if there are none.
   std::string file_name;                ///< Without folders.
 
   std::span<const Tag> tags_of(Range r) const { return std::span(tags).subspan(r.first, r.count); }
-  std::span<const NodeRef> nodes_of(const Way& w) const { return std::span(way_nodes).subspan(w.nodes.first, w.nodes.count); }
-  std::span<const AreaRing> rings_of(const Area& a) const { return std::span(rings).subspan(a.rings.first, a.rings.count); }
+  std::span<const NodeRef> nodes_of(const Way& w) const {
+    return std::span(way_nodes).subspan(w.nodes.first, w.nodes.count);
+  }
+  std::span<const AreaRing> rings_of(const Area& a) const {
+    return std::span(rings).subspan(a.rings.first, a.rings.count);
+  }
   std::span<const Location> points_of(const AreaRing& r) const {
     return std::span(ring_points).subspan(r.points.first, r.points.count);
   }

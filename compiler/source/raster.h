@@ -11,11 +11,12 @@
 
 namespace citykiln::source {
 
-/// How a heightmap is given on the command line: --dem FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
+/// How a heightmap is given on the command line: --dem
+/// FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
 struct RasterSpec {
   std::string path;
-  std::optional<LonLatBox> bounds;             ///< For pictures without a place: the outer edges of the outer pixels.
-  double scale = 1;                            ///< height_m = scale * value + offset.
+  std::optional<LonLatBox> bounds;  ///< For pictures without a place: the outer edges of the outer pixels.
+  double scale = 1;                 ///< height_m = scale * value + offset.
   double offset_m = 0;
   std::string encoding;                        ///< "", "terrarium" or "mapbox".
   std::optional<std::array<int, 3>> tile_zxy;  ///< Web Mercator tile of a terrarium or mapbox picture.
@@ -28,10 +29,11 @@ struct Raster {
   std::string credit;
   int columns = 0, rows = 0;
   std::vector<float> heights_m;  ///< Row by row, columns * rows.
-  /// Sample (c, r) lies at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) of the raster's own system (sample centres, not pixel corners).
+  /// Sample (c, r) lies at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) of the raster's own system (sample centres, not pixel
+  /// corners).
   std::array<double, 6> from_grid{};
-  std::string system_wkt;        ///< Empty: longitude and latitude on WGS84 in degrees.
-  double spacing_m = 0;          ///< Smaller of the two spacings at the centre.
+  std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
+  double spacing_m = 0;    ///< Smaller of the two spacings at the centre.
 
   float at(int column, int row) const { return heights_m[static_cast<std::size_t>(row) * columns + column]; }
 };

@@ -1,4 +1,5 @@
-// Reads heightmaps with GDAL: .hgt (also zipped), GeoTIFF, ASCII grids, pictures with given bounds, terrarium and mapbox tiles.
+// Reads heightmaps with GDAL: .hgt (also zipped), GeoTIFF, ASCII grids, pictures with given bounds, terrarium and
+// mapbox tiles.
 #pragma once
 
 #include <functional>
@@ -19,12 +20,13 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
 
-/// Fills voids smoothly (each connected hole becomes the solution of Laplace's equation between its rim; without a rim, 0), diagnosed
-/// kVoidFilled with the number of samples. Total. Deterministic: a fixed number of multigrid or Gauss-Seidel sweeps, fixed order.
+/// Fills voids smoothly (each connected hole becomes the solution of Laplace's equation between its rim; without a rim,
+/// 0), diagnosed kVoidFilled with the number of samples. Total. Deterministic: a fixed number of multigrid or
+/// Gauss-Seidel sweeps, fixed order.
 Raster fill_voids(Raster raster, Report& report);
 
-/// From longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the identity where system_wkt is empty.
-/// Returns a function so that the reference systems are looked up once. Not safe to call from two threads.
+/// From longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the identity where system_wkt
+/// is empty. Returns a function so that the reference systems are looked up once. Not safe to call from two threads.
 using ToRasterSystem = std::function<void(double& x, double& y)>;
 Result<ToRasterSystem> to_system_of(const Raster& raster);
 
