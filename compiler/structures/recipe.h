@@ -12,9 +12,9 @@ namespace citykiln::structures {
 /// A deck or a bore along an axis. z is decided when the map is compiled.
 struct Span {
   ObjectId id;
-  std::vector<Vec3> axis;       ///< Plane metres, snapped; z is the top of the road.
+  std::vector<Vec3> axis;  ///< Plane metres, snapped; z is the top of the road.
   map::SurfaceClass surface{};
-  double width_m = 0;           ///< A multiple of 2^-10, > 0.
+  double width_m = 0;  ///< A multiple of 2^-10, > 0.
   bool operator==(const Span&) const = default;
 };
 
