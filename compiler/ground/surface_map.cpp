@@ -1,6 +1,7 @@
 #include "compiler/ground/surface_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace citykiln::ground {
@@ -8,100 +9,148 @@ namespace {
 
 // Smaller buckets repeat large surfaces too often; larger ones ask too many borders a question.
 constexpr double kBucket_m = 32;
+// Half a grid step: buckets' sides lie between the plane's grid lines.
+constexpr double kOffGrid_m = 0x1p-11;
 
 struct BucketRange {
   int first_column, last_column, first_row, last_row;
 };
 
-int bucket_index(double offset_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0));
-}
+int bucket_index(double offset_m, int count) { return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0)); }
 
 BucketRange buckets_of(const SurfaceMap& map, const Box2& box) {
-  return {bucket_index(box.min.x - map.box.min.x, map.columns), bucket_index(box.max.x - map.box.min.x, map.columns),
-          bucket_index(box.min.y - map.box.min.y, map.rows), bucket_index(box.max.y - map.box.min.y, map.rows)};
+  return {bucket_index(box.min.x - map.corner.x, map.columns), bucket_index(box.max.x - map.corner.x, map.columns),
+          bucket_index(box.min.y - map.corner.y, map.rows), bucket_index(box.max.y - map.corner.y, map.rows)};
 }
 
-Box2 box_of(const Surface& surface) {
+Vec2 corner_of(const SurfaceMap& map, int column, int row) { return map.corner + Vec2{column * kBucket_m, row * kBucket_m}; }
+
+// The borders of one surface, by bucket of the range its box touches.
+struct Sorted {
+  BucketRange range;
+  std::vector<std::vector<SurfaceMap::Edge>> edges;
+};
+
+Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box) {
+  Sorted sorted{buckets_of(map, box), {}};
+  const int across = sorted.range.last_column - sorted.range.first_column + 1;
+  sorted.edges.resize(static_cast<std::size_t>(across) * (sorted.range.last_row - sorted.range.first_row + 1));
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Box2 edge = box_of(std::array{ring[j], ring[i]});
+      if (!edge.touches(map.box)) continue;
+      const BucketRange near = buckets_of(map, edge);
+      for (int r = near.first_row; r <= near.last_row; ++r)
+        for (int c = near.first_column; c <= near.last_column; ++c)
+          sorted.edges[static_cast<std::size_t>(r - sorted.range.first_row) * across + (c - sorted.range.first_column)].push_back({ring[j], ring[i]});
+    }
+  return sorted;
+}
+
+int winding_of(const Surface& surface, Vec2 p) {
+  int winding = 0;
+  for (const Ring& ring : surface.rings) winding += winding_number(ring, p);
+  return winding;
+}
+
+// Where a surface is in one bucket, while the map is made.
+struct Found {
+  std::size_t bucket;
+  BucketSurface entry;
+};
+
+void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& found) {
+  const Surface& surface = map.surfaces[number];
   Box2 box;
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) box.grow(p);
-  return box;
-}
-
-// Calls visit(bucket) for every bucket that the surface's box touches.
-template <typename Visit>
-void for_each_bucket(const SurfaceMap& map, const Surface& surface, Visit visit) {
-  const Box2 box = box_of(surface);
   if (box.is_empty() || !box.touches(map.box)) return;
-  const BucketRange range = buckets_of(map, box);
-  for (int row = range.first_row; row <= range.last_row; ++row)
-    for (int column = range.first_column; column <= range.last_column; ++column)
-      visit(static_cast<std::size_t>(row) * map.columns + column);
+  const Sorted sorted = sort_edges(map, surface, box);
+  std::size_t at = 0;
+  for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
+    for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
+      const auto& edges = sorted.edges[at];
+      const int winding = winding_of(surface, corner_of(map, c, r));
+      if (edges.empty() && winding <= 0) continue;
+      const auto first = static_cast<std::uint32_t>(map.edges.size());
+      map.edges.insert(map.edges.end(), edges.begin(), edges.end());
+      found.push_back({static_cast<std::size_t>(r) * map.columns + c, {number, winding, first, static_cast<std::uint32_t>(edges.size())}});
+    }
 }
 
-bool covers_point(const Surface& surface, Vec2 p) {
-  int winding = 0;
-  for (const Ring& ring : surface.rings) winding += winding_number(ring, p);
+std::span<const SurfaceMap::Edge> edges_of(const SurfaceMap& map, const BucketSurface& entry) {
+  return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
+}
+
+// From the bucket's corner, whose winding is known, north to the height of p and then east to p, counting the borders on the way.
+bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner, Vec2 p) {
+  int winding = entry.winding;
+  for (const auto& [a, b] : edges_of(map, entry)) {
+    if ((a.x <= corner.x) != (b.x <= corner.x)) {
+      const double y = a.y + (b.y - a.y) * ((corner.x - a.x) / (b.x - a.x));
+      if (y > corner.y && y <= p.y) winding += a.x <= corner.x ? 1 : -1;
+    }
+    if ((a.y <= p.y) != (b.y <= p.y)) {
+      const double x = a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y));
+      if (x > corner.x && x <= p.x) winding += a.y <= p.y ? -1 : 1;
+    }
+  }
   return winding > 0;
 }
 
-double distance_to_border(const Surface& surface, Vec2 p) {
+double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec2 p) {
   double nearest2 = std::numeric_limits<double>::infinity();
-  for (const Ring& ring : surface.rings)
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Vec2 along = ring[i] - ring[j];
-      const double t = std::clamp(dot(p - ring[j], along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
-      const Vec2 off = p - (ring[j] + along * t);
-      nearest2 = std::min(nearest2, dot(off, off));
-    }
+  for (const auto& [a, b] : edges_of(map, entry)) {
+    const Vec2 along = b - a;
+    const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+    const Vec2 off = p - (a + along * t);
+    nearest2 = std::min(nearest2, dot(off, off));
+  }
   return std::sqrt(nearest2);
 }
 
-std::span<const std::uint32_t> candidates_at(const SurfaceMap& map, int column, int row) {
+std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
   const std::size_t bucket = static_cast<std::size_t>(row) * map.columns + column;
-  return std::span(map.bucket_surfaces).subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
+  return std::span(map.entries).subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
 }
 
 }  // namespace
 
 SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box) {
-  SurfaceMap map{surfaces, box, kBucket_m, 0, 0, {}, {}};
-  map.columns = std::max(1, static_cast<int>(std::ceil(box.width() / kBucket_m)));
-  map.rows = std::max(1, static_cast<int>(std::ceil(box.height() / kBucket_m)));
-  // count, sum, fill: each bucket's surfaces end up sorted from the top down
-  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  SurfaceMap map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, 0, 0, {}, {}, {}};
+  map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / kBucket_m)));
+  map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / kBucket_m)));
   std::vector<std::uint32_t> order(surfaces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
-  for (const Surface& surface : surfaces)
-    for_each_bucket(map, surface, [&](std::size_t bucket) { ++map.bucket_starts[bucket + 1]; });
+  // found from the top down, so that a stable sort by bucket leaves each bucket's surfaces in that order
+  std::vector<Found> found;
+  for (const std::uint32_t i : order) find_in_buckets(map, i, found);
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
+  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  for (const Found& f : found) ++map.bucket_starts[f.bucket + 1], map.entries.push_back(f.entry);
   for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
-  map.bucket_surfaces.resize(map.bucket_starts.back());
-  std::vector<std::uint32_t> next(map.bucket_starts.begin(), map.bucket_starts.end() - 1);
-  for (const std::uint32_t i : order)
-    for_each_bucket(map, surfaces[i], [&](std::size_t bucket) { map.bucket_surfaces[next[bucket]++] = i; });
   return map;
 }
 
 std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
-  const int column = bucket_index(p.x - map.box.min.x, map.columns), row = bucket_index(p.y - map.box.min.y, map.rows);
-  for (const std::uint32_t candidate : candidates_at(map, column, row))
-    if (covers_point(map.surfaces[candidate], p)) return candidate;
+  const int column = bucket_index(p.x - map.corner.x, map.columns), row = bucket_index(p.y - map.corner.y, map.rows);
+  for (const BucketSurface& entry : entries_at(map, column, row))
+    if (covers_point(map, entry, corner_of(map, column, row), p)) return entry.surface;
   return kNoSurface;
 }
 
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) {
   double nearest_m = reach_m;
   const BucketRange range = buckets_of(map, {{p.x - reach_m, p.y - reach_m}, {p.x + reach_m, p.y + reach_m}});
+  const int own_column = bucket_index(p.x - map.corner.x, map.columns), own_row = bucket_index(p.y - map.corner.y, map.rows);
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column)
-      for (const std::uint32_t candidate : candidates_at(map, column, row)) {
-        const Surface& surface = map.surfaces[candidate];
+      for (const BucketSurface& entry : entries_at(map, column, row)) {
         // sorted from the top down: none of this priority can follow
-        if (map::values_of(surface.surface).priority < priority) break;
-        if (covers_point(surface, p)) return 0;
-        nearest_m = std::min(nearest_m, distance_to_border(surface, p));
+        if (map::values_of(map.surfaces[entry.surface].surface).priority < priority) break;
+        if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p)) return 0;
+        nearest_m = std::min(nearest_m, distance_to_border(map, entry, p));
       }
   return nearest_m;
 }

@@ -12,23 +12,35 @@ namespace citykiln::ground {
 
 inline constexpr std::uint32_t kNoSurface = 0xffffffffu;
 
-/// Surfaces sorted into square buckets of a box. Refers to the surfaces it was made from, which must outlive it.
-struct SurfaceMap {
-  std::span<const Surface> surfaces;
-  Box2 box;
-  double bucket_m = 32;
-  int columns = 0, rows = 0;
-  std::vector<std::uint32_t> bucket_starts;  ///< columns * rows + 1 offsets into bucket_surfaces.
-  std::vector<std::uint32_t> bucket_surfaces;
+/// A surface in one bucket: how often the bucket's south-west corner is inside of it, and its borders that come near the bucket.
+struct BucketSurface {
+  std::uint32_t surface = 0;
+  std::int32_t winding = 0;
+  std::uint32_t first_edge = 0, edge_count = 0;
 };
 
+/// Surfaces sorted into square buckets of a box. Refers to the surfaces it was made from, which must outlive it.
+struct SurfaceMap {
+  struct Edge {
+    Vec2 a, b;
+  };
+  std::span<const Surface> surfaces;
+  Box2 box;
+  Vec2 corner;                               ///< South-west corner of the first bucket, off the plane's grid, so that no vertex lies on a bucket's side.
+  int columns = 0, rows = 0;
+  std::vector<std::uint32_t> bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
+  std::vector<BucketSurface> entries;
+  std::vector<Edge> edges;
+};
+
+/// Cost: linear in vertices, plus buckets times vertices for the surfaces that reach over many buckets.
 SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box);
 
-/// The index of the surface on top at p, or kNoSurface. p must lie in the map's box. O(vertices of the surfaces in p's bucket).
+/// The index of the surface on top at p, or kNoSurface. p must lie in the map's box. O(edges in p's bucket).
 std::uint32_t surface_at(const SurfaceMap& map, Vec2 p);
 
 /// The distance from p to the nearest border of a surface whose class has at least this priority; at most `reach_m`, 0 where such a surface
-/// covers p. p must lie in the map's box; borders outside the box do not count.
+/// covers p. p must lie in the map's box; borders outside the box do not count. O(edges in the buckets within reach).
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

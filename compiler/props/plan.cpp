@@ -1,0 +1,33 @@
+#include "compiler/props/plan.h"
+
+namespace citykiln::props {
+namespace {
+
+// Of a lamp on a street, where no height is tagged.
+constexpr double kLampHeight_m = 6;
+
+}  // namespace
+
+Props plan(const map::Features& features, Report& report) {
+  Props props;
+  Account barriers, points;
+  for (const map::Barrier& barrier : features.barriers) {
+    ++barriers.in, ++barriers.out;
+    props.barriers.push_back({barrier.id, barrier.axis, barrier.kind, barrier.height_m, barrier.width_m});
+  }
+  for (const map::PointFeature& point : features.points) {
+    if (point.kind == map::PointKind::kTree) continue;  // plants/
+    ++points.in;
+    if (point.kind != map::PointKind::kStreetLamp) {
+      report.drop(points, Code::kNotModelled, point.id.osm);
+      continue;
+    }
+    ++points.out;
+    props.lamps.push_back({point.id, point.at, point.height_m > 0 ? point.height_m : kLampHeight_m});
+  }
+  report.account("props", "barrier") = barriers;
+  report.account("props", "point") = points;
+  return props;
+}
+
+}  // namespace citykiln::props
