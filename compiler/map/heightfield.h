@@ -32,7 +32,8 @@ struct Heightfield {
 double height_m_at(const Heightfield& field, Vec2 p);
 /// The surface's normal at a point, smoothed: the normals of the vertices' centred differences, interpolated; a function of the place alone.
 Vec3 normal_at(const Heightfield& field, Vec2 p);
-/// The part of the field that covers the box with one vertex beyond on every side (clamped to the field). Heights and vertices stay where they are.
+/// The part of the field that covers the box with one vertex beyond on every side (clamped to the field). Heights and vertices stay where they are,
+/// so heights and normals at points of the plane's grid in the box are the same to the bit.
 Heightfield window_of(const Heightfield& field, const Box2& box);
 
 }  // namespace citykiln::map

@@ -11,7 +11,8 @@ namespace {
 
 using materials::Material;
 
-constexpr double kHighest_m = 1000, kMostLevels = 250;
+// The steps of monuments are parts a few decimetres high.
+constexpr double kLowest_m = 0.1, kHighest_m = 1000, kMostLevels = 250;
 
 struct MaterialRow {
   std::string_view value;
@@ -64,8 +65,8 @@ Heights heights_of(const Reading& reading, OsmId id, source::Range tags, Buildin
   const auto levels = tagged_number(reading, id, tags, "building:levels");
   const auto roof_levels = tagged_number(reading, id, tags, "roof:levels");
   const auto roof_m = tagged_length_m(reading, id, tags, "roof:height", 0, kHighest_m);
-  auto height = tagged_length_m(reading, id, tags, "height", 0.5, kHighest_m);
-  if (!height) height = tagged_length_m(reading, id, tags, "building:height", 0.5, kHighest_m);
+  auto height = tagged_length_m(reading, id, tags, "height", kLowest_m, kHighest_m);
+  if (!height) height = tagged_length_m(reading, id, tags, "building:height", kLowest_m, kHighest_m);
   if (!height && (levels || roof_levels)) height = std::max(1.0, levels.value_or(0) * values.level_m + roof_m.value_or(roof_levels.value_or(0) * values.level_m));
   if (!height) reading.report.add(Code::kNoBuildingHeight, id);
   if (!height) height = values.height_m > 0 ? values.height_m : height_by_area_m(area_m2);

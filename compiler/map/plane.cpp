@@ -1,6 +1,7 @@
 #include "compiler/map/plane.h"
 
 #include <GeographicLib/TransverseMercator.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/contract/tolerance.h"
@@ -16,6 +17,17 @@ constexpr double kNearTie = 1e-6;
 bool is_near_tie(double v) {
   const double steps = v / kQuantum_m + 0.5;
   return std::abs(steps - std::round(steps)) < kNearTie;
+}
+
+// Where the series still gives a place, far beyond where it is good: nodes at 0, 0 by mistake must not become infinite.
+constexpr double kMostAway_deg = 80;
+
+LonLat within_reach(LonLat origin, LonLat place) {
+  double away_deg = place.lon_deg - origin.lon_deg;
+  if (std::abs(away_deg) <= kMostAway_deg) return place;
+  if (away_deg > 180) away_deg -= 360;
+  if (away_deg < -180) away_deg += 360;
+  return {origin.lon_deg + std::clamp(away_deg, -kMostAway_deg, kMostAway_deg), place.lat_deg};
 }
 
 double precisely_snapped(long double v) { return static_cast<double>(floorl(v / kQuantum_m + 0.5L)) * kQuantum_m; }
@@ -41,6 +53,7 @@ Plane& Plane::operator=(Plane&&) noexcept = default;
 LonLat Plane::origin() const { return projection_->origin; }
 
 Vec2 Plane::forward(LonLat place) const {
+  place = within_reach(projection_->origin, place);
   Vec2 p;
   projection_->mercator.Forward(projection_->origin.lon_deg, place.lat_deg, place.lon_deg, p.x, p.y);
   return {p.x, p.y - projection_->northing_m};
@@ -56,7 +69,8 @@ Vec2 Plane::snapped_forward(source::Location place) const {
   const Vec2 p = forward({place.lon_deg(), place.lat_deg()});
   if (!is_near_tie(p.x) && !is_near_tie(p.y)) return snapped(p);
   // degrees as the same doubles that the fast way sees
-  const PrecisePoint precise = precise_forward(projection_->origin, {place.lon_deg(), place.lat_deg()});
+  const LonLat degrees = within_reach(projection_->origin, {place.lon_deg(), place.lat_deg()});
+  const PrecisePoint precise = precise_forward(projection_->origin, {degrees.lon_deg, degrees.lat_deg});
   return {is_near_tie(p.x) ? precisely_snapped(precise.x) : snapped(p.x),
           is_near_tie(p.y) ? precisely_snapped(precise.y) : snapped(p.y)};
 }

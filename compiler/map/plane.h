@@ -14,7 +14,7 @@ struct LonLat {
 };
 
 /// The projection of a job. GeographicLib's series form (Karney 2011), 0.28 µs a point; error under 5 nm. Scale error at the rim: about
-/// x²/2R², under 8 ppm within 25 km of the origin's meridian.
+/// x²/2R², under 8 ppm within 25 km of the origin's meridian. Total: places more than 80° of longitude away come to lie as far as those at 80°.
 class Plane {
  public:
   explicit Plane(LonLat origin);

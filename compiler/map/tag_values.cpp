@@ -32,6 +32,7 @@ std::string_view trimmed(std::string_view text) {
 
 // A number at the front of the text, which then begins behind it.
 std::optional<double> take_number(std::string_view& text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   std::string digits(text.substr(0, text.find_first_not_of("0123456789.,-+")));
   const std::size_t taken = digits.size();
   for (char& c : digits) c = c == ',' ? '.' : c;
@@ -76,7 +77,7 @@ std::optional<double> length_m_of(std::string_view value) {
   } else if (value == "km") {
     *number *= 1000;
   } else if (!value.empty() && value.front() == '\'') {
-    value.remove_prefix(1);
+    value = trimmed(value.substr(1));
     const auto inches = take_number(value);
     *number = *number * kFoot_m + inches.value_or(0) * kInch_m;
   } else if (!value.empty() && value != "m" && value != "metres" && value != "meters" && value != "metre" && value != "meter") {
