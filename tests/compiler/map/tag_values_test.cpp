@@ -1,0 +1,54 @@
+#include "compiler/map/tag_values.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::map {
+namespace {
+
+TEST(TagValues, LengthsComeInMetresFeetAndInches) {
+  const struct {
+    const char* text;
+    double metres;
+  } cases[] = {{"12", 12},        {"12.5", 12.5},  {"12,5", 12.5},    {"12 m", 12},      {"12m", 12},
+               {" 7 metres ", 7}, {"40'", 12.192}, {"40 ft", 12.192}, {"5'10\"", 1.778}, {"6' 2\"", 1.8796},
+               {"0.3 km", 300},   {"2;3", 2},      {"-1", -1},        {"+3", 3},         {"0", 0}};
+  for (const auto& c : cases) {
+    const auto length = length_m_of(c.text);
+    ASSERT_TRUE(length) << c.text;
+    EXPECT_NEAR(*length, c.metres, 1e-9) << c.text;
+  }
+}
+
+TEST(TagValues, WhatIsNoLengthIsNothing) {
+  for (const char* text : {"", "high", "m", "12 stories", "nan", "inf", "1.2.3", "--5", "99999999", "1e1", "1e999",
+                           "12-15", "'", "~10", "3 x 4", ";", "٣"})
+    EXPECT_FALSE(length_m_of(text)) << text;
+}
+
+TEST(TagValues, NumbersTakeTheFirstOfAList) {
+  EXPECT_EQ(number_of("3"), 3);
+  EXPECT_EQ(number_of("2.5"), 2.5);
+  EXPECT_EQ(number_of("4;5"), 4);
+  EXPECT_EQ(number_of("-2"), -2);
+  for (const char* text : {"", "two", "7-7", "3 lanes", "0x10"}) EXPECT_FALSE(number_of(text)) << text;
+}
+
+TEST(TagValues, ColoursAreHexOrNamed) {
+  EXPECT_EQ(colour_of("#ff0080"), (Srgb{255, 0, 128}));
+  EXPECT_EQ(colour_of("#F08"), (Srgb{255, 0, 136}));
+  EXPECT_EQ(colour_of("white"), (Srgb{255, 255, 255}));
+  EXPECT_EQ(colour_of("White"), colour_of("white"));
+  EXPECT_EQ(colour_of("light_grey"), colour_of("lightgray"));
+  EXPECT_EQ(colour_of("red;white"), colour_of("red"));
+  EXPECT_EQ(colour_of("c0ffee"), (Srgb{0xc0, 0xff, 0xee}));
+  for (const char* text : {"", "#", "#12", "#12345", "#gggggg", "#-1-1-1", "RAL 7016", "colourful", "#ff0080ff0"})
+    EXPECT_FALSE(colour_of(text)) << text;
+}
+
+TEST(TagValues, EverythingButNoSaysYes) {
+  for (const char* text : {"yes", "1", "true", "-1", "viaduct"}) EXPECT_TRUE(says_yes(text)) << text;
+  for (const char* text : {"", "no", "0", "false"}) EXPECT_FALSE(says_yes(text)) << text;
+}
+
+}  // namespace
+}  // namespace citykiln::map
