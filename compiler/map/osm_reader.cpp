@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/map/ring_within.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -10,6 +11,9 @@ namespace {
 
 // Rings that reach far out of the region (a lake, a national park) keep their vertices within this of it.
 constexpr double kKeptAround_m = 256;
+// And nothing reaches farther than this: a lake's edge that leads across half a continent is cut, a line's stray node is brought near. Longer than any
+// segment of a real line, and small beside the 524 km within which ground/ counts exactly.
+constexpr double kFarthest_m = 65536;
 
 Ring located_ring(const Reading& reading, const source::AreaRing& ring) {
   Ring points;
@@ -21,11 +25,17 @@ Ring located_ring(const Reading& reading, const source::AreaRing& ring) {
   return area == 0 ? Ring{} : points;
 }
 
-Polygon trimmed(const Polygon& polygon, const Box2& box) {
-  Polygon kept{trimmed_to(polygon.outer, box), {}};
+Polygon trimmed(const Polygon& polygon, const Box2& region) {
+  const Box2 near = region.widened(kKeptAround_m), far = region.widened(kFarthest_m);
+  Polygon kept{ring_within(trimmed_to(polygon.outer, near), far), {}};
   for (const Ring& hole : polygon.holes)
-    if (Ring ring = trimmed_to(hole, box); !ring.empty()) kept.holes.push_back(std::move(ring));
+    if (Ring ring = ring_within(trimmed_to(hole, near), far); !ring.empty()) kept.holes.push_back(std::move(ring));
   return kept;
+}
+
+Vec2 brought_near(Vec2 p, const Box2& region) {
+  const Box2 far = region.widened(kFarthest_m);
+  return {std::clamp(p.x, far.min.x, far.max.x), std::clamp(p.y, far.min.y, far.max.y)};
 }
 
 }  // namespace
@@ -33,7 +43,7 @@ Polygon trimmed(const Polygon& polygon, const Box2& box) {
 LocatedLine located(const Reading& reading, const source::Way& way) {
   LocatedLine line;
   for (const source::NodeRef& node : reading.osm.nodes_of(way)) {
-    const Vec2 p = reading.plane.snapped_forward(node.at);
+    const Vec2 p = brought_near(reading.plane.snapped_forward(node.at), reading.region);
     if (!line.axis.empty() && line.axis.back() == p) continue;
     line.axis.push_back(p);
     line.node_ids.push_back(node.id);
@@ -51,10 +61,9 @@ std::vector<LocatedPolygon> located(const Reading& reading, const source::Area& 
     if (ring.is_outer) polygons.push_back({ring.part, {std::move(points), {}}, 0});
     else if (!polygons.empty()) polygons.back().polygon.holes.push_back(std::move(points));
   }
-  const Box2 box = reading.region.widened(kKeptAround_m);
   for (LocatedPolygon& located : polygons) {
     located.area_m2 = area_m2(located.polygon);
-    located.polygon = trimmed(located.polygon, box);
+    located.polygon = trimmed(located.polygon, reading.region);
   }
   return polygons;
 }
