@@ -73,11 +73,11 @@ Heights heights_of(const Reading& reading, OsmId id, source::Range tags, Buildin
   auto min_height = tagged_length_m(reading, id, tags, "min_height", 0, kHighest_m);
   if (!min_height)
     if (const auto level = tagged_number(reading, id, tags, "building:min_level")) min_height = *level * values.level_m;
-  if (min_height && *min_height >= *height) {
-    reading.report.add(Code::kUpsideDown, id, *min_height - *height);
-    min_height = 0;
-  }
-  return {snapped(*height), snapped(min_height.value_or(0))};
+  // compared as they will be stored
+  const Heights heights{snapped(*height), snapped(min_height.value_or(0))};
+  if (heights.min_height_m < heights.height_m) return heights;
+  reading.report.add(Code::kUpsideDown, id, heights.min_height_m - heights.height_m);
+  return {heights.height_m, 0};
 }
 
 // What is said once for all polygons of an element.

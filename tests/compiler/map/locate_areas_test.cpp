@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "tests/compiler/map/map_text.h"
+
+namespace citykiln::map {
+namespace {
+
+TEST(LocateAreas, TagsDecideTheClass) {
+  const struct {
+    const char* tags;
+    SurfaceClass surface;
+  } cases[] = {
+      {"natural=wood", SurfaceClass::kForest},
+      {"landuse=forest leaf_type=broadleaved", SurfaceClass::kBroadLeavedForest},
+      {"landuse=forest leaf_type=needleleaved", SurfaceClass::kNeedleLeavedForest},
+      {"natural=wood leaf_type=mixed", SurfaceClass::kMixedForest},
+      {"landuse=meadow", SurfaceClass::kMeadow},
+      {"landuse=grass", SurfaceClass::kGrass},
+      {"leisure=park", SurfaceClass::kPark},
+      {"leisure=garden", SurfaceClass::kGarden},
+      {"landuse=orchard", SurfaceClass::kOrchard},
+      {"landuse=vineyard", SurfaceClass::kVineyard},
+      {"landuse=farmland", SurfaceClass::kFarmland},
+      {"landuse=farmyard", SurfaceClass::kFarmyard},
+      {"landuse=allotments", SurfaceClass::kAllotments},
+      {"landuse=cemetery", SurfaceClass::kCemetery},
+      {"natural=scrub", SurfaceClass::kScrub},
+      {"natural=heath", SurfaceClass::kHeath},
+      {"natural=wetland", SurfaceClass::kWetland},
+      {"natural=wetland wetland=marsh", SurfaceClass::kMarsh},
+      {"natural=wetland wetland=reedbed", SurfaceClass::kReedbed},
+      {"natural=beach", SurfaceClass::kBeach},
+      {"natural=sand", SurfaceClass::kSand},
+      {"natural=bare_rock", SurfaceClass::kBareRock},
+      {"natural=scree", SurfaceClass::kScree},
+      {"natural=glacier", SurfaceClass::kGlacier},
+      {"landuse=quarry", SurfaceClass::kQuarry},
+      {"landuse=residential", SurfaceClass::kResidential},
+      {"landuse=commercial", SurfaceClass::kCommercial},
+      {"landuse=retail", SurfaceClass::kRetail},
+      {"landuse=industrial", SurfaceClass::kIndustrial},
+      {"landuse=railway", SurfaceClass::kRailwayLand},
+      {"landuse=construction", SurfaceClass::kConstruction},
+      {"landuse=brownfield", SurfaceClass::kBrownfield},
+      {"landuse=landfill", SurfaceClass::kLandfill},
+      {"landuse=military", SurfaceClass::kMilitary},
+      {"amenity=school", SurfaceClass::kInstitution},
+      {"amenity=hospital", SurfaceClass::kInstitution},
+      {"leisure=pitch sport=soccer", SurfaceClass::kPitch},
+      {"leisure=pitch sport=tennis", SurfaceClass::kHardCourt},
+      {"leisure=track", SurfaceClass::kRunningTrack},
+      {"leisure=playground", SurfaceClass::kPlayground},
+      {"leisure=golf_course", SurfaceClass::kGolfCourse},
+      {"amenity=parking", SurfaceClass::kParking},
+      {"highway=pedestrian area=yes", SurfaceClass::kSquare},
+      {"man_made=pier", SurfaceClass::kPier},
+      {"natural=water", SurfaceClass::kLake},
+      {"natural=water water=river", SurfaceClass::kRiver},
+      {"waterway=riverbank", SurfaceClass::kRiver},
+      {"landuse=reservoir", SurfaceClass::kReservoir},
+      {"landuse=basin", SurfaceClass::kBasin},
+      {"leisure=swimming_pool", SurfaceClass::kPool},
+      {"aeroway=apron", SurfaceClass::kApron},
+      {"railway=platform", SurfaceClass::kPlatform},
+  };
+  for (const auto& c : cases) {
+    const Features features = features_of(std::string("a1 0:0 40:0 40:30 0:30 ") + c.tags);
+    ASSERT_EQ(features.areas.size(), 1u) << c.tags;
+    EXPECT_EQ(values_of(features.areas[0].surface).name, values_of(c.surface).name) << c.tags;
+  }
+}
+
+TEST(LocateAreas, ARoundaboutIsNoSquare) {
+  const Features features = features_of("a1 0:0 40:0 40:30 0:30 highway=residential junction=roundabout");
+  EXPECT_TRUE(features.areas.empty());
+  EXPECT_EQ(features.tracks.size(), 1u);
+}
+
+TEST(LocateAreas, RingsRunCounterClockwiseAndHolesClockwise) {
+  const Features features =
+      features_of("r1 0:0 90:0 90:90 0:90 / 10:10 10:20 20:20 20:10 / 40:40 40:60 60:60 natural=water");
+  ASSERT_EQ(features.areas.size(), 1u);
+  EXPECT_GT(signed_area_m2(features.areas[0].polygon.outer), 0);
+  ASSERT_EQ(features.areas[0].polygon.holes.size(), 2u);
+  for (const Ring& hole : features.areas[0].polygon.holes) EXPECT_LT(signed_area_m2(hole), 0);
+}
+
+// Lake Michigan in Chicago's extract, r1205149; broken/osm2world-huge_areas.osm.
+TEST(LocateAreas, ALakeThatReachesFarOutIsKeptNearAndCoversTheSamePlaces) {
+  const Features features = features_of("a1 0:0 500000:-300000 700000:400000 -20:600000 natural=water");
+  ASSERT_EQ(features.areas.size(), 1u);
+  const AreaFeature& lake = features.areas[0];
+  const Box2 far = features.region.widened(70000);
+  for (const Vec2 p : lake.polygon.outer) EXPECT_TRUE(far.contains(p)) << p.x << " " << p.y;
+  EXPECT_TRUE(contains(lake.polygon, {300, 100}));
+  EXPECT_FALSE(contains(lake.polygon, {-300, 100}));
+  EXPECT_FALSE(contains(lake.polygon, {300, -400}));
+  // its rank among overlapping surfaces is that of the whole
+  EXPECT_GT(lake.area_m2, 1e11);
+}
+
+TEST(LocateAreas, WhatIsDroppedIsCounted) {
+  Report report;
+  const Features features = features_of(R"(
+    a1 0:0 40:0 40:30 landuse=grass
+    a2 0:0 40:0 40:30 landuse=unheard_of
+    a3 5000:0 5040:0 5040:30 landuse=grass
+    a4 0:0 40:0 40:30 natural=water location=underground
+    a5 7:7 7:7 7:7 landuse=grass
+    a6 0:0 40:0 40:30 name=nothing)",
+                                        report);
+  EXPECT_EQ(features.areas.size(), 1u);
+  const Account& account = report.account("map", "area");
+  EXPECT_EQ(account.in, 5u);
+  for (const Code code : {Code::kUnknownKind, Code::kOutsideBounds, Code::kUnderground, Code::kDegenerateRing})
+    EXPECT_EQ(account.dropped.at(code), 1u) << name_of(code);
+  EXPECT_TRUE(report.balances());
+}
+
+}  // namespace
+}  // namespace citykiln::map

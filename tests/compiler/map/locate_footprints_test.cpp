@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "compiler/map/building_classes.h"
+#include "tests/compiler/map/map_text.h"
+
+namespace citykiln::map {
+namespace {
+
+using materials::Material;
+
+Footprint footprint_of(const std::string& tags) {
+  const Features features = features_of("a1 0:0 12:0 12:9 0:9 " + tags);
+  EXPECT_EQ(features.footprints.size(), 1u) << tags;
+  return features.footprints.empty() ? Footprint{} : features.footprints[0];
+}
+
+TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
+  const struct {
+    const char* tags;
+    double height_m, min_height_m;
+  } cases[] = {
+      {"building=yes height=12~m", 12, 0},
+      {"building=yes height=40'", 12.192, 0},
+      {"building=yes height=423.4", 423.4, 0},
+      {"building:part=yes height=0.36", 0.36, 0},  // a step of the Siegessäule, w131446869
+      {"building=apartments building:levels=5", 15, 0},
+      {"building=apartments building:levels=5 roof:levels=1", 18, 0},
+      {"building=apartments building:levels=5 roof:height=2", 17, 0},
+      {"building=yes building:levels=4 height=20", 20, 0},
+      {"building:part=yes height=30 min_height=10", 30, 10},
+      {"building:part=apartments height=30 building:min_level=2", 30, 6},
+      {"building=garage", 2.75, 0},
+      {"building=church", 16, 0},
+      {"building=yes", 7.5, 0},  // 108 m²
+  };
+  for (const auto& c : cases) {
+    const Footprint footprint = footprint_of(c.tags);
+    EXPECT_NEAR(footprint.height_m, c.height_m, 0.0005) << c.tags;
+    EXPECT_NEAR(footprint.min_height_m, c.min_height_m, 0.0005) << c.tags;
+  }
+}
+
+TEST(LocateFootprints, EveryOneIsHigherThanItsFoot) {
+  for (const char* tags : {"building=yes height=5 min_height=5", "building=yes height=5 min_height=9",
+                           "building=yes height=-3", "building=yes height=0", "building=yes building:levels=0",
+                           "building=yes height=1e9", "building:part=yes height=0.1 min_height=0.0999",
+                           "building=yes building:levels=-2", "building=yes building:min_level=3"}) {
+    const Footprint footprint = footprint_of(tags);
+    EXPECT_GT(footprint.height_m, footprint.min_height_m) << tags;
+    EXPECT_GE(footprint.min_height_m, 0) << tags;
+  }
+}
+
+TEST(LocateFootprints, BadValuesAreDiagnosed) {
+  for (const char* bad : {"height=tall", "building:levels=7-7", "building:colour=lightbrown", "roof:colour=#12",
+                          "min_height=low", "height=5000"}) {
+    Report report;
+    features_of(std::string("a1 0:0 12:0 12:9 0:9 building=yes ") + bad, report);
+    EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
+  }
+}
+
+TEST(LocateFootprints, ColoursMaterialsAndClassAreRead) {
+  const Footprint f = footprint_of(
+      "building=church building:colour=#804020 roof:color=red building:material=brick roof:material=slate");
+  EXPECT_EQ(f.wall_colour, (Srgb{0x80, 0x40, 0x20}));
+  EXPECT_TRUE(f.roof_colour.has_value());
+  EXPECT_EQ(f.wall_material, Material::kBrick);
+  EXPECT_EQ(f.roof_material, Material::kSlate);
+  EXPECT_EQ(f.building_class, static_cast<std::uint8_t>(BuildingClass::kChurch));
+  EXPECT_FALSE(footprint_of("building=yes").wall_material.has_value());
+}
+
+TEST(LocateFootprints, AnOutlineCoveredByItsPartsIsMarked) {
+  const Features features = features_of(R"(
+    a1 0:0 40:0 40:20 0:20 building=yes
+    a2 0:0 20:0 20:20 0:20 building:part=yes height=30
+    a3 20:0 40:0 40:20 20:20 building:part=yes height=10
+    a4 100:0 140:0 140:20 100:20 building=yes
+    a5 100:0 104:0 104:4 100:4 building:part=yes
+    a6 200:0 220:0 220:20 200:20 building=yes)");
+  ASSERT_EQ(features.footprints.size(), 6u);
+  EXPECT_TRUE(features.footprints[0].has_parts);
+  EXPECT_TRUE(features.footprints[1].is_part);
+  EXPECT_FALSE(features.footprints[1].has_parts);
+  // a lone part of a fiftieth of the house does not replace it
+  EXPECT_FALSE(features.footprints[3].has_parts);
+  EXPECT_FALSE(features.footprints[5].has_parts);
+}
+
+TEST(LocateFootprints, AMultipolygonIsOneFootprintAPolygonWithHoles) {
+  Report report;
+  const Features features =
+      features_of("r7 0:0 40:0 40:40 0:40 / 10:10 10:20 20:20 20:10 ; 60:0 70:0 70:9 building=yes height=9", report);
+  ASSERT_EQ(features.footprints.size(), 2u);
+  EXPECT_EQ(features.footprints[0].id, (ObjectId{{OsmType::kRelation, 7}, 0}));
+  EXPECT_EQ(features.footprints[1].id, (ObjectId{{OsmType::kRelation, 7}, 1}));
+  EXPECT_EQ(features.footprints[0].polygon.holes.size(), 1u);
+  EXPECT_NEAR(area_m2(features.footprints[0].polygon), 1500, 2);
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(LocateFootprints, WhatSaysNoIsNoBuilding) {
+  EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 building=no").footprints.empty());
+  EXPECT_TRUE(features_of("a1 0:0 12:0 12:9 building=yes location=underground").footprints.empty());
+}
+
+}  // namespace
+}  // namespace citykiln::map

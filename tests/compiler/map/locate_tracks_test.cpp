@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include "tests/compiler/map/map_text.h"
+
+namespace citykiln::map {
+namespace {
+
+Track track_of(const std::string& tags) {
+  const Features features = features_of("w1 0:0 50:0 50:40 " + tags);
+  EXPECT_EQ(features.tracks.size(), 1u) << tags;
+  return features.tracks.empty() ? Track{} : features.tracks[0];
+}
+
+TEST(LocateTracks, TagsDecideClassAndWidth) {
+  const struct {
+    const char* tags;
+    SurfaceClass surface;
+    double width_m;
+  } cases[] = {
+      {"highway=motorway oneway=yes lanes=3", SurfaceClass::kMotorwayRoad, 11.25},
+      {"highway=motorway oneway=yes", SurfaceClass::kMotorwayRoad, 7.5},
+      {"highway=trunk_link oneway=yes", SurfaceClass::kMotorwayRoad, 4.5},
+      {"highway=primary", SurfaceClass::kPrimaryRoad, 7},
+      {"highway=primary width=8.5", SurfaceClass::kPrimaryRoad, 8.5},
+      {"highway=secondary lanes=4", SurfaceClass::kSecondaryRoad, 13},
+      {"highway=tertiary", SurfaceClass::kTertiaryRoad, 6},
+      {"highway=residential", SurfaceClass::kResidentialRoad, 5.5},
+      {"highway=residential oneway=yes", SurfaceClass::kResidentialRoad, 3.5},
+      {"highway=living_street", SurfaceClass::kPedestrianStreet, 5},
+      {"highway=service", SurfaceClass::kServiceRoad, 3.5},
+      {"highway=service surface=gravel", SurfaceClass::kUnpavedRoad, 3.5},
+      {"highway=track", SurfaceClass::kFarmTrack, 2.75},
+      {"highway=track surface=asphalt", SurfaceClass::kServiceRoad, 2.75},
+      {"highway=cycleway", SurfaceClass::kCyclePath, 2.5},
+      {"highway=footway", SurfaceClass::kPavedFootPath, 2},
+      {"highway=footway surface=gravel", SurfaceClass::kFootPath, 2},
+      {"highway=path", SurfaceClass::kFootPath, 1.25},
+      {"highway=steps width=64", SurfaceClass::kSteps, 64},  // Helsinki cathedral, w33085003
+      {"railway=rail", SurfaceClass::kRailway, 4},
+      {"railway=tram", SurfaceClass::kTram, 3},
+      {"aeroway=runway width=45", SurfaceClass::kRunway, 45},
+  };
+  for (const auto& c : cases) {
+    const Track track = track_of(c.tags);
+    EXPECT_EQ(values_of(track.surface).name, values_of(c.surface).name) << c.tags;
+    EXPECT_EQ(track.width_m, c.width_m) << c.tags;
+  }
+}
+
+TEST(LocateTracks, PassageAndLayerComeFromTags) {
+  EXPECT_EQ(track_of("highway=primary bridge=yes layer=1").passage, Passage::kBridge);
+  EXPECT_EQ(track_of("highway=primary bridge=viaduct layer=2").layer, 2);
+  EXPECT_EQ(track_of("highway=primary tunnel=yes layer=-1").passage, Passage::kTunnel);
+  EXPECT_EQ(track_of("highway=primary tunnel=yes layer=-1").layer, -1);
+  EXPECT_EQ(track_of("highway=footway indoor=yes").passage, Passage::kTunnel);
+  EXPECT_EQ(track_of("highway=service tunnel=building_passage").passage, Passage::kGround);
+  EXPECT_EQ(track_of("highway=primary bridge=no").passage, Passage::kGround);
+  EXPECT_TRUE(track_of("railway=rail").is_rail);
+  EXPECT_TRUE(track_of("highway=residential lit=yes").is_lit);
+}
+
+TEST(LocateTracks, BadValuesAreDiagnosedAndTheClassesValuesUsed) {
+  for (const char* bad : {"width=wide", "width=-1", "width=0", "lanes=0", "lanes=many", "layer=top", "layer=99"}) {
+    Report report;
+    const Features features = features_of(std::string("w1 0:0 50:0 highway=residential ") + bad, report);
+    ASSERT_EQ(features.tracks.size(), 1u);
+    EXPECT_EQ(features.tracks[0].width_m, 5.5) << bad;
+    EXPECT_EQ(features.tracks[0].layer, 0) << bad;
+    EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
+  }
+}
+
+TEST(LocateTracks, NodesStayAlignedWithThePoints) {
+  // the second and third node lie in one place of the plane's grid
+  const Features features = features_of("w1 0:0 10:0 10:0 20:0 20:9 highway=residential");
+  ASSERT_EQ(features.tracks.size(), 1u);
+  EXPECT_EQ(features.tracks[0].axis.size(), 4u);
+  EXPECT_EQ(features.tracks[0].node_ids.size(), 4u);
+  const Features crossing = features_of("w1 0:0 10:0 20:0 highway=residential\nw2 10:-9 10:0 10:9 highway=residential");
+  EXPECT_EQ(crossing.tracks[0].node_ids[1], crossing.tracks[1].node_ids[1]);
+  EXPECT_EQ(crossing.tracks[0].axis[1], crossing.tracks[1].axis[1]);
+}
+
+TEST(LocateTracks, WhatIsDroppedIsCounted) {
+  Report report;
+  const Features features = features_of(R"(
+    w1 0:0 50:0 highway=residential
+    w2 0:0 50:0 highway=proposed
+    w3 9000:0 9050:0 highway=residential
+    w4 7:7 7:7 highway=residential
+    w5 0:0 50:0 name=nothing)",
+                                        report);
+  EXPECT_EQ(features.tracks.size(), 1u);
+  const Account& account = report.account("map", "track");
+  EXPECT_EQ(account.in, 4u);
+  EXPECT_EQ(account.dropped.at(Code::kUnknownKind), 1u);
+  EXPECT_EQ(account.dropped.at(Code::kOutsideBounds), 1u);
+  EXPECT_EQ(account.dropped.at(Code::kNoThickness), 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+}  // namespace
+}  // namespace citykiln::map
