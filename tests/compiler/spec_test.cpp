@@ -1,0 +1,130 @@
+#include "compiler/spec.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace citykiln {
+namespace {
+
+const Setting& setting_named(std::string_view name) {
+  for (const Setting& setting : settings()) {
+    if (setting.name == name) return setting;
+  }
+  throw std::logic_error("no such setting");
+}
+
+/// The error of a value, or "" where it is taken.
+std::string objection(std::string_view name, std::string_view text) {
+  CompileSpec spec;
+  const Result<Done> done = apply(setting_named(name), text, spec);
+  return done ? "" : to_string(done.error());
+}
+
+/// A file that is gone at the end of the test.
+class SpecFile {
+ public:
+  explicit SpecFile(const std::string& text) : path_(std::filesystem::temp_directory_path() / "citykiln_spec_test.json") {
+    std::ofstream(path_) << text;
+  }
+  ~SpecFile() { std::filesystem::remove(path_); }
+  SpecFile(const SpecFile&) = delete;
+  SpecFile& operator=(const SpecFile&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST(Spec, DefaultsToTheLadderOfTheContract) {
+  const CompileSpec spec;
+  EXPECT_EQ(spec.outputs.ladder_m, std::vector(kDefaultLadder_m.begin(), kDefaultLadder_m.end()));
+  EXPECT_EQ(spec.tile_m, 1024);
+}
+
+TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
+  const std::pair<const char*, const char*> rows[] = {
+      {"map", "a.osm"},      {"dem", "a.png,bounds=1/2/3/4"}, {"bbox", "-3,1,-2,2.5"}, {"origin", "-3.5,42"}, {"tile", "256"},
+      {"only", "-1_2,3_-4"}, {"out", "o"},                    {"emit", "glb,kiln"},    {"lods", "0.1,2"},     {"world", "plane"},
+      {"compress", "none"},  {"instancing", "nodes"},         {"drive-on", "left"},    {"seed", "18446744073709551615"},
+      {"threads", "2"},      {"strict", "true"},              {"time", "2026-06-21T15:00"}};
+  for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
+  EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
+}
+
+TEST(Spec, ObjectionsNameTheSettingAndWhatItTakes) {
+  const std::pair<const char*, const char*> rows[] = {
+      {"bbox", "1,2,3"},   {"bbox", "3,1,2,2"},   {"bbox", "1,2,x,4"}, {"origin", "1"},     {"tile", "100"},    {"tile", "0"},
+      {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},     {"lods", "0,1"},     {"lods", ""},       {"world", "torus"},
+      {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"}, {"seed", "-1"},      {"threads", "-1"},  {"threads", "1.5"},
+      {"strict", "yes"},   {"dem", "a,bound=1"},  {"time", "noon"}};
+  for (const auto& [name, text] : rows) {
+    EXPECT_TRUE(objection(name, text).starts_with("--" + std::string(name) + ": ")) << name << " " << text << ": " << objection(name, text);
+  }
+}
+
+TEST(Spec, SaysWhatIsNotMadeYet) {
+  EXPECT_NE(objection("emit", "kiln,usd").find("yet"), std::string::npos);
+  EXPECT_NE(objection("emit", "3dtiles").find("yet"), std::string::npos);
+  EXPECT_NE(objection("world", "ellipsoid").find("yet"), std::string::npos);
+  EXPECT_NE(objection("world", "cylinder:8000").find("yet"), std::string::npos);
+  EXPECT_NE(objection("compress", "draco").find("yet"), std::string::npos);
+}
+
+TEST(Spec, IsUnchangedByWhatItRefuses) {
+  CompileSpec spec;
+  ASSERT_FALSE(apply(setting_named("emit"), "kiln,obj", spec));
+  EXPECT_TRUE(spec.outputs.manifest && spec.outputs.glb);
+}
+
+TEST(Spec, KeepsTilesSortedAndOnce) {
+  CompileSpec spec;
+  ASSERT_TRUE(apply(setting_named("only"), "3_1,-1_0,3_1", spec));
+  ASSERT_TRUE(apply(setting_named("only"), "0_0", spec));
+  EXPECT_EQ(spec.only, (std::vector<scene::TileKey>{{-1, 0}, {0, 0}, {3, 1}}));
+}
+
+TEST(Spec, TilesReadBackAsTheyAreWritten) {
+  for (const scene::TileKey tile : {scene::TileKey{0, 0}, scene::TileKey{-3, 12}, scene::TileKey{2147483647, -2147483647}}) {
+    const Result<scene::TileKey> back = parse_tile(to_string(tile));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(*back, tile);
+  }
+  for (const char* text : {"", "_", "1_", "_1", "1", "1_2_3", "a_b", "1_2 ", "99999999999_0"}) EXPECT_FALSE(parse_tile(text)) << text;
+}
+
+TEST(SpecFile, SaysTheSameAsTheCommandLine) {
+  const SpecFile file(R"({"map": "a.osm", "dem": ["x.tif", "y.tif"], "bbox": [1, 2, 3, 4], "tile": 512, "lods": [0.5, 4], "strict": true})");
+  const Result<CompileSpec> spec = read_spec(file.path());
+  ASSERT_TRUE(spec) << to_string(spec.error());
+  EXPECT_EQ(spec->map_path, "a.osm");
+  ASSERT_EQ(spec->rasters.size(), 2u);
+  EXPECT_EQ(spec->rasters[1].path, "y.tif");
+  EXPECT_EQ(spec->map.bbox, (source::LonLatBox{1, 2, 3, 4}));
+  EXPECT_EQ(spec->tile_m, 512);
+  EXPECT_EQ(spec->outputs.ladder_m, (std::vector{0.5, 4.0}));
+  EXPECT_TRUE(spec->is_strict);
+}
+
+TEST(SpecFile, ErrorsNameFileAndPlace) {
+  const SpecFile cut("{\"map\":\n  nonsense}");
+  EXPECT_TRUE(to_string(read_spec(cut.path()).error()).starts_with(cut.path() + ":2:"));
+  const SpecFile unknown(R"({"maps": "a.osm"})");
+  EXPECT_EQ(to_string(read_spec(unknown.path()).error()), unknown.path() + ": \"maps\" is not a setting");
+  const SpecFile list("[1, 2]");
+  EXPECT_FALSE(read_spec(list.path()));
+  EXPECT_EQ(to_string(read_spec("/nowhere/spec.json").error()), "/nowhere/spec.json: cannot be read");
+}
+
+TEST(Spec, IsCompleteWithAMapAndAFolder) {
+  CompileSpec spec;
+  EXPECT_FALSE(is_complete(spec));
+  spec.map_path = "a.osm";
+  EXPECT_FALSE(is_complete(spec));
+  spec.outputs.folder = "out";
+  EXPECT_TRUE(is_complete(spec));
+}
+
+}  // namespace
+}  // namespace citykiln

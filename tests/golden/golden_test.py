@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Golden cases: a directory each, with map.osm, perhaps heights.asc, args (words of the command line) and expected.json. Measures tell what changed,
+hashes tell that it changed. Adding a case needs no code: make the directory, then `golden_test.py --update`.
+"""
+import hashlib
+import json
+import sys
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "properties"))
+
+from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run  # noqa: E402
+
+UPDATE = "--update" in sys.argv
+
+
+def cases():
+    return sorted(path.parent for path in HERE.glob("*/args"))
+
+
+def hash_of(outputs, ending):
+    """One hash for all files of an ending, in the order of their names."""
+    together = hashlib.sha256()
+    for name, digest in sorted(outputs.items()):
+        if name.endswith(ending):
+            together.update(f"{name} {digest}\n".encode())
+    return together.hexdigest()
+
+
+def measured(out):
+    report, outputs = report_of(out), bytes_of_outputs(out)
+    return {
+        "measures": {
+            "counts": report["counts"],
+            "region_m": report["region_m"],
+            "levels": [{key: level[key] for key in ("tolerance_m", "error_m", "triangles")} for level in report["levels"]],
+            "instances": [sum(t["instances"] for t in report["tiles"] if t["level"] == level["level"]) for level in report["levels"]],
+            "diagnoses": {name: tally["count"] for name, tally in report["diagnoses"].items()},
+        },
+        "sha256": {"kiln": hash_of(outputs, ".kiln"), "glb": hash_of(outputs, ".glb")},
+    }
+
+
+class Golden(ProgramTest):
+    maxDiff = None
+
+    def compare(self, case):
+        words = (case / "args").read_text().split()
+        heights = ["--dem", case / "heights.asc"] if (case / "heights.asc").exists() else []
+        out = self.folder / "out"
+        done = run("compile", case / "map.osm", *heights, *words, "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = measured(out)
+        self.assertTrue(report_of(out)["balances"])
+        expected = case / "expected.json"
+        if UPDATE:
+            expected.write_text(json.dumps(found, indent=1) + "\n")
+        self.assertEqual(found, json.loads(expected.read_text()))
+
+
+def claim_of(case):
+    return lambda self: self.compare(case)
+
+
+for golden_case in cases():
+    setattr(Golden, f"test_{golden_case.name}", claim_of(golden_case))
+
+if __name__ == "__main__":
+    unittest.main(argv=[word for word in sys.argv if word != "--update"])

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Every real extract, and everything in broken/, walks the whole way: no crash, a ledger that balances, and tiles that Khronos' glTF validator finds
+nothing to say about."""
+import shutil
+import subprocess
+import unittest
+from pathlib import Path
+
+from citykiln_program import DATA, ROOT, ProgramTest, report_of, run
+
+# Map, heightmap, tolerances. Coarse where the extract is a whole country or city: every tile is made all the same.
+EXTRACTS = [
+    ("andorra/andorra-2023.osm.pbf", "andorra/N42E001.hgt", "12.5"),
+    ("andorra/cut-andorra-la-vella.osm.pbf", "andorra/N42E001.hgt", "0.5,12.5"),
+    ("andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt", "0.5,12.5"),
+    ("monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt", "0.5,12.5"),
+    ("berlin/berlin-mitte-gesundbrunnen.osm", "berlin/N52E013.hgt", "0.5"),
+    ("berlin/berlin-reinickendorf-2026.osm.pbf", "berlin/N52E013.hgt", "0.5"),
+    ("berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt", "0.1"),
+    ("berlin/berlin-neukolln.osm", "berlin/N52E013.hgt", "0.5"),
+    ("chicago-loop/chicago_loop.osm.pbf", None, "0.5"),
+    ("helsinki/Helsinki.osm.pbf", None, "0.5"),
+    ("nyc/nyc-west-village.osm.pbf", None, "0.1"),
+    ("neubrandenburg/neubrandenburg.osm.bz2", None, "2.5"),
+    ("liechtenstein/liechtenstein-2015.osm.pbf", None, "12.5"),
+    ("small/somes-island.osm.pbf", None, "0.1"),
+    ("small/osmtogeojson-map.osm", None, "0.1"),
+    ("small/regglisweiler-10.068_48.135.osm", None, "0.1"),
+]
+
+VALIDATOR = ROOT / "tests" / "interop" / "validate_glb.mjs"
+
+
+def validator_is_there():
+    return shutil.which("node") and VALIDATOR.exists() and (ROOT / "tests" / "interop" / "node_modules" / "gltf-validator").exists()
+
+
+class Walk(ProgramTest):
+    """The claims about one map."""
+
+    def walk(self, map_path, *arguments):
+        out = self.folder / map_path.name
+        done = run("compile", map_path, *arguments, "-o", out)
+        if self.may_hold_nothing and done.returncode == 1 and "holds nothing to compile" in done.stderr:
+            return
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = report_of(out)
+        self.assertTrue(report["balances"], report["ledger"])
+        self.assertTrue(report["tiles"])
+        self.validate(out)
+
+    def validate(self, out):
+        tiles = sorted(map(str, (out / "glb").glob("*.glb")))
+        if validator_is_there():
+            done = subprocess.run(["node", str(VALIDATOR), *tiles], capture_output=True, text=True, cwd=ROOT, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+
+
+class ExtractsReal(Walk):
+    may_hold_nothing = False
+
+
+class BrokenMapsReal(Walk):
+    """What is wrong in the data is mended or dropped; a map of which nothing is left says so in one line."""
+
+    may_hold_nothing = True
+
+
+def add_claim(suite, map_name, dem_name, lods):
+    def walks(self):
+        dem = ["--dem", self.data(dem_name)] if dem_name else []
+        self.walk(self.data(map_name), *dem, "--lods", lods)
+
+    name = Path(map_name).name.split(".")[0].replace("-", "_").lower()
+    setattr(suite, f"test_{name}", walks)
+
+
+for row in EXTRACTS:
+    add_claim(ExtractsReal, *row)
+for path in sorted((DATA / "broken").glob("*")):
+    add_claim(BrokenMapsReal, f"broken/{path.name}", None, "2.5")
+
+
+if __name__ == "__main__":
+    if not validator_is_there():
+        print("the glTF validator is not there (npm ci --prefix tests/interop): tiles are not validated")
+    unittest.main()
