@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "tests/compiler/map/map_text.h"
+
+namespace citykiln::map {
+namespace {
+
+TEST(LocateLines, WaterwaysTakeTheirWidthFromTagsElseTheirKind) {
+  const Features features = features_of(R"(
+    w1 0:0 90:0 waterway=river
+    w2 0:5 90:5 waterway=river width=31
+    w3 0:9 90:9 waterway=stream tunnel=culvert layer=-1
+    w4 0:20 90:20 waterway=ditch width=huge
+    w5 0:30 90:30 waterway=dam)");
+  ASSERT_EQ(features.waterways.size(), 4u);
+  EXPECT_EQ(features.waterways[0].width_m, 12);
+  EXPECT_EQ(features.waterways[1].width_m, 31);
+  EXPECT_EQ(features.waterways[2].passage, Passage::kTunnel);
+  EXPECT_EQ(features.waterways[2].layer, -1);
+  EXPECT_EQ(features.waterways[3].width_m, 1.25);
+}
+
+TEST(LocateLines, BarriersTakeTheirHeightFromTagsElseTheirKind) {
+  const Features features = features_of(R"(
+    w1 0:0 90:0 barrier=wall
+    w2 0:5 90:5 barrier=fence height=2~m
+    w3 0:9 90:9 barrier=hedge
+    w4 0:12 90:12 barrier=retaining_wall
+    w5 0:20 90:20 barrier=kerb)");
+  ASSERT_EQ(features.barriers.size(), 4u);
+  EXPECT_EQ(features.barriers[0].kind, BarrierKind::kWall);
+  EXPECT_EQ(features.barriers[1].height_m, 2);
+  EXPECT_EQ(features.barriers[2].kind, BarrierKind::kHedge);
+  EXPECT_EQ(features.barriers[3].kind, BarrierKind::kRetainingWall);
+  for (const Barrier& barrier : features.barriers) EXPECT_TRUE(barrier.height_m > 0 && barrier.width_m > 0);
+}
+
+TEST(LocateLines, PointsAreReadWhereTheRegionIs) {
+  Report report;
+  const Features features = features_of(R"(
+    n1 3:4 natural=tree height=11 leaf_type=needleleaved
+    n2 5:4 highway=street_lamp
+    n3 6:4 amenity=bench
+    n4 9000:4 natural=tree
+    n5 7:4 name=nothing
+    n6 8:4 natural=tree height=-5)",
+                                        report);
+  ASSERT_EQ(features.points.size(), 4u);
+  EXPECT_EQ(features.points[0].height_m, 11);
+  EXPECT_TRUE(features.points[0].is_needleleaved);
+  EXPECT_EQ(features.points[1].kind, PointKind::kStreetLamp);
+  EXPECT_EQ(features.points[3].height_m, 0);
+  EXPECT_EQ(report.account("map", "point").dropped.at(Code::kOutsideBounds), 1u);
+  EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+}  // namespace
+}  // namespace citykiln::map
