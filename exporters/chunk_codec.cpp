@@ -1,0 +1,243 @@
+#include "exporters/chunk_codec.h"
+
+#include <cmath>
+#include <type_traits>
+
+#include "compiler/contract/tolerance.h"
+#include "exporters/streams.h"
+
+// Writing and reading are one description: `describe` walks a chunk once, and a Writer or a Reader stands behind it.
+namespace citykiln::exporters {
+namespace {
+
+using scene::Chunk;
+
+constexpr std::size_t kMostPerFile = 1u << 28;
+
+struct Writer {
+  static constexpr bool kReads = false;
+  std::map<std::string, StreamWriter> streams;
+
+  void number(const char* name, auto& value) { streams[name].put(static_cast<std::uint64_t>(value)); }
+  void delta(const char* name, auto& value) { streams[name].put_delta(static_cast<std::int64_t>(value)); }
+  void metres(const char* name, double& value) { streams[name].put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5))); }
+  void real(const char* name, double& value) { streams[name].put_double(value); }
+  std::size_t count(const char* name, std::size_t size) {
+    streams[name].put(size);
+    return size;
+  }
+};
+
+struct Reader {
+  static constexpr bool kReads = true;
+  std::map<std::string, StreamReader> streams;
+  std::string wrong;
+
+  StreamReader& of(const char* name) {
+    const auto found = streams.find(name);
+    if (found == streams.end()) wrong = name;
+    return found == streams.end() ? streams[name] : found->second;
+  }
+  void number(const char* name, auto& value) {
+    using T = std::remove_reference_t<decltype(value)>;
+    value = static_cast<T>(of(name).get());
+  }
+  void delta(const char* name, auto& value) {
+    using T = std::remove_reference_t<decltype(value)>;
+    value = static_cast<T>(of(name).get_delta());
+  }
+  void metres(const char* name, double& value) { value = static_cast<double>(of(name).get_delta()) * kQuantum_m; }
+  void real(const char* name, double& value) {
+    value = of(name).get_double();
+    if (!std::isfinite(value)) fail(name);
+  }
+  // no more things than the whole chunk has bytes: a thing takes at least one byte of some stream
+  std::size_t total_bytes = 0;
+  std::size_t count(const char* name, std::size_t) {
+    const std::uint64_t size = of(name).get();
+    if (size <= total_bytes) return static_cast<std::size_t>(size);
+    fail(name);
+    return 0;
+  }
+  void fail(const char* name) {
+    if (wrong.empty()) wrong = name;
+  }
+};
+
+template <typename Enum>
+void enumerator(auto& io, const char* name, Enum& value, Enum count) {
+  auto number = static_cast<std::uint64_t>(value);
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (number >= static_cast<std::uint64_t>(count)) io.fail(name), number = 0;
+    value = static_cast<Enum>(number);
+  }
+}
+
+template <typename Io, typename Object, typename Each>
+void list(Io& io, const char* name, std::vector<Object>& objects, std::size_t least, Each each) {
+  const std::size_t size = io.count(name, objects.size());
+  if constexpr (Io::kReads) {
+    if (size < least) return io.fail(name);
+    objects.resize(size);
+  }
+  for (Object& object : objects) {
+    each(object);
+    if constexpr (Io::kReads)
+      if (!io.wrong.empty()) return;
+  }
+}
+
+void flag(auto& io, const char* name, bool& value) {
+  std::uint8_t number = value ? 1 : 0;
+  io.number(name, number);
+  value = number != 0;
+}
+
+void id(auto& io, ObjectId& id) {
+  enumerator(io, "id type", id.osm.type, static_cast<OsmType>(4));
+  io.delta("id", id.osm.id);
+  io.number("part", id.part);
+}
+
+void points(auto& io, const char* kind, std::vector<Vec2>& axis, std::size_t least) {
+  list(io, kind, axis, least, [&](Vec2& p) { io.metres("x", p.x), io.metres("y", p.y); });
+}
+
+void surface(auto& io, ground::Surface& s) {
+  id(io, s.id);
+  enumerator(io, "surface class", s.surface, map::SurfaceClass::kCount);
+  io.number("surface area", s.area_m2);
+  list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
+}
+
+void road(auto& io, roads::Road& r) {
+  id(io, r.id);
+  points(io, "road points", r.axis, 2);
+  enumerator(io, "road class", r.surface, map::SurfaceClass::kCount);
+  io.metres("road width", r.width_m);
+  flag(io, "road ends", r.rounds_start), flag(io, "road ends", r.rounds_end);
+}
+
+void span(auto& io, structures::Span& s) {
+  id(io, s.id);
+  list(io, "span points", s.axis, 2, [&](Vec3& p) { io.metres("x", p.x), io.metres("y", p.y), io.metres("span z", p.z); });
+  enumerator(io, "span class", s.surface, map::SurfaceClass::kCount);
+  io.metres("span width", s.width_m);
+}
+
+void colour(auto& io, std::optional<map::Srgb>& value) {
+  bool is_there = value.has_value();
+  flag(io, "colours", is_there);
+  if (!is_there) return;
+  if (!value) value.emplace();
+  for (std::uint8_t& c : *value) io.number("colour values", c);
+}
+
+void building(auto& io, buildings::Building& b) {
+  id(io, b.id);
+  points(io, "footprint points", b.footprint.outer, 3);
+  list(io, "footprint holes", b.footprint.holes, 0, [&](Ring& hole) { points(io, "hole points", hole, 3); });
+  io.metres("building bottom", b.bottom_m), io.metres("building top", b.top_m);
+  flag(io, "building stands", b.stands_on_ground);
+  enumerator(io, "wall", b.wall, materials::Material::kCount), enumerator(io, "roof", b.roof, materials::Material::kCount);
+  colour(io, b.wall_colour), colour(io, b.roof_colour);
+}
+
+void tree(auto& io, plants::Tree& t) {
+  id(io, t.id);
+  io.metres("x", t.at.x), io.metres("y", t.at.y), io.metres("tree height", t.height_m);
+  enumerator(io, "tree kind", t.archetype, plants::Archetype::kCount);
+}
+
+void wood(auto& io, plants::Wood& w) {
+  id(io, w.surface);
+  io.real("wood", w.spacing_m), io.real("wood", w.needle_share), io.real("wood", w.height_m);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    // what would ask for a million trees a hectare, or none, is no wood
+    const bool is_wood = w.spacing_m >= 1 && w.spacing_m <= scene::kHalo_m && w.needle_share >= 0 && w.needle_share <= 1 && w.height_m > 0 && w.height_m <= 200;
+    if (!is_wood) io.fail("wood");
+  }
+}
+
+void barrier(auto& io, props::Barrier& b) {
+  id(io, b.id);
+  points(io, "barrier points", b.axis, 2);
+  enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(6));
+  io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
+}
+
+void lamp(auto& io, props::Lamp& l) {
+  id(io, l.id);
+  io.metres("x", l.at.x), io.metres("y", l.at.y), io.metres("lamp height", l.height_m);
+}
+
+// Each height as its difference to what its western, southern and south-western neighbours foretell.
+std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
+  const auto across = static_cast<std::size_t>(h.columns);
+  const std::int64_t west = i % across > 0 ? h.heights[i - 1] : 0, south = i >= across ? h.heights[i - across] : 0;
+  if (i % across == 0) return south;
+  return i < across ? west : west + south - h.heights[i - across - 1];
+}
+
+template <typename Io>
+void heights(Io& io, map::Heightfield& h) {
+  io.metres("field", h.min.x), io.metres("field", h.min.y), io.metres("field", h.step_m);
+  io.number("field", h.columns), io.number("field", h.rows);
+  io.real("field error", h.resampling_error_m);
+  const std::size_t size = io.count("field", h.heights.size());
+  if constexpr (Io::kReads) {
+    const bool fits = h.columns >= 2 && h.rows >= 2 && h.step_m >= 1 && static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size && size < kMostPerFile;
+    if (!fits) return io.fail("field");
+    h.heights.resize(size);
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    std::int64_t off = h.heights[i] - foretold(h, i);
+    std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
+    io.number("heights", zigzag);
+    if constexpr (Io::kReads) h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) + (zigzag >> 1 ^ (~(zigzag & 1) + 1)));
+  }
+}
+
+void describe(auto& io, Chunk& c) {
+  heights(io, c.heights);
+  list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });
+  list(io, "roads", c.roads, 0, [&](auto& o) { road(io, o); });
+  list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o); });
+  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o); });
+  list(io, "buildings", c.buildings, 0, [&](auto& o) { building(io, o); });
+  list(io, "trees", c.trees, 0, [&](auto& o) { tree(io, o); });
+  list(io, "woods", c.woods, 0, [&](auto& o) { wood(io, o); });
+  list(io, "barriers", c.barriers, 0, [&](auto& o) { barrier(io, o); });
+  list(io, "lamps", c.lamps, 0, [&](auto& o) { lamp(io, o); });
+}
+
+}  // namespace
+
+Streams encode_chunk(const Chunk& chunk) {
+  Writer writer;
+  // the description is one for both ways, so it takes what it may change
+  Chunk copy = chunk;
+  describe(writer, copy);
+  Streams streams;
+  for (const auto& [name, stream] : writer.streams) streams[name] = stream.bytes();
+  return streams;
+}
+
+std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong) {
+  Reader reader;
+  for (const auto& [name, bytes] : streams) {
+    reader.streams.emplace(name, StreamReader(bytes));
+    reader.total_bytes += bytes.size();
+  }
+  Chunk chunk;
+  chunk.tile = tile;
+  describe(reader, chunk);
+  for (const auto& [name, stream] : reader.streams)
+    if (reader.wrong.empty() && !stream.is_finished()) reader.wrong = name;
+  wrong = reader.wrong;
+  if (!wrong.empty()) return std::nullopt;
+  return chunk;
+}
+
+}  // namespace citykiln::exporters

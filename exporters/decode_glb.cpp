@@ -1,0 +1,237 @@
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "exporters/file.h"
+#include "exporters/glb.h"
+#include "exporters/glb_frame.h"
+#include "exporters/tinygltf_switches.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using bake::Float3;
+using bake::Float4;
+using bake::Instanced;
+using bake::Primitive;
+using tinygltf::Value;
+
+// What is wrong with a file: thrown inside this file only, and turned into an Error at its door.
+struct Wrong {
+  std::string what;
+};
+
+void expect(bool holds, const char* what) {
+  if (!holds) throw Wrong{what};
+}
+
+template <typename T>
+const T& item(const std::vector<T>& items, int index, const char* what) {
+  expect(index >= 0 && static_cast<std::size_t>(index) < items.size(), what);
+  return items[static_cast<std::size_t>(index)];
+}
+
+// The bytes of a buffer view, inside its buffer.
+std::span<const unsigned char> bytes_of(const tinygltf::Model& model, int view_number) {
+  const tinygltf::BufferView& view = item(model.bufferViews, view_number, "a buffer view that exists");
+  const auto& data = item(model.buffers, view.buffer, "a buffer that exists").data;
+  expect(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset, "buffer views inside the buffer");
+  return std::span(data).subspan(view.byteOffset, view.byteLength);
+}
+
+template <typename T>
+std::vector<T> values_of(const tinygltf::Model& model, int accessor_number, int component, int type) {
+  const tinygltf::Accessor& accessor = item(model.accessors, accessor_number, "an accessor that exists");
+  expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0, "accessors as citykiln writes them");
+  const auto bytes = bytes_of(model, accessor.bufferView);
+  expect(accessor.count <= bytes.size() / sizeof(T), "accessors inside their buffer view");
+  std::vector<T> values(accessor.count);
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  return values;
+}
+
+template <typename T>
+std::vector<T> turned(std::vector<T> values) {
+  for (T& v : values) {
+    for (const float c : v) expect(std::isfinite(c), "finite numbers");
+    v = from_gltf(v);
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> as_numbers(const std::vector<float>& values, std::size_t below) {
+  std::vector<std::uint32_t> numbers;
+  for (const float v : values) {
+    expect(v >= 0 && v < static_cast<float>(below), "feature ids inside the property table");
+    numbers.push_back(static_cast<std::uint32_t>(v));
+  }
+  return numbers;
+}
+
+int attribute(const std::map<std::string, int>& attributes, const char* name) {
+  const auto found = attributes.find(name);
+  expect(found != attributes.end(), "the attributes that citykiln writes");
+  return found->second;
+}
+
+const Value& member(const Value& value, const char* name) {
+  expect(value.IsObject() && value.Has(name), "the extras and extensions that citykiln writes");
+  return value.Get(name);
+}
+
+double number(const Value& value) {
+  expect(value.IsNumber(), "a number");
+  return value.GetNumberAsDouble();
+}
+
+int whole(const Value& value) {
+  const double v = number(value);
+  expect(v >= -2147483647.0 && v <= 2147483647.0, "a whole number");
+  return static_cast<int>(v);
+}
+
+double element(const Value& array, std::size_t i) {
+  expect(array.IsArray() && array.ArrayLen() > i, "an array long enough");
+  return number(array.Get(i));
+}
+
+materials::Material material_named(const std::string& name) {
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    if (materials::values_of(static_cast<materials::Material>(m)).name == name) return static_cast<materials::Material>(m);
+  throw Wrong{"a material that citykiln has, not \"" + name + "\""};
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& model, int accessor, std::size_t vertices) {
+  const bool narrow = item(model.accessors, accessor, "an accessor that exists").componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  std::vector<std::uint32_t> indices;
+  if (narrow) {
+    const auto values = values_of<std::uint16_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+    indices.assign(values.begin(), values.end());
+  } else {
+    indices = values_of<std::uint32_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+  }
+  expect(indices.size() % 3 == 0, "three indices a triangle");
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    for (std::size_t k = 0; k < 3; ++k) expect(indices[i + k] < vertices, "indices of vertices that exist");
+    triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+  }
+  return triangles;
+}
+
+Primitive primitive_of(const tinygltf::Model& model, const tinygltf::Primitive& p, std::size_t features) {
+  Primitive out;
+  out.material = material_named(item(model.materials, p.material, "a material that exists").name);
+  out.positions = turned(values_of<Float3>(model, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.normals = turned(values_of<Float3>(model, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.colours = values_of<materials::Tint>(model, attribute(p.attributes, "COLOR_0"), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  if (p.attributes.count("_FEATURE_ID_0") != 0)
+    out.features = as_numbers(values_of<float>(model, attribute(p.attributes, "_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR), features);
+  const std::size_t n = out.positions.size();
+  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n), "as many values in each attribute");
+  out.triangles = triangles_of(model, p.indices, n);
+  return out;
+}
+
+std::vector<Primitive> primitives_of(const tinygltf::Model& model, int mesh, std::size_t features) {
+  std::vector<Primitive> primitives;
+  for (const tinygltf::Primitive& p : item(model.meshes, mesh, "a mesh that exists").primitives) primitives.push_back(primitive_of(model, p, features));
+  return primitives;
+}
+
+std::vector<OsmId> features_of(const tinygltf::Model& model) {
+  const auto extension = model.extensions.find("EXT_structural_metadata");
+  expect(extension != model.extensions.end(), "the table of OSM ids");
+  const Value& tables = member(extension->second, "propertyTables");
+  expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
+  const Value& table = tables.Get(0);
+  const Value& columns = member(table, "properties");
+  const auto ids = bytes_of(model, whole(member(member(columns, "id"), "values"))), types = bytes_of(model, whole(member(member(columns, "type"), "values")));
+  const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
+  expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
+  std::vector<OsmId> features(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    expect(types[i] < 4, "OSM types from 0 to 3");
+    features[i].type = static_cast<OsmType>(types[i]);
+    std::memcpy(&features[i].id, ids.data() + 8 * i, 8);
+  }
+  return features;
+}
+
+Instanced extended(const tinygltf::Model& model, const tinygltf::Node& node, std::size_t features) {
+  const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
+  const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
+  Instanced out{node.name, primitives_of(model, node.mesh, features), {}, {}, {}, {}};
+  out.translations = turned(values_of<Float3>(model, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.rotations = turned(values_of<Float4>(model, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
+  for (const Float3& s : values_of<Float3>(model, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3)) out.scales.push_back(s[0]);
+  out.features = as_numbers(values_of<float>(model, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR), features);
+  const std::size_t n = out.translations.size();
+  expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n, "as many values for each instance");
+  return out;
+}
+
+void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out) {
+  expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3, "a place for each instance");
+  const auto f = [](double v) { return static_cast<float>(v); };
+  const int feature = whole(member(node.extras, "feature"));
+  expect(feature >= 0 && static_cast<std::size_t>(feature) < features, "feature ids inside the property table");
+  out.translations.push_back(from_gltf(Float3{f(node.translation[0]), f(node.translation[1]), f(node.translation[2])}));
+  out.rotations.push_back(from_gltf(Float4{f(node.rotation[0]), f(node.rotation[1]), f(node.rotation[2]), f(node.rotation[3])}));
+  out.scales.push_back(f(node.scale[0]));
+  out.features.push_back(static_cast<std::uint32_t>(feature));
+}
+
+void add_instances(const tinygltf::Model& model, const tinygltf::Node& root, BakedTile& tile) {
+  int last_mesh = -1;
+  for (const int child : root.children) {
+    const tinygltf::Node& node = item(model.nodes, child, "a node that exists");
+    if (node.extensions.count("EXT_mesh_gpu_instancing") != 0) {
+      tile.instanced.push_back(extended(model, node, tile.features.size()));
+      continue;
+    }
+    if (node.mesh != last_mesh) tile.instanced.push_back({node.name, primitives_of(model, node.mesh, tile.features.size()), {}, {}, {}, {}});
+    last_mesh = node.mesh;
+    add_single(node, tile.features.size(), tile.instanced.back());
+  }
+}
+
+BakedTile tile_of(const tinygltf::Model& model) {
+  expect(!model.nodes.empty(), "a node for the tile");
+  const tinygltf::Node& root = model.nodes.front();
+  BakedTile tile;
+  const Value &key = member(root.extras, "tile"), &origin = member(root.extras, "origin_m");
+  tile.tile = {static_cast<std::int32_t>(element(key, 0)), static_cast<std::int32_t>(element(key, 1))};
+  tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
+  tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
+  tile.features = features_of(model);
+  if (root.mesh >= 0) tile.primitives = primitives_of(model, root.mesh, tile.features.size());
+  add_instances(model, root, tile);
+  return tile;
+}
+
+}  // namespace
+
+Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name) {
+  tinygltf::Model model;
+  std::string error, warning;
+  constexpr std::size_t kHeaderBytes = 20;
+  if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data(), "glTF", 4) != 0) return Error{name, "expected a binary glTF file, which begins with glTF"};
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data, static_cast<unsigned int>(bytes.size())))
+    return Error{name, "expected binary glTF: " + error.substr(0, error.find('\n'))};
+  try {
+    return tile_of(model);
+  } catch (const Wrong& wrong) {
+    return Error{name, "expected " + wrong.what};
+  }
+}
+
+Result<BakedTile> read_glb(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return decode_glb(*bytes, path);
+}
+
+}  // namespace citykiln::exporters

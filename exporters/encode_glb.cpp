@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "exporters/file.h"
+#include "exporters/glb.h"
+#include "exporters/glb_frame.h"
+#include "exporters/tinygltf_switches.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using bake::Float3;
+using bake::Float4;
+using bake::Instanced;
+using bake::Primitive;
+using tinygltf::Value;
+using Object = Value::Object;
+using Array = Value::Array;
+
+Value text(const std::string& s) { return Value(s); }
+Value number(double v) { return Value(v); }
+Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
+
+// A model while it is being filled.
+struct Filling {
+  const BakedTile& tile;
+  const scene::Header& header;
+  tinygltf::Model model;
+  std::set<std::string> extensions;
+
+  std::vector<unsigned char>& buffer() { return model.buffers.front().data; }
+
+  // Appends values as one buffer view, aligned to 8 bytes (property tables ask for it).
+  template <typename T>
+  int add_view(const std::vector<T>& values, int target) {
+    buffer().resize((buffer().size() + 7) / 8 * 8, 0);
+    tinygltf::BufferView view;
+    view.buffer = 0, view.byteOffset = buffer().size(), view.byteLength = values.size() * sizeof(T), view.target = target;
+    buffer().resize(view.byteOffset + view.byteLength);
+    std::memcpy(buffer().data() + view.byteOffset, values.data(), view.byteLength);
+    model.bufferViews.push_back(view);
+    return static_cast<int>(model.bufferViews.size()) - 1;
+  }
+
+  int add_accessor(int view, int component, int type, std::size_t count, bool normalised = false) {
+    tinygltf::Accessor accessor;
+    accessor.bufferView = view, accessor.componentType = component, accessor.type = type, accessor.count = count, accessor.normalized = normalised;
+    model.accessors.push_back(accessor);
+    return static_cast<int>(model.accessors.size()) - 1;
+  }
+
+  template <typename T>
+  int add_attribute(const std::vector<T>& values, int component, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER, bool normalised = false) {
+    return add_accessor(add_view(values, target), component, type, values.size(), normalised);
+  }
+};
+
+template <typename T>
+std::vector<T> turned(const std::vector<T>& values) {
+  std::vector<T> out;
+  out.reserve(values.size());
+  for (const T& v : values) out.push_back(to_gltf(v));
+  return out;
+}
+
+std::vector<float> as_floats(const std::vector<std::uint32_t>& numbers) { return {numbers.begin(), numbers.end()}; }
+
+int add_positions(Filling& f, const std::vector<Float3>& positions) {
+  const std::vector<Float3> values = turned(positions);
+  const int accessor = f.add_attribute(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  std::vector<double> low(3, std::numeric_limits<double>::infinity()), high(3, -std::numeric_limits<double>::infinity());
+  for (const Float3& p : values)
+    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
+  f.model.accessors.back().minValues = low, f.model.accessors.back().maxValues = high;
+  return accessor;
+}
+
+int add_indices(Filling& f, const Primitive& p) {
+  std::vector<std::uint32_t> wide;
+  for (const auto& t : p.triangles) wide.insert(wide.end(), t.begin(), t.end());
+  if (p.positions.size() >= 65535) return f.add_attribute(wide, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
+  return f.add_attribute(narrow, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+}
+
+// The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
+Value feature_ids(Filling& f, const char* extension) {
+  f.extensions.insert(extension);
+  const Object ids = {{"featureCount", whole(f.tile.features.size())}, {"attribute", Value(0)}, {"propertyTable", Value(0)}};
+  return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
+}
+
+int material_number(Filling& f, materials::Material material) {
+  const auto& values = values_of(material);
+  auto& all = f.model.materials;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == values.name) return static_cast<int>(i);
+  tinygltf::Material m;
+  m.name = values.name;
+  m.pbrMetallicRoughness.baseColorFactor = {values.base_colour[0], values.base_colour[1], values.base_colour[2], 1};
+  m.pbrMetallicRoughness.roughnessFactor = values.roughness, m.pbrMetallicRoughness.metallicFactor = values.metallic;
+  all.push_back(m);
+  return static_cast<int>(all.size()) - 1;
+}
+
+tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
+  tinygltf::Primitive out;
+  out.mode = TINYGLTF_MODE_TRIANGLES;
+  out.material = material_number(f, p.material);
+  out.attributes["POSITION"] = add_positions(f, p.positions);
+  out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  if (!p.features.empty()) {
+    out.attributes["_FEATURE_ID_0"] = f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
+    out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
+  }
+  out.indices = add_indices(f, p);
+  return out;
+}
+
+int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& primitives) {
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p));
+  f.model.meshes.push_back(std::move(mesh));
+  return static_cast<int>(f.model.meshes.size()) - 1;
+}
+
+int add_node(Filling& f, tinygltf::Node node) {
+  f.model.nodes.push_back(std::move(node));
+  return static_cast<int>(f.model.nodes.size()) - 1;
+}
+
+// One node for all, with its places as attributes.
+void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+  tinygltf::Node node;
+  node.name = instanced.name, node.mesh = mesh;
+  std::vector<Float3> scales;
+  for (const float s : instanced.scales) scales.push_back({s, s, s});
+  const Object attributes = {{"TRANSLATION", Value(f.add_attribute(turned(instanced.translations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
+                             {"ROTATION", Value(f.add_attribute(turned(instanced.rotations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, 0))},
+                             {"SCALE", Value(f.add_attribute(scales, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
+                             {"_FEATURE_ID_0", Value(f.add_attribute(as_floats(instanced.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, 0))}};
+  node.extensions["EXT_mesh_gpu_instancing"] = Value(Object{{"attributes", Value(attributes)}});
+  node.extensions["EXT_instance_features"] = feature_ids(f, "EXT_instance_features");
+  f.extensions.insert("EXT_mesh_gpu_instancing");
+  children.push_back(add_node(f, std::move(node)));
+}
+
+// A node a place, all with one mesh.
+void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+  for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
+    tinygltf::Node node;
+    node.name = instanced.name, node.mesh = mesh;
+    const Float3 t = to_gltf(instanced.translations[i]);
+    const Float4 q = to_gltf(instanced.rotations[i]);
+    node.translation = {t[0], t[1], t[2]}, node.rotation = {q[0], q[1], q[2], q[3]};
+    node.scale.assign(3, instanced.scales[i]);
+    node.extras = Value(Object{{"feature", whole(instanced.features[i])}});
+    children.push_back(add_node(f, std::move(node)));
+  }
+}
+
+// Which OSM element each feature is: row 0 is none.
+Value property_table(Filling& f) {
+  std::vector<std::uint64_t> ids;
+  std::vector<std::uint8_t> types;
+  for (const OsmId& id : f.tile.features) ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
+  const auto property = [](const char* name, const char* type, const char* what) {
+    return Value(Object{{"name", text(name)}, {"description", text(what)}, {"type", text("SCALAR")}, {"componentType", text(type)}});
+  };
+  const Object osm = {{"id", property("OSM id", "UINT64", "id of the OpenStreetMap element")},
+                      {"type", property("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation")}};
+  const Object schema = {{"id", text("citykiln")}, {"classes", Value(Object{{"osm", Value(Object{{"properties", Value(osm)}})}})}};
+  const Object rows = {{"id", Value(Object{{"values", Value(f.add_view(ids, 0))}})}, {"type", Value(Object{{"values", Value(f.add_view(types, 0))}})}};
+  const Object table = {{"name", text("osm")}, {"class", text("osm")}, {"count", whole(ids.size())}, {"properties", Value(rows)}};
+  f.extensions.insert("EXT_structural_metadata");
+  return Value(Object{{"schema", Value(schema)}, {"propertyTables", Value(Array{Value(table)})}});
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& t : texts) all += (all.empty() ? "" : "; ") + t;
+  return all;
+}
+
+Value extras_of(const BakedTile& tile, const scene::Header& header) {
+  const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")}, {"lon_0", number(header.origin.lon_deg)}, {"lat_0", number(header.origin.lat_deg)}};
+  return Value(Object{{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
+                      {"origin_m", Value(Array{number(tile.origin.x), number(tile.origin.y), number(tile.origin.z)})},
+                      {"tolerance_m", number(tile.tolerance_m)},
+                      {"error_m", number(tile.error_m)},
+                      // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
+                      {"rounding_m", number(0)},
+                      {"plane", Value(plane)}});
+}
+
+tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
+  tinygltf::Node root;
+  root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
+  // whole metres, so that tiles brought in side by side fit exactly
+  root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
+  root.extras = extras_of(tile, header);
+  return root;
+}
+
+void fill(Filling& f, Instancing instancing) {
+  f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0", f.model.asset.copyright = joined(f.header.attributions);
+  f.model.buffers.emplace_back();
+  add_node(f, root_of(f.tile, f.header));
+  if (!f.tile.primitives.empty()) f.model.nodes[0].mesh = add_mesh(f, "tile", f.tile.primitives);
+  std::vector<int> children;
+  for (const Instanced& instanced : f.tile.instanced) {
+    const int mesh = add_mesh(f, instanced.name, instanced.primitives);
+    instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children) : add_single_nodes(f, instanced, mesh, children);
+  }
+  f.model.nodes[0].children = children;
+  f.model.extensions["EXT_structural_metadata"] = property_table(f);
+  f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());
+  tinygltf::Scene scene;
+  scene.nodes = {0};
+  f.model.scenes.push_back(scene);
+  f.model.defaultScene = 0;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
+  Filling f{tile, header, {}, {}};
+  fill(f, instancing);
+  std::ostringstream out;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
+  const std::string bytes = std::move(out).str();
+  const auto span = std::as_bytes(std::span(bytes));
+  return {span.begin(), span.end()};
+}
+
+Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing, const std::string& path) {
+  return write_file(path, encode_glb(tile, header, instancing));
+}
+
+}  // namespace citykiln::exporters
