@@ -19,6 +19,14 @@ constexpr double kFinestStep_m = 1, kCoarsestStep_m = 64;
 // Of a quantum: libraries' sines move a height by far less.
 constexpr double kNearTie = 1e-6;
 
+// What is neither a void nor a height: no number, or beyond what quanta in 32 bits hold with room to subtract.
+constexpr double kMostHeight_m = 0x1p20;
+
+template <typename Real>
+bool is_height(Real height_m) {
+  return std::abs(height_m) <= kMostHeight_m;
+}
+
 double step_for(std::span<const Raster> rasters) {
   double finest_m = kCoarsestStep_m;
   for (const Raster& raster : rasters) finest_m = std::min(finest_m, raster.spacing_m);
@@ -70,7 +78,7 @@ struct Sampler {
     const Real u = column - c, v = row - r;
     const Real north_m = raster.at(c, r) * (1 - u) + raster.at(east, r) * u, south_m = raster.at(c, south) * (1 - u) + raster.at(east, south) * u;
     const Real height = north_m * (1 - v) + south_m * v;
-    if (std::isnan(height)) return std::nullopt;
+    if (!is_height(height)) return std::nullopt;
     return height;
   }
 };
@@ -131,7 +139,7 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
     for (int c = 0; c < raster.columns; ++c) {
       const auto& g = raster.from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r});
-      if (box.contains(p) && !std::isnan(raster.at(c, r))) largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
+      if (box.contains(p) && is_height(raster.at(c, r))) largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
     }
   // upwards to the next quantum: a figure to state, not to compute with
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
