@@ -64,30 +64,63 @@ void drop_nodes_without_place(std::vector<const osmium::Node*>& nodes, Account& 
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_no_place), nodes.end());
 }
 
-// Collects pointers and reports a file that is not sorted as OSM files are: nodes, ways, relations, each by id.
-Elements collect(std::vector<osmium::memory::Buffer>& buffers, Report& report) {
+// The elements of one buffer in the order of the file, and what is to be done about them.
+struct Collected {
   Elements elements;
-  const osmium::OSMObject* previous = nullptr;
+  const osmium::OSMObject* first = nullptr;
+  const osmium::OSMObject* last = nullptr;
   bool is_sorted = true;
-  for (osmium::memory::Buffer& buffer : buffers) {
-    for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
-      if (object.type() == osmium::item_type::node) elements.nodes.push_back(static_cast<osmium::Node*>(&object));
-      if (object.type() == osmium::item_type::way) elements.ways.push_back(static_cast<osmium::Way*>(&object));
-      if (object.type() == osmium::item_type::relation)
-        elements.relations.push_back(static_cast<osmium::Relation*>(&object));
-      if (previous && is_sorted) is_sorted = !(osmium::object_order_type_id_version{}(object, *previous));
-      previous = &object;
+  bool has_losses = false;  // deleted elements or nodes without a place
+};
+
+bool goes_behind(const osmium::OSMObject& a, const osmium::OSMObject& b) {
+  return osmium::object_order_type_id_version{}(b, a);
+}
+
+Collected collect(osmium::memory::Buffer& buffer) {
+  Collected all;
+  for (osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
+    all.has_losses |= object.deleted();
+    if (object.type() == osmium::item_type::node) {
+      all.elements.nodes.push_back(static_cast<osmium::Node*>(&object));
+      all.has_losses |= !all.elements.nodes.back()->location().valid();
+    } else if (object.type() == osmium::item_type::way) {
+      all.elements.ways.push_back(static_cast<osmium::Way*>(&object));
+    } else if (object.type() == osmium::item_type::relation) {
+      all.elements.relations.push_back(static_cast<osmium::Relation*>(&object));
     }
+    if (!all.first) all.first = &object;
+    if (all.last && goes_behind(*all.last, object)) all.is_sorted = false;
+    all.last = &object;
   }
-  if (!is_sorted) report.add(Code::kUnsortedFile, OsmId{});
-  return elements;
+  return all;
 }
 
 template <typename Pointer>
-void clean(std::vector<Pointer>& elements, Account& account, Report& report) {
+void append(const std::vector<Pointer>& more, std::vector<Pointer>& all) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// The buffers one after the other. OSM files are sorted if nodes, ways and relations follow each other, each by id.
+Collected join(const std::vector<Collected>& parts) {
+  Collected all;
+  for (const Collected& part : parts) {
+    if (!part.first) continue;
+    append(part.elements.nodes, all.elements.nodes);
+    append(part.elements.ways, all.elements.ways);
+    append(part.elements.relations, all.elements.relations);
+    all.is_sorted &= part.is_sorted && !(all.last && goes_behind(*all.last, *part.first));
+    all.has_losses |= part.has_losses;
+    all.last = part.last;
+  }
+  return all;
+}
+
+template <typename Pointer>
+void clean(std::vector<Pointer>& elements, bool has_losses, Account& account, Report& report) {
   account.in += elements.size();
   keep_one_each(elements, account, report);
-  drop_deleted(elements, account, report);
+  if (has_losses) drop_deleted(elements, account, report);
 }
 
 // Ids and places side by side: the search then touches no element.
@@ -123,15 +156,17 @@ void locate(osmium::Way& way, const NodePlaces& nodes) {
 
 }  // namespace
 
-Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& report) {
-  Elements elements = collect(buffers, report);
+Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int threads, Report& report) {
+  auto [elements, first, last, is_sorted, has_losses] =
+      join(for_each_slot<Collected>(buffers.size(), threads, [&](std::size_t i) { return collect(buffers[i]); }));
+  if (!is_sorted) report.add(Code::kUnsortedFile, OsmId{});
   Account& node_account = report.account("source", "node");
-  clean(elements.nodes, node_account, report);
-  drop_nodes_without_place(elements.nodes, node_account, report);
+  clean(elements.nodes, has_losses, node_account, report);
+  if (has_losses) drop_nodes_without_place(elements.nodes, node_account, report);
   node_account.out += elements.nodes.size();
-  clean(elements.ways, report.account("source", "way"), report);
-  clean(elements.relations, report.account("source", "relation"), report);
-  return elements;
+  clean(elements.ways, has_losses, report.account("source", "way"), report);
+  clean(elements.relations, has_losses, report.account("source", "relation"), report);
+  return std::move(elements);
 }
 
 void locate_way_nodes(const Elements& elements, int threads) {

@@ -21,7 +21,7 @@ struct Elements {
 /// Sorts the elements, keeps the highest version of each (of equal versions the one with the smaller bytes) and drops
 /// deleted ones and nodes without a place. Opens the accounts "source/node", "source/way" and "source/relation": in,
 /// merged, dropped. O(n), or O(n log n) if the file is not sorted; 8 bytes an element.
-Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, Report& report);
+Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int threads, Report& report);
 
 /// Writes each way node's place into the ways, by the nodes' ids; where the node is missing the place stays invalid.
 void locate_way_nodes(const Elements& elements, int threads);

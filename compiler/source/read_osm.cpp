@@ -179,7 +179,7 @@ OsmData build(const Elements& elements, int threads, Report& report) {
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report) {
   Result<DecodedOsm> decoded = decode_osm(path, threads);
   if (!decoded) return decoded.error();
-  const Elements elements = order_elements(decoded->buffers, report);
+  const Elements elements = order_elements(decoded->buffers, threads, report);
   locate_way_nodes(elements, threads);
 
   OsmData data = build(elements, threads, report);
