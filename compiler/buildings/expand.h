@@ -14,8 +14,8 @@ struct Expanded {
   double error_m = 0;
 };
 
-/// A prism. Walls are flat, outward; the roof is triangulated with its holes. A building lower than the tolerance is dropped, with its height as
-/// error. Tints are drawn from (seed, id). O(n log n).
+/// A prism. Walls are flat, outward; the roof is triangulated with its holes. A building lower than the tolerance is
+/// dropped, with its height as error. Tints are drawn from (seed, id). O(n log n).
 Expanded expand(const Building& building, std::uint64_t seed, double tolerance_m);
 
 }  // namespace citykiln::buildings

@@ -1,109 +1,84 @@
 #include "compiler/buildings/plan.h"
 
 #include <algorithm>
-#include <optional>
+#include <limits>
 
+#include "compiler/buildings/dress.h"
+#include "compiler/buildings/outline_index.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/building_classes.h"
+#include "compiler/geometry/triangulate.h"
 
 namespace citykiln::buildings {
 namespace {
 
-using map::BuildingClass;
-using map::Footprint;
-using materials::Material;
-
-// Walls reach this far below the lowest corner: the ground may sag by a coarse level's tolerance, and no gap shall open under a wall.
-constexpr double kFoundation_m = 1;
-// What must be seen of a building above its highest corner.
+// A building shows at least this much over its highest corner: a low storey. Less is a slip of the heightmap, not a
+// building.
 constexpr double kLeastRise_m = 2;
 
+// How deep walls reach under the lowest corner: the ground may dip between two corners, and coarse levels lie a little
+// lower.
+constexpr double kFoundation_m = 3;
+
 struct GroundRange {
-  double low_m, high_m;
+  double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -std::numeric_limits<double>::infinity();
 };
 
-GroundRange ground_under(const Polygon& footprint, const map::Heightfield& heights) {
-  GroundRange range{1e9, -1e9};
-  for (const Vec2 p : footprint.outer) {
-    const double z = map::height_m_at(heights, p);
-    range = {std::min(range.low_m, z), std::max(range.high_m, z)};
+GroundRange ground_under(const Polygon& polygon, const map::Heightfield& heights) {
+  GroundRange range;
+  for (const Vec2 corner : polygon.outer) {
+    const double z = height_m_at(heights, corner);
+    range = {std::min(range.lowest_m, z), std::max(range.highest_m, z)};
   }
   return range;
 }
 
-// Outlines by their western edge, so that the one around a point is found among few.
-struct Outlines {
-  std::vector<const Footprint*> sorted;
-  double widest_m = 0;
-};
-
-Outlines sort_outlines(const std::vector<Footprint>& footprints) {
-  Outlines outlines;
-  for (const Footprint& f : footprints)
-    if (!f.is_part) {
-      outlines.sorted.push_back(&f);
-      outlines.widest_m = std::max(outlines.widest_m, box_of(f.polygon.outer).width());
-    }
-  std::stable_sort(outlines.sorted.begin(), outlines.sorted.end(),
-                   [](const Footprint* a, const Footprint* b) { return box_of(a->polygon.outer).min.x < box_of(b->polygon.outer).min.x; });
-  return outlines;
-}
-
-const Footprint* outline_around(const Outlines& outlines, Vec2 p) {
-  const auto first = std::lower_bound(outlines.sorted.begin(), outlines.sorted.end(), p.x - outlines.widest_m,
-                                      [](const Footprint* f, double x) { return box_of(f->polygon.outer).min.x < x; });
-  for (auto at = first; at != outlines.sorted.end() && box_of((*at)->polygon.outer).min.x <= p.x; ++at)
-    if (contains((*at)->polygon, p)) return *at;
-  return nullptr;
-}
-
-Material wall_of(const Footprint& f, double area_m2) {
-  if (f.wall_material) return *f.wall_material;
-  switch (static_cast<BuildingClass>(f.building_class)) {
-    case BuildingClass::kChurch: return Material::kStone;
-    case BuildingClass::kHall: return Material::kMetalCladding;
-    case BuildingClass::kBarn:
-    case BuildingClass::kHut: return Material::kTimber;
-    case BuildingClass::kGreenhouse: return Material::kGlassFacade;
-    case BuildingClass::kGarage:
-    case BuildingClass::kRoof: return Material::kConcrete;
-    case BuildingClass::kOffice: return f.height_m > 30 ? Material::kGlassFacade : Material::kPlaster;
-    default: break;
+// A point well inside: the middle of the largest triangle.
+Vec2 inner_point(const Polygon& polygon) {
+  const PlaneTriangles t = triangulate(polygon);
+  double largest = 0;
+  Vec2 middle = polygon.outer.front();
+  for (const auto& [ia, ib, ic] : t.triangles) {
+    const Vec2 a = t.points[ia], b = t.points[ib], c = t.points[ic];
+    if (cross(b - a, c - a) <= largest) continue;
+    largest = cross(b - a, c - a);
+    middle = (a + b + c) * (1 / 3.0);
   }
-  // tall and slim is glass, tall and wide is concrete, the rest is plastered
-  if (f.height_m > 75) return Material::kGlassFacade;
-  return f.height_m > 35 && area_m2 > 500 ? Material::kConcrete : Material::kPlaster;
+  return middle;
 }
 
-Material roof_of(const Footprint& f, double area_m2) {
-  if (f.roof_material) return *f.roof_material;
-  switch (static_cast<BuildingClass>(f.building_class)) {
-    case BuildingClass::kHouse:
-    case BuildingClass::kBarn: return Material::kRoofTile;
-    case BuildingClass::kChurch: return Material::kSlate;
-    case BuildingClass::kHall: return Material::kMetalRoof;
-    case BuildingClass::kGreenhouse: return Material::kGlassFacade;
-    case BuildingClass::kPlain:
-    case BuildingClass::kApartments:
-    case BuildingClass::kCivic: return f.height_m < 18 && area_m2 < 600 ? Material::kRoofTile : Material::kFlatRoof;
-    default: return Material::kFlatRoof;
-  }
+// The height that a footprint's heights count from.
+double base_of(const map::Footprint& footprint, const GroundRange& ground, const OutlineIndex& outlines,
+               const map::Heightfield& heights) {
+  if (!footprint.is_part) return ground.lowest_m;
+  const map::Footprint* outline = outline_at(outlines, inner_point(footprint.polygon));
+  return outline == nullptr ? ground.lowest_m : ground_under(outline->polygon, heights).lowest_m;
 }
 
-Building building_of(const Footprint& f, GroundRange ground, Report& report) {
-  Building building;
-  building.id = f.id, building.footprint = f.polygon;
-  const double area = area_m2(f.polygon);
-  building.stands_on_ground = f.min_height_m == 0;
-  building.bottom_m = snapped(building.stands_on_ground ? ground.low_m - kFoundation_m : ground.low_m + f.min_height_m);
-  double top_m = ground.low_m + f.height_m;
-  if (top_m < ground.high_m + kLeastRise_m && building.stands_on_ground) {
-    report.add(Code::kHeightRaised, f.id.osm, ground.high_m + kLeastRise_m - top_m);
-    top_m = ground.high_m + kLeastRise_m;
-  }
-  building.top_m = std::max(snapped(top_m), building.bottom_m + kQuantum_m);
-  building.wall = wall_of(f, area), building.roof = roof_of(f, area);
-  building.wall_colour = f.wall_colour, building.roof_colour = f.roof_colour;
+double lift_of(const map::Footprint& footprint, Report& report) {
+  if (footprint.min_height_m <= 0) return 0;
+  if (footprint.min_height_m < footprint.height_m) return footprint.min_height_m;
+  report.add(Code::kUpsideDown, footprint.id.osm, footprint.min_height_m - footprint.height_m);
+  return 0;
+}
+
+// Where the building ends at the top: raised out of a slope that would bury it.
+double top_of(const map::Footprint& footprint, double base_m, const GroundRange& ground, Report& report) {
+  const double top_m = snapped(base_m + footprint.height_m), least_m = snapped(ground.highest_m + kLeastRise_m);
+  if (top_m >= least_m) return top_m;
+  report.add(Code::kHeightRaised, footprint.id.osm, least_m - top_m);
+  return least_m;
+}
+
+Building build(const map::Footprint& footprint, const OutlineIndex& outlines, const map::Heightfield& heights,
+               Report& report) {
+  const GroundRange ground = ground_under(footprint.polygon, heights);
+  const double base_m = base_of(footprint, ground, outlines, heights);
+  const double lift_m = lift_of(footprint, report);
+  const Dress dress = dress_of(footprint);
+  Building building{footprint.id,          footprint.polygon,    0, 0, lift_m == 0, dress.wall, dress.roof,
+                    footprint.wall_colour, footprint.roof_colour};
+  building.top_m = top_of(footprint, base_m, ground, report);
+  building.bottom_m = snapped(lift_m > 0 ? base_m + lift_m : std::min(base_m, ground.lowest_m) - kFoundation_m);
   return building;
 }
 
@@ -112,20 +87,21 @@ Building building_of(const Footprint& f, GroundRange ground, Report& report) {
 std::vector<Building> plan(const map::Features& features, const map::Heightfield& heights, Report& report) {
   std::vector<Building> buildings;
   Account account;
-  const Outlines outlines = sort_outlines(features.footprints);
-  for (const Footprint& f : features.footprints) {
+  const OutlineIndex outlines = index_outlines(features.footprints);
+  for (const map::Footprint& footprint : features.footprints) {
     ++account.in;
-    if (f.has_parts) {
-      report.add(Code::kOutlineReplacedByParts, f.id.osm);
+    if (footprint.polygon.outer.size() < 3) {
+      report.drop(account, Code::kDegenerateRing, footprint.id.osm);
+    } else if (footprint.has_parts) {
       ++account.merged;
-      continue;
+      report.add(Code::kOutlineReplacedByParts, footprint.id.osm);
+    } else {
+      ++account.out;
+      buildings.push_back(build(footprint, outlines, heights, report));
     }
-    // parts of one building count their heights from one ground
-    const Footprint* outline = f.is_part ? outline_around(outlines, box_of(f.polygon.outer).centre()) : nullptr;
-    ++account.out;
-    buildings.push_back(building_of(f, ground_under(outline != nullptr ? outline->polygon : f.polygon, heights), report));
   }
   report.account("buildings", "footprint") = account;
+  std::sort(buildings.begin(), buildings.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return buildings;
 }
 

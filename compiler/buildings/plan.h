@@ -8,9 +8,10 @@
 
 namespace citykiln::buildings {
 
-/// Footprints become buildings, sorted by id. Heights count from the lowest ground at the footprint's corners, parts from that of their outline
-/// where one contains them; a building that would not rise at least kLeastRise_m above its highest corner is raised (kHeightRaised). Walls reach
-/// kFoundation_m below the lowest corner. Outlines replaced by their parts count as merged. Ledger "buildings/footprint". Total.
+/// Footprints become buildings, sorted by id. Heights count from the lowest ground at the footprint's corners, parts
+/// from that of their outline where one contains them; a building that would not rise at least kLeastRise_m above its
+/// highest corner is raised (kHeightRaised). Walls reach kFoundation_m below the lowest corner. Outlines replaced by
+/// their parts count as merged. Ledger "buildings/footprint". Total.
 std::vector<Building> plan(const map::Features& features, const map::Heightfield& heights, Report& report);
 
 }  // namespace citykiln::buildings

@@ -1,0 +1,137 @@
+#include "compiler/buildings/dress.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "compiler/contract/draw.h"
+#include "compiler/map/building_classes.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using map::BuildingClass;
+using materials::Material;
+using materials::Tint;
+using Linear = std::array<double, 3>;
+
+// Small houses have tiles to look down on, larger blocks flat roofs.
+constexpr double kSmall_m2 = 350, kSmall_m = 20;
+
+struct DressRow {
+  Material wall, other_wall;
+  std::uint32_t other_percent;
+  Material small_roof, large_roof;
+};
+
+constexpr DressRow kRows[] = {
+#define DRESS(building, wall, other, percent, small, large) \
+  {Material::wall, Material::other, percent, Material::small, Material::large},
+#include "compiler/buildings/dress.inc"
+#undef DRESS
+};
+static_assert(std::size(kRows) == static_cast<std::size_t>(BuildingClass::kCount));
+
+// That the rows stand in the order of the classes.
+constexpr BuildingClass kOrder[] = {
+#define DRESS(building, wall, other, percent, small, large) BuildingClass::building,
+#include "compiler/buildings/dress.inc"
+#undef DRESS
+};
+static_assert([] {
+  for (std::size_t i = 0; i < std::size(kOrder); ++i)
+    if (static_cast<std::size_t>(kOrder[i]) != i) return false;
+  return true;
+}());
+
+const DressRow& row_of(std::uint8_t building_class) {
+  return kRows[std::min<std::size_t>(building_class, std::size(kRows) - 1)];
+}
+
+Linear base_of(Material material) {
+  const auto& base = values_of(material).base_colour;
+  return {base[0], base[1], base[2]};
+}
+
+// Paint reflects between 4 and 76 percent, and has lost some of its colour to sun and dust.
+Linear paint_of(const map::Srgb& colour) {
+  Linear linear{};
+  for (int i = 0; i < 3; ++i) linear[i] = materials::linear_of_srgb(colour[i]);
+  const double grey = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+  for (double& c : linear) c = 0.04 + 0.72 * (0.85 * c + 0.15 * grey);
+  return linear;
+}
+
+bool can_show(Material material, const Linear& paint) {
+  const Linear base = base_of(material);
+  return paint[0] <= base[0] && paint[1] <= base[1] && paint[2] <= base[2];
+}
+
+// The first material that can be tinted to the colour; the last, which is the lightest, where none can.
+Material showing(const std::optional<map::Srgb>& colour, std::initializer_list<Material> choice) {
+  const Material first = *choice.begin();
+  if (!colour || first == Material::kGlassFacade) return first;
+  const Linear paint = paint_of(*colour);
+  for (const Material material : choice)
+    if (can_show(material, paint)) return material;
+  return *(choice.end() - 1);
+}
+
+Material untagged_wall(const map::Footprint& footprint) {
+  const DressRow& row = row_of(footprint.building_class);
+  const bool is_stone = row.wall == Material::kStone;
+  if (footprint.height_m > kGlassTower_m && !is_stone) return Material::kGlassFacade;
+  const bool is_other = Draw(0, stable_id(footprint.id), "wall").below(100, 0) < row.other_percent;
+  return is_other ? row.other_wall : row.wall;
+}
+
+Material untagged_roof(const map::Footprint& footprint) {
+  const DressRow& row = row_of(footprint.building_class);
+  return footprint.height_m <= kSmall_m && area_m2(footprint.polygon) <= kSmall_m2 ? row.small_roof : row.large_roof;
+}
+
+Tint tint_of(const Linear& share) {
+  Tint tint{0, 0, 0, 255};
+  for (int i = 0; i < 3; ++i) tint[i] = static_cast<std::uint8_t>(std::clamp(share[i], 0.0, 1.0) * 255 + 0.5);
+  return tint;
+}
+
+Tint painted(Material material, const map::Srgb& colour) {
+  const Linear paint = paint_of(colour), base = base_of(material);
+  return tint_of({paint[0] / base[0], paint[1] / base[1], paint[2] / base[2]});
+}
+
+// Shares of plaster's base colour: warm whites and creams first, then sand, ochre, pink, grey, and now and then sage or
+// terracotta.
+constexpr Linear kPlasterHues[] = {{1.00, 1.00, 1.00}, {0.97, 0.96, 0.94}, {1.00, 0.95, 0.84}, {1.00, 0.93, 0.78},
+                                   {0.95, 0.94, 0.96}, {0.90, 0.83, 0.70}, {0.96, 0.84, 0.62}, {0.93, 0.77, 0.50},
+                                   {0.96, 0.80, 0.72}, {0.92, 0.72, 0.63}, {0.80, 0.82, 0.86}, {0.72, 0.72, 0.73},
+                                   {0.86, 0.80, 0.72}, {1.00, 0.97, 0.90}, {0.78, 0.85, 0.76}, {0.80, 0.55, 0.42}};
+
+Tint varied(Material material, const Draw& draw) {
+  const double brightness = 1 - values_of(material).variation * draw.unit(0);
+  if (material != Material::kPlaster) return tint_of({brightness, brightness, brightness});
+  const Linear& hue = kPlasterHues[draw.below(std::size(kPlasterHues), 1)];
+  return tint_of({brightness * hue[0], brightness * hue[1], brightness * hue[2]});
+}
+
+}  // namespace
+
+Dress dress_of(const map::Footprint& footprint) {
+  const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
+  const Material roof = footprint.roof_material.value_or(untagged_roof(footprint));
+  return {showing(footprint.wall_colour, {wall, Material::kPlaster}),
+          showing(footprint.roof_colour, {roof, Material::kFlatRoof, Material::kPlaster})};
+}
+
+Tint wall_tint(const Building& building, std::uint64_t seed) {
+  if (building.wall_colour) return painted(building.wall, *building.wall_colour);
+  return varied(building.wall, Draw(seed, stable_id(building.id), "wall tint"));
+}
+
+Tint roof_tint(const Building& building, std::uint64_t seed) {
+  if (building.roof_colour) return painted(building.roof, *building.roof_colour);
+  return varied(building.roof, Draw(seed, stable_id(building.id), "roof tint"));
+}
+
+}  // namespace citykiln::buildings

@@ -1,0 +1,155 @@
+#include "compiler/buildings/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/map/building_classes.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using materials::Material;
+
+// Rises to the east by one in four, 100 m at x = 0.
+map::Heightfield slope() {
+  map::Heightfield field{{-64, -64}, 16, 17, 17, {}, 0};
+  for (int j = 0; j < 17; ++j)
+    for (int i = 0; i < 17; ++i)
+      field.heights.push_back(static_cast<std::int32_t>((100 + (i * 16 - 64) / 4.0) / map::kHeightQuantum_m));
+  return field;
+}
+
+map::Footprint block(std::int64_t id, double x, double y, double size, double height_m) {
+  map::Footprint f;
+  f.id = {{OsmType::kWay, id}, 0};
+  f.polygon.outer = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+  f.height_m = height_m;
+  return f;
+}
+
+map::Features features_of(std::vector<map::Footprint> footprints) {
+  map::Features f;
+  f.footprints = std::move(footprints);
+  return f;
+}
+
+TEST(Plan, CountsHeightsFromTheLowestCorner) {
+  Report report;
+  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), slope(), report);
+  ASSERT_EQ(b.size(), 1u);
+  EXPECT_EQ(b[0].top_m, 112);
+  EXPECT_LT(b[0].bottom_m, 100);
+  EXPECT_TRUE(b[0].stands_on_ground);
+}
+
+TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
+  Report report;
+  map::Footprint outline = block(1, 0, 0, 40, 12), part = block(2, 30, 0, 10, 30), far = block(3, 60, 0, 10, 30);
+  outline.has_parts = true;
+  part.is_part = far.is_part = true;
+  const auto b = plan(features_of({outline, part, far}), slope(), report);
+  ASSERT_EQ(b.size(), 2u);
+  EXPECT_EQ(b[0].top_m, 130);
+  EXPECT_EQ(b[1].top_m, 145);
+  EXPECT_EQ(report.counts()[Code::kOutlineReplacedByParts], 1u);
+  EXPECT_EQ(report.ledger().at("buildings/footprint").merged, 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(Plan, BelongsToTheSmallestOutlineAround) {
+  Report report;
+  map::Footprint part = block(9, 42, 2, 4, 20);
+  part.is_part = true;
+  const auto b = plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), slope(), report);
+  EXPECT_EQ(b[2].top_m, 130);
+}
+
+TEST(Plan, LiftsPartsByTheirMinHeight) {
+  Report report;
+  map::Footprint part = block(2, 0, 0, 10, 30);
+  part.is_part = true;
+  part.min_height_m = 12;
+  const auto b = plan(features_of({part}), slope(), report);
+  EXPECT_FALSE(b[0].stands_on_ground);
+  EXPECT_EQ(b[0].bottom_m, 112);
+}
+
+TEST(Plan, RaisesWhatTheSlopeWouldBury) {
+  Report report;
+  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), slope(), report);
+  EXPECT_EQ(b[0].top_m, 112);
+  ASSERT_EQ(report.diagnoses().size(), 1u);
+  EXPECT_EQ(report.diagnoses()[0].code, Code::kHeightRaised);
+  EXPECT_EQ(report.diagnoses()[0].size, 7);
+}
+
+TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
+  Report report;
+  map::Footprint f = block(1, 0, 0, 8, 12);
+  f.min_height_m = 15;
+  const auto b = plan(features_of({f}), slope(), report);
+  EXPECT_TRUE(b[0].stands_on_ground);
+  EXPECT_LT(b[0].bottom_m, b[0].top_m);
+  EXPECT_EQ(report.counts()[Code::kUpsideDown], 1u);
+}
+
+TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
+  std::vector<map::Footprint> footprints;
+  for (int i = 0; i < 40; ++i) {
+    footprints.push_back(block(i + 1, (i % 8) * 10 - 40, (i / 8) * 10 - 40, 9.3, 4 + i));
+    footprints.back().is_part = i % 3 == 0;
+  }
+  Report one, two;
+  const auto a = plan(features_of(footprints), slope(), one);
+  std::reverse(footprints.begin(), footprints.end());
+  EXPECT_EQ(a, plan(features_of(footprints), slope(), two));
+}
+
+TEST(Plan, PutsHeightsOnTheGrid) {
+  Report report;
+  for (const Building& b : plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), slope(), report)) {
+    EXPECT_EQ(b.top_m, snapped(b.top_m));
+    EXPECT_EQ(b.bottom_m, snapped(b.bottom_m));
+  }
+}
+
+TEST(Plan, DropsWhatHasNoRing) {
+  Report report;
+  map::Footprint f = block(1, 0, 0, 8, 12);
+  f.polygon.outer.resize(2);
+  EXPECT_TRUE(plan(features_of({f}), slope(), report).empty());
+  EXPECT_TRUE(report.balances());
+}
+
+TEST(Dress, ClothesByClassAndSize) {
+  Report report;
+  map::Footprint church = block(1, 0, 0, 20, 18), tower = block(2, 30, 0, 30, 90), hall = block(3, 0, 30, 40, 9),
+                 house = block(4, 0, 60, 9, 7);
+  church.building_class = static_cast<std::uint8_t>(map::BuildingClass::kChurch);
+  tower.building_class = static_cast<std::uint8_t>(map::BuildingClass::kOffice);
+  hall.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHall);
+  house.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHouse);
+  const auto b = plan(features_of({church, tower, hall, house}), slope(), report);
+  EXPECT_EQ(b[0].roof, Material::kSlate);
+  EXPECT_EQ(b[1].wall, Material::kGlassFacade);
+  EXPECT_EQ(b[1].roof, Material::kFlatRoof);
+  EXPECT_EQ(b[2].roof, Material::kMetalRoof);
+  EXPECT_EQ(b[3].roof, Material::kRoofTile);
+}
+
+TEST(Dress, TakesALighterMaterialForABrightColour) {
+  Report report;
+  map::Footprint f = block(1, 0, 0, 9, 7), glass = block(2, 20, 0, 9, 7);
+  f.wall_material = Material::kBrick;
+  f.wall_colour = map::Srgb{250, 245, 230};
+  glass.wall_material = Material::kGlassFacade;
+  glass.wall_colour = map::Srgb{200, 220, 255};
+  const auto b = plan(features_of({f, glass}), slope(), report);
+  EXPECT_EQ(b[0].wall, Material::kPlaster);
+  EXPECT_EQ(b[1].wall, Material::kGlassFacade);
+}
+
+}  // namespace
+}  // namespace citykiln::buildings
