@@ -81,7 +81,9 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   for (const scene::Chunk& chunk : scene.chunks) {
     for (std::size_t level = 0; level < ladder_m.size(); ++level) {
       on_progress("bake", static_cast<double>(fired++) / static_cast<double>(total));
-      const bake::BakedTile tile = bake::bake(scene.header, chunk, ladder_m[level], threads, report);
+      Report here;
+      const bake::BakedTile tile = bake::bake(scene.header, chunk, ladder_m[level], threads, here);
+      report.append(here);
       if (const Result<Done> done = take(tile, level); !done) return done;
     }
   }

@@ -49,15 +49,25 @@ struct Subject {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  int threads = 0;
+  std::vector<OsmId> leaving;  ///< Bridges, sorted.
 };
+
+std::vector<OsmId> bridges_of(const scene::Scene& scene) {
+  std::vector<OsmId> bridges;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const structures::Span& bridge : chunk.bridges) bridges.push_back(bridge.id.osm);
+  }
+  std::ranges::sort(bridges);
+  return bridges;
+}
 
 Result<Subject> open_subject(const std::string& folder) {
   Result<RunRecord> record = read_report(folder);
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  return Subject{folder, std::move(*record), std::move(*scene), 0};
+  std::vector<OsmId> leaving = bridges_of(*scene);
+  return Subject{folder, std::move(*record), std::move(*scene), std::move(leaving)};
 }
 
 const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
@@ -89,7 +99,7 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
   const double ground_m2 = ground_area_m2(chunk, box, tile.tolerance_m);
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2, fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
-  const GroundSamples samples = sample_ground(tile, chunk.heights, box, kSampleStep_m);
+  const GroundSamples samples = sample_ground(tile, subject.leaving, chunk.heights, box, kSampleStep_m);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {
@@ -109,7 +119,7 @@ Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& wr
   if (chunk == nullptr) return Error{path, "is a tile that the manifest does not have"};
 
   Report ignored;
-  const bake::BakedTile baked = bake::bake(subject.scene.header, *chunk, written.tolerance_m, subject.threads, ignored);
+  const bake::BakedTile baked = bake::bake(subject.scene.header, *chunk, written.tolerance_m, 0, ignored);
   const auto instancing = subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
   findings.forms.test(exporters::encode_glb(baked, subject.scene.header, instancing) == *bytes, written.file.name);
   check_ground(subject, *chunk, *tile, written.file.name, findings);
@@ -121,9 +131,9 @@ struct Borders {
   std::vector<BorderEdge> west, east, south, north;
 };
 
-Borders borders_of(const bake::BakedTile& tile, const Box2& box) {
-  return {border_edges_along_x(tile, box.min.x), border_edges_along_x(tile, box.max.x), border_edges_along_y(tile, box.min.y),
-          border_edges_along_y(tile, box.max.y)};
+Borders borders_of(const bake::BakedTile& tile, std::span<const OsmId> leaving, const Box2& box) {
+  return {border_edges_along_x(tile, leaving, box.min.x), border_edges_along_x(tile, leaving, box.max.x),
+          border_edges_along_y(tile, leaving, box.min.y), border_edges_along_y(tile, leaving, box.max.y)};
 }
 
 using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
@@ -151,7 +161,7 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
     const WrittenTile& written = subject.record.tiles[i];
     const Result<bake::BakedTile> tile = check_tile(subject, written, findings);
     if (!tile) return tile.error();
-    borders[{written.level, written.tile}] = borders_of(*tile, scene::box_of(subject.scene.header, written.tile));
+    borders[{written.level, written.tile}] = borders_of(*tile, subject.leaving, scene::box_of(subject.scene.header, written.tile));
   }
   check_seams(borders, findings);
   return findings;

@@ -58,6 +58,9 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   Result<Compiled> compiled = compile(spec, on_progress);
   if (!compiled) return compiled.error();
 
+  // what a level leaves out is what was asked for: strictness looks at the map alone
+  const Exit exit = spec.is_strict && has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
+
   StageWatch watch(on_progress);
   watch.enter("bake, write");
   const Result<Written> written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
@@ -72,7 +75,7 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
 
   say_what_was_made(spec, *compiled, *written, costs, console);
   console.answer(report);
-  return spec.is_strict && has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
+  return exit;
 }
 
 Option option_of(const Setting& setting, Request& request) {

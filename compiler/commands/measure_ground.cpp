@@ -18,12 +18,13 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
-/// Calls visit(corners) for every triangle of a ground material, in plane metres.
+/// Calls visit(corners) for every triangle of a ground material whose feature stays on the ground, in plane metres.
 template <typename Visit>
-void for_each_ground_triangle(const bake::BakedTile& tile, Visit visit) {
+void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId> leaving, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_of_ground(primitive.material)) continue;
     for (const auto& triangle : primitive.triangles) {
+      if (std::ranges::binary_search(leaving, tile.features[primitive.features[triangle[0]]])) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];
@@ -75,9 +76,9 @@ void lower(Lattice& lattice, const Corners& t) {
 
 /// Edges whose both ends have the coordinate; a vertical triangle has none that the ground would miss.
 template <typename Coordinate>
-std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, double at, Coordinate coordinate) {
+std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at, Coordinate coordinate) {
   std::vector<BorderEdge> edges;
-  for_each_ground_triangle(tile, [&](const Corners& t) {
+  for_each_ground_triangle(tile, leaving, [&](const Corners& t) {
     if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
@@ -90,9 +91,10 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, double at, Coo
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, const map::Heightfield& heights, const Box2& box, double step_m) {
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const map::Heightfield& heights, const Box2& box,
+                            double step_m) {
   Lattice lattice = lattice_of(box, step_m);
-  for_each_ground_triangle(tile, [&](const Corners& corners) { lower(lattice, corners); });
+  for_each_ground_triangle(tile, leaving, [&](const Corners& corners) { lower(lattice, corners); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
@@ -109,12 +111,12 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const map::Heightfield&
   return samples;
 }
 
-std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, double at) {
-  return border_edges(tile, at, [](Vec3 p) { return p.x; });
+std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at) {
+  return border_edges(tile, leaving, at, [](Vec3 p) { return p.x; });
 }
 
-std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, double at) {
-  return border_edges(tile, at, [](Vec3 p) { return p.y; });
+std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at) {
+  return border_edges(tile, leaving, at, [](Vec3 p) { return p.y; });
 }
 
 }  // namespace citykiln::commands
