@@ -1,91 +1,103 @@
-// Preetham, Shirley, Smits, "A practical analytic model for daylight", SIGGRAPH 1999: luminance and chromaticities of a clear sky by Perez' formula. Where we
-// differ: the model is not asked below the horizon or near a set sun, where it fails (Zotti et al. 2007); both are held at the nearest good value.
+// Preetham, Shirley, Smits, "A Practical Analytic Model for Daylight", SIGGRAPH 1999. Where we differ: below the
+// horizon the sun is taken on it and the sky dimmed as twilight is; luminances are cut at zero, and scaled to the
+// daylight that is measured under clear skies.
 #include "compiler/sky/expand.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "compiler/sky/sunlight.h"
+
 namespace citykiln::sky {
 namespace {
 
-using Perez = std::array<double, 5>;
+// Luminance that counts as 1: what a white floor sends back to a clear sky about noon.
+constexpr double kUnit_kcd_m2 = 4.5;
 
-constexpr double kPi = std::numbers::pi;
-// The sky's formulas hold for suns this high and more.
-constexpr double kLowestSunCos = 0.035;
-// The sun's disk as the eye sees it: half of 0.533°.
-constexpr double kSunCosRadius = 0.99998919;
-// kcd/m² to the renderer's unit: a clear midsummer zenith is about 1.
-constexpr double kUnit = 0.16;
+// The model's clear sky lights the ground with 28 klx when the sun stands at 60 degrees; measured are 14 to 17 klx.
+constexpr double kMeasuredShare = 0.55;
 
-Perez luminance_shape(double t) { return {0.1787 * t - 1.4630, -0.3554 * t + 0.4275, -0.0227 * t + 5.3251, 0.1206 * t - 2.5771, -0.0670 * t + 0.3703}; }
-Perez x_shape(double t) { return {-0.0193 * t - 0.2592, -0.0665 * t + 0.0008, -0.0004 * t + 0.2125, -0.0641 * t - 0.8989, -0.0033 * t + 0.0452}; }
-Perez y_shape(double t) { return {-0.0167 * t - 0.2608, -0.0950 * t + 0.0092, -0.0079 * t + 0.2102, -0.0441 * t - 1.6537, -0.0109 * t + 0.0529}; }
+// Twilight loses this many powers of ten a degree (Rozenberg 1966: 400 lx at sunset, 3.4 lx at -6 degrees); the night
+// sky keeps what is left.
+constexpr double kTwilightPerDegree = 0.345, kNight = 1e-6;
 
-double perez(const Perez& p, double cos_theta, double gamma, double cos_gamma) {
-  return (1 + p[0] * std::exp(p[1] / cos_theta)) * (1 + p[2] * std::exp(p[3] * gamma) + p[4] * cos_gamma * cos_gamma);
-}
+// The horizon lies at most this low, and light from below it is what a darker ground would throw back.
+constexpr double kLowestCos = 0.01, kBelowHorizon = 0.35;
 
-double zenith_chromaticity(const double (&m)[3][4], double t, double s) {
+// Coefficients A to E of Perez' function, each a + b T. Rows: Y, x, y.
+struct Linear {
+  double per_turbidity, constant;
+};
+constexpr Linear kPerez[3][5] = {
+    {{0.1787, -1.4630}, {-0.3554, 0.4275}, {-0.0227, 5.3251}, {0.1206, -2.5771}, {-0.0670, 0.3703}},
+    {{-0.0193, -0.2592}, {-0.0665, 0.0008}, {-0.0004, 0.2125}, {-0.0641, -0.8989}, {-0.0033, 0.0452}},
+    {{-0.0167, -0.2608}, {-0.0950, 0.0092}, {-0.0079, 0.2102}, {-0.0441, -1.6537}, {-0.0109, 0.0529}}};
+
+// Zenith chromaticities: polynomials of the sun's zenith angle (falling powers), for T², T and 1.
+constexpr double kZenithX[3][4] = {
+    {0.00166, -0.00375, 0.00209, 0}, {-0.02903, 0.06377, -0.03202, 0.00394}, {0.11693, -0.21196, 0.06052, 0.25886}};
+constexpr double kZenithY[3][4] = {
+    {0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
+
+double chromaticity(const double (&rows)[3][4], double angle, double turbidity) {
   double sum = 0;
-  for (int i = 0; i < 3; ++i) sum += std::pow(t, 2 - i) * (m[i][0] * s * s * s + m[i][1] * s * s + m[i][2] * s + m[i][3]);
+  for (const auto& row : rows) sum = sum * turbidity + ((row[0] * angle + row[1]) * angle + row[2]) * angle + row[3];
   return sum;
 }
 
-// Luminance in kcd/m², then x and y.
-Rgb zenith_of(double t, double s) {
-  constexpr double kX[3][4] = {{0.00166, -0.00375, 0.00209, 0}, {-0.02903, 0.06377, -0.03202, 0.00394}, {0.11693, -0.21196, 0.06052, 0.25886}};
-  constexpr double kY[3][4] = {{0.00275, -0.00610, 0.00317, 0}, {-0.04214, 0.08970, -0.04153, 0.00516}, {0.15346, -0.26756, 0.06670, 0.26688}};
-  const double chi = (4.0 / 9 - t / 120) * (kPi - 2 * s);
-  return {(4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192, zenith_chromaticity(kX, t, s), zenith_chromaticity(kY, t, s)};
+double zenith_luminance(double angle, double turbidity) {
+  const double chi = (4.0 / 9 - turbidity / 120) * (std::numbers::pi - 2 * angle);
+  return std::max(0.05, (4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192);
 }
 
-Rgb rgb_of(double luminance, double x, double y) {
-  const double X = x / y * luminance, Z = (1 - x - y) / y * luminance;
-  return {std::max(0.0, 3.2406 * X - 1.5372 * luminance - 0.4986 * Z), std::max(0.0, -0.9689 * X + 1.8758 * luminance + 0.0415 * Z),
-          std::max(0.0, 0.0557 * X - 0.2040 * luminance + 1.0570 * Z)};
+double perez(const std::array<double, 9>& c, double cos_zenith, double cos_sun) {
+  const double angle = std::acos(std::clamp(cos_sun, -1.0, 1.0));
+  return (1 + c[0] * std::exp(c[1] / cos_zenith)) * (1 + c[2] * std::exp(c[3] * angle) + c[4] * cos_sun * cos_sun);
 }
 
-// What the air leaves of sunlight at three wavelengths (610, 550, 465 nm): Rayleigh and aerosols (Preetham, appendix A.2).
-Rgb transmitted(double cos_sun, double turbidity) {
-  constexpr double kMicrons[3] = {0.610, 0.550, 0.465};
-  const double zenith_deg = std::acos(cos_sun) * 180 / kPi, mass = 1 / (cos_sun + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
-  const double beta = 0.04608 * turbidity - 0.04586;
-  Rgb rgb{};
-  for (int c = 0; c < 3; ++c) rgb[c] = std::exp(-0.008735 * std::pow(kMicrons[c], -4.08) * mass) * std::exp(-beta * std::pow(kMicrons[c], -1.3) * mass);
+double twilight(double cos_zenith) {
+  const double below_deg = std::asin(std::clamp(-cos_zenith, 0.0, 1.0)) * 180 / std::numbers::pi;
+  return std::max(kNight, std::pow(10.0, -kTwilightPerDegree * below_deg));
+}
+
+// Relative units of a chromaticity and a luminance in kcd/m².
+Rgb rgb_of(double x, double y, double luminance) {
+  Rgb rgb = rgb_of_xyz({x / y * luminance, luminance, (1 - x - y) / y * luminance});
+  for (double& c : rgb) c = std::max(0.0, c * (kMeasuredShare / kUnit_kcd_m2));
   return rgb;
 }
 
 }  // namespace
 
 Dome expand(const Sky& sky) {
-  const double t = sky.turbidity, cos_sun = std::clamp(sky.to_sun.z, kLowestSunCos, 1.0), sun = std::acos(cos_sun);
-  Dome dome{unit(sky.to_sun), {}, kSunCosRadius, {}, zenith_of(t, sun)};
-  const Perez shapes[3] = {luminance_shape(t), x_shape(t), y_shape(t)};
-  for (int c = 0; c < 3; ++c) {
-    std::copy(shapes[c].begin(), shapes[c].end(), dome.coefficients[c].begin());
-    // the value that makes the formula the zenith's at the zenith
-    dome.coefficients[c][5] = perez(shapes[c], 1, sun, cos_sun);
+  Dome dome;
+  dome.to_sun = unit(sky.to_sun);
+  dome.sun_cos_radius = std::cos(kSunRadius_rad);
+  dome.sun_radiance = sun_luminance_kcd_m2(dome.to_sun.z, sky.turbidity);
+  for (double& c : dome.sun_radiance) c /= kUnit_kcd_m2;
+  const double cos_zenith = std::clamp(dome.to_sun.z, 0.0, 1.0), angle = std::acos(cos_zenith);
+  dome.zenith = {zenith_luminance(angle, sky.turbidity) * twilight(dome.to_sun.z),
+                 chromaticity(kZenithX, angle, sky.turbidity), chromaticity(kZenithY, angle, sky.turbidity)};
+  for (int row = 0; row < 3; ++row) {
+    for (int i = 0; i < 5; ++i)
+      dome.coefficients[row][i] = kPerez[row][i].per_turbidity * sky.turbidity + kPerez[row][i].constant;
+    // so that the zenith itself has the zenith's value
+    dome.zenith[row] /= perez(dome.coefficients[row], 1, cos_zenith);
   }
-  // sunlight on a surface facing it, about 128 klx above the air, over the disk's solid angle
-  const Rgb air = transmitted(cos_sun, t);
-  const double solid_angle = 2 * kPi * (1 - kSunCosRadius), set = sky.to_sun.z <= 0 ? 0 : 1;
-  for (int c = 0; c < 3; ++c) dome.sun_radiance[c] = set * 128 * kUnit * air[c] / solid_angle;
   return dome;
 }
 
 Rgb radiance(const Dome& dome, Vec3 direction) {
-  // at and below the horizon, what is seen just above it
-  constexpr double kHorizon = 0.02;
-  const double cos_theta = std::max(direction.z, kHorizon);
-  const double cos_gamma = std::clamp(dot(direction, dome.to_sun), -1.0, 1.0), gamma = std::acos(cos_gamma);
-  double value[3];
-  for (int c = 0; c < 3; ++c) {
-    const auto& p = dome.coefficients[c];
-    value[c] = dome.zenith[c] * perez({p[0], p[1], p[2], p[3], p[4]}, cos_theta, gamma, cos_gamma) / p[5];
-  }
-  return rgb_of(std::max(0.0, value[0]) * kUnit, value[1], value[2]);
+  const bool is_below = direction.z < 0;
+  const Vec3 seen = is_below ? unit(Vec3{direction.x, direction.y, 0}) : direction;
+  const double cos_zenith = std::max(seen.z, kLowestCos), cos_sun = dot(seen, dome.to_sun);
+  std::array<double, 3> yxy{};
+  for (int row = 0; row < 3; ++row) yxy[row] = dome.zenith[row] * perez(dome.coefficients[row], cos_zenith, cos_sun);
+  Rgb rgb = rgb_of(yxy[1], yxy[2], std::max(0.0, yxy[0]));
+  if (is_below)
+    for (double& c : rgb) c *= kBelowHorizon;
+  return rgb;
 }
 
 }  // namespace citykiln::sky

@@ -12,8 +12,8 @@ using Rgb = std::array<double, 3>;
 /// A sky made ready for many questions.
 struct Dome {
   Vec3 to_sun;
-  Rgb sun_radiance;             ///< Of the disk, linear RGB, relative units (a clear noon sky is about 1).
-  double sun_cos_radius = 0;    ///< Cosine of the disk's angular radius.
+  Rgb sun_radiance;           ///< Of the disk, linear RGB, relative units (a clear noon sky is about 1).
+  double sun_cos_radius = 0;  ///< Cosine of the disk's angular radius.
   std::array<std::array<double, 9>, 3> coefficients{};
   Rgb zenith{};
 };

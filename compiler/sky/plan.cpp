@@ -1,75 +1,88 @@
-// The Astronomical Almanac's low-precision formulas for the Sun (0.01° between 1950 and 2050).
+// The Astronomical Almanac, section C, "low-precision formulas for the Sun's coordinates"; sidereal time from its
+// section B.
 #include "compiler/sky/plan.h"
 
-#include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <optional>
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180;
-// Fine enough for any shadow (a millionth of a radian), coarse enough that every CPU's sines round alike.
-constexpr double kDirectionStep = 0x1p-20;
-constexpr double kDefaultHour = 15;
+constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kUnixEpoch = 2440587.5, kJ2000 = 2451545.0;  // Julian dates
 
-struct Moment {
-  int year, month, day;
-  double hours;  // UTC
-};
+// Where nothing is said: an afternoon in which shadows are long enough to see and nothing lies in the dark.
+constexpr double kDefaultSolarHour = 15;
 
-bool take_int(const std::string& text, std::size_t at, std::size_t digits, int& value) {
-  if (text.size() < at + digits) return false;
-  const auto [end, error] = std::from_chars(text.data() + at, text.data() + at + digits, value);
-  return error == std::errc() && end == text.data() + at + digits;
+// Two digits at `at`, or nothing.
+std::optional<unsigned> two_digits(const std::string& text, std::size_t at) {
+  const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  if (!is_digit(at) || !is_digit(at + 1)) return std::nullopt;
+  return static_cast<unsigned>((text[at] - '0') * 10 + (text[at + 1] - '0'));
 }
 
-// "YYYY-MM-DDThh:mm", then ":ss", then "Z", each of the last two or not.
-bool parse(const std::string& text, Moment& moment) {
-  int hour = 0, minute = 0, second = 0;
-  if (!take_int(text, 0, 4, moment.year) || !take_int(text, 5, 2, moment.month) || !take_int(text, 8, 2, moment.day) ||
-      !take_int(text, 11, 2, hour) || !take_int(text, 14, 2, minute))
-    return false;
-  if (text[4] != '-' || text[7] != '-' || (text[10] != 'T' && text[10] != ' ') || text[13] != ':') return false;
-  std::size_t end = 16;
-  if (text.size() > end && text[end] == ':') {
-    if (!take_int(text, end + 1, 2, second)) return false;
-    end += 3;
-  }
-  if (text.size() > end && text[end] == 'Z') ++end;
-  moment.hours = hour + minute / 60.0 + second / 3600.0;
-  return end == text.size() && moment.month >= 1 && moment.month <= 12 && moment.day >= 1 && moment.day <= 31 && hour < 24 && minute < 60 && second < 61;
+bool has(const std::string& text, std::size_t at, char c) { return at < text.size() && text[at] == c; }
+
+// Days since 2000-01-01T12:00 UTC.
+std::optional<double> parse_days(const std::string& time) {
+  const auto century = two_digits(time, 0), year = two_digits(time, 2), month = two_digits(time, 5),
+             day = two_digits(time, 8);
+  const auto hour = two_digits(time, 11), minute = two_digits(time, 14), second = two_digits(time, 17);
+  const bool has_seconds = has(time, 16, ':');
+  const std::size_t end = has_seconds ? 19 : 16;
+  const bool ends = time.size() == end || (time.size() == end + 1 && time[end] == 'Z');
+  if (!century || !year || !month || !day || !hour || !minute || (has_seconds && !second)) return std::nullopt;
+  if (!has(time, 4, '-') || !has(time, 7, '-') || !has(time, 10, 'T') || !has(time, 13, ':') || !ends)
+    return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(*century * 100 + *year)),
+                                         std::chrono::month(*month), std::chrono::day(*day)};
+  const unsigned seconds = has_seconds ? *second : 0;
+  if (!date.ok() || *hour > 23 || *minute > 59 || seconds > 59) return std::nullopt;
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return static_cast<double>(days) + (*hour * 3600.0 + *minute * 60.0 + seconds) / 86400 + kUnixEpoch - kJ2000;
 }
 
-// Days since 2000-01-01 12:00 UTC (Fliegel, van Flandern 1968 for the day number).
-double days_since_j2000(const Moment& m) {
-  const int a = (14 - m.month) / 12, y = m.year + 4800 - a, n = m.month + 12 * a - 3;
-  const int day_number = m.day + (153 * n + 2) / 5 + 365 * y + y / 4 - y / 100 + y / 400 - 32045;
-  return day_number - 2451545 + (m.hours - 12) / 24;
+// On the day, by clocks of Greenwich, when the mean sun stands at kDefaultSolarHour over the place.
+std::string default_time(map::LonLat place) {
+  const int minutes = static_cast<int>(std::floor((kDefaultSolarHour - place.lon_deg / 15) * 60 + 0.5));
+  const int of_day = (minutes % 1440 + 1440) % 1440;
+  char text[32];
+  std::snprintf(text, sizeof text, "2026-%s-21T%02d:%02d", place.lat_deg < 0 ? "12" : "06", of_day / 60, of_day % 60);
+  return text;
 }
 
-Vec3 to_sun(double days, map::LonLat place) {
-  const double g = (357.529 + 0.98560028 * days) * kRadian, q = 280.459 + 0.98564736 * days;
-  const double longitude = (q + 1.915 * std::sin(g) + 0.020 * std::sin(2 * g)) * kRadian, tilt = (23.439 - 0.00000036 * days) * kRadian;
-  const double ascension = std::atan2(std::cos(tilt) * std::sin(longitude), std::cos(longitude)), declination = std::asin(std::sin(tilt) * std::sin(longitude));
-  const double sidereal = (280.46062 + 360.98564737 * days + place.lon_deg) * kRadian, hour_angle = sidereal - ascension, lat = place.lat_deg * kRadian;
-  return {-std::cos(declination) * std::sin(hour_angle), std::sin(declination) * std::cos(lat) - std::cos(declination) * std::cos(hour_angle) * std::sin(lat),
-          std::sin(declination) * std::sin(lat) + std::cos(declination) * std::cos(hour_angle) * std::cos(lat)};
+// Unit vector to the sun from a place: east, north, up. Airless.
+Vec3 to_sun(map::LonLat place, double days) {
+  const double anomaly = (357.529 + 0.98560028 * days) * kRadians;
+  const double longitude =
+      (280.459 + 0.98564736 * days + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly)) * kRadians;
+  const double obliquity = (23.439 - 0.00000036 * days) * kRadians;
+  const double ascension = std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude));
+  const double sin_declination = std::sin(obliquity) * std::sin(longitude);
+  const double cos_declination = std::sqrt(1 - sin_declination * sin_declination);
+  const double sidereal_deg = 15 * (18.697374558 + 24.06570982441908 * days);
+  const double hour_angle = std::remainder(sidereal_deg + place.lon_deg, 360) * kRadians - ascension;
+  const double latitude = place.lat_deg * kRadians;
+  return {-cos_declination * std::sin(hour_angle),
+          std::cos(latitude) * sin_declination - std::sin(latitude) * cos_declination * std::cos(hour_angle),
+          std::sin(latitude) * sin_declination + std::cos(latitude) * cos_declination * std::cos(hour_angle)};
 }
 
-Vec3 rounded(Vec3 v) {
-  const auto step = [](double c) { return std::floor(c / kDirectionStep + 0.5) * kDirectionStep; };
-  return {step(v.x), step(v.y), step(v.z)};
-}
+// libm differs between CPUs by 1e-16; steps of 1e-6, a fifth of a second of arc, hide that.
+double quantised(double v) { return std::floor(v * 0x1p20 + 0.5) * 0x1p-20; }
 
 }  // namespace
 
 Result<Sky> plan(map::LonLat place, const std::string& time) {
-  Moment moment{2026, place.lat_deg >= 0 ? 6 : 12, 21, kDefaultHour - place.lon_deg / 15};
-  if (!time.empty() && !parse(time, moment)) return Error{"--time " + time, "expected a time such as 2026-06-21T15:00 (UTC)"};
   Sky sky;
-  sky.time = time;
-  sky.to_sun = rounded(to_sun(days_since_j2000(moment), place));
+  sky.time = time.empty() ? default_time(place) : time;
+  const auto days = parse_days(sky.time);
+  if (!days) return Error{time, "expected a time like 2026-06-21T15:00, with seconds or not, in UTC"};
+  const Vec3 sun = to_sun(place, *days);
+  sky.to_sun = {quantised(sun.x), quantised(sun.y), quantised(sun.z)};
   return sky;
 }
 
