@@ -14,8 +14,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr float kMirrorRoughness = 0.3f;
 // Of water and window glass at normal incidence.
 constexpr double kMirrorF0 = 0.02, kGlassF0 = 0.06;
-// Visibility on a clear day is some 60 km (Koschmieder: 3.9 over the extinction); a little more haze reads better at city scale.
-constexpr double kHaze_per_m = 1.0 / 22000;
+// Visibility on a clear day is some 150 km (Koschmieder: 3.9 over the extinction).
+constexpr double kHaze_per_m = 1.0 / 38000;
 // No sample counts more than this: rare paths by mirrors into the sun would stay as white dots.
 constexpr double kBrightest = 12;
 
@@ -66,7 +66,7 @@ Vec3 wave_normal(Vec3 position, double distance_m) {
 }
 
 Rgb horizon_light(const sky::Dome& dome, Vec3 direction) {
-  const Vec3 level{direction.x, direction.y, 0.06};
+  const Vec3 level{direction.x, direction.y, 0.15};
   return sky::radiance(dome, unit(level));
 }
 
@@ -88,47 +88,47 @@ double fresnel(double f0, double cosine) { return f0 + (1 - f0) * std::pow(1 - s
 
 Vec3 mirrored(Vec3 d, Vec3 n) { return d - n * (2 * dot(d, n)); }
 
-struct Path {
-  Vec3 from, direction;
-  Rgb weight{1, 1, 1};
+// The mirror's share of the light at a smooth surface, and where it looks.
+struct Mirror {
+  double share = 0;
+  Vec3 direction;
 };
 
-// Chooses between mirror and body; true where the path goes on as a mirror ray.
-bool reflects(const Hit& hit, Path& path, PathDraw& draw) {
-  if (hit.roughness >= kMirrorRoughness) return false;
+Mirror mirror_of(const Hit& hit, Vec3 direction) {
+  if (hit.roughness >= kMirrorRoughness) return {};
   const Vec3 normal = is_water(hit.material) ? wave_normal(hit.position, hit.distance_m) : hit.shading_normal;
-  const double share = fresnel(is_water(hit.material) ? kMirrorF0 : kGlassF0, -dot(path.direction, normal));
-  if (draw.next() >= share) return false;
-  Vec3 out = unit(mirrored(path.direction, normal));
+  Vec3 out = unit(mirrored(direction, normal));
   // a wave's far side would mirror the ground's inside
   if (dot(out, hit.geometric_normal) < 0.01) out = unit(out + hit.geometric_normal * (0.02 - dot(out, hit.geometric_normal)));
-  path.direction = out;
-  path.from = leave(hit, out);
-  return true;
+  return {fresnel(is_water(hit.material) ? kMirrorF0 : kGlassF0, -dot(direction, normal)), out};
 }
 
 }  // namespace
 
 std::array<double, 3> trace(const Stage& stage, Vec3 from, Vec3 direction, PathDraw& draw) {
-  Rgb light{};
-  Path path{from, direction};
+  Rgb light{}, weight{1, 1, 1};
   for (int bounce = 0; bounce <= stage.bounces; ++bounce) {
-    const auto hit = stage.world.first_hit(path.from, path.direction);
+    const auto hit = stage.world.first_hit(from, direction);
     if (!hit) {
-      add(light, path.weight * background(stage.dome, path.direction));
+      add(light, weight * background(stage.dome, direction));
       break;
     }
     if (bounce == 0) {
       const double clear = std::exp(-hit->distance_m * kHaze_per_m);
-      add(light, path.weight * (horizon_light(stage.dome, path.direction) * (1 - clear)));
-      path.weight = path.weight * clear;
+      add(light, weight * (horizon_light(stage.dome, direction) * (1 - clear)));
+      weight = weight * clear;
     }
-    if (reflects(*hit, path, draw)) continue;
-    path.weight = path.weight * Rgb{hit->albedo[0], hit->albedo[1], hit->albedo[2]};
-    add(light, path.weight * sunlight(stage, *hit, draw));
-    path.direction = cosine_direction(hit->shading_normal, draw);
-    if (dot(path.direction, hit->geometric_normal) <= 0) break;
-    path.from = leave(*hit, path.direction);
+    if (const Mirror mirror = mirror_of(*hit, direction); mirror.share > 0) {
+      // both ways at the first smooth surface, so that water does not sparkle with the choice; none of it after a diffuse bounce
+      const Stage shorter{stage.world, stage.dome, std::min(stage.bounces - 1, 1)};
+      if (bounce == 0 && stage.bounces > 0) add(light, weight * (trace(shorter, leave(*hit, mirror.direction), mirror.direction, draw) * mirror.share));
+      weight = weight * (1 - mirror.share);
+    }
+    weight = weight * Rgb{hit->albedo[0], hit->albedo[1], hit->albedo[2]};
+    add(light, weight * sunlight(stage, *hit, draw));
+    direction = cosine_direction(hit->shading_normal, draw);
+    if (dot(direction, hit->geometric_normal) <= 0) break;
+    from = leave(*hit, direction);
   }
   for (double& c : light) c = std::min(c, kBrightest);
   return light;

@@ -21,8 +21,8 @@ Result<WritePicture> load_module() {
   return Error{"citykiln_image.so", std::string("cannot be loaded: ") + dlerror()};
 }
 
-// Sunlit white is about 6 in the renderer's unit; this puts it just below paper white.
-constexpr double kMiddle = 0.42;
+// A white wall in the midday sun is about 6 in the renderer's unit; this puts it just below paper white.
+constexpr double kMiddle = 0.22;
 
 // Filmic curve: Narkowicz' fit of ACES (2015), linear in, linear out.
 double filmic(double v) { return std::clamp(v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14), 0.0, 1.0); }

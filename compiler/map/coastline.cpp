@@ -126,14 +126,32 @@ Polyline opened(const Ring& ring, const Box2& box) {
 
 bool is_on_sides(const Box2& box, Vec2 p) { return p.x == box.min.x || p.x == box.max.x || p.y == box.min.y || p.y == box.max.y; }
 
-// Leads loose ends to the nearest side.
+// Leads a loose end on in the direction the coast has had lately, to the side of the box that lies there.
+Vec2 led_on(const Polyline& from_end, const Box2& box) {
+  constexpr double kLately_m = 400;
+  const Vec2 end = from_end.front();
+  Vec2 back = from_end.back();
+  for (const Vec2 p : from_end)
+    if (distance(p, end) >= kLately_m) {
+      back = p;
+      break;
+    }
+  const Vec2 d = unit(end - back);
+  if (d == Vec2{}) return nearest_on_sides(box, end);
+  const double to_x = d.x > 0 ? (box.max.x - end.x) / d.x : d.x < 0 ? (box.min.x - end.x) / d.x : 1e300;
+  const double to_y = d.y > 0 ? (box.max.y - end.y) / d.y : d.y < 0 ? (box.min.y - end.y) / d.y : 1e300;
+  const Vec2 p = snapped(end + d * std::min(to_x, to_y));
+  if (to_x <= to_y) return {d.x > 0 ? box.max.x : box.min.x, std::clamp(p.y, box.min.y, box.max.y)};
+  return {std::clamp(p.x, box.min.x, box.max.x), d.y > 0 ? box.max.y : box.min.y};
+}
+
 void lead_out(Polyline& run, const Chain& chain, const Box2& box, Sea& sea) {
   if (!is_on_sides(box, run.front())) {
-    run.insert(run.begin(), nearest_on_sides(box, run.front()));
+    run.insert(run.begin(), led_on(run, box));
     sea.open_ends.push_back(chain.first_way);
   }
   if (!is_on_sides(box, run.back())) {
-    run.push_back(nearest_on_sides(box, run.back()));
+    run.push_back(led_on({run.rbegin(), run.rend()}, box));
     sea.open_ends.push_back(chain.last_way);
   }
 }

@@ -18,7 +18,7 @@ struct CoastWay {
 
 struct Sea {
   std::vector<Polygon> polygons;
-  std::vector<OsmId> open_ends;        ///< Ways whose end lies inside the box and meets no other: led straight to the nearest side.
+  std::vector<OsmId> open_ends;        ///< Ways whose end lies inside the box and meets no other: led straight on to the box's side.
 };
 
 /// The sea inside a box.
