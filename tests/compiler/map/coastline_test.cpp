@@ -119,7 +119,7 @@ TEST(CloseSea, ABayInsideIsASeaOfItsOwn) {
   EXPECT_EQ(picture(sea), "........\n........\n........\n...~~...\n...~~...\n........\n........\n........\n");
 }
 
-TEST(CloseSea, ACoastThatEndsInsideIsLedToTheNearestSideAndNamed) {
+TEST(CloseSea, ACoastThatEndsInsideIsLedToASideAndNamed) {
   const Sea sea = close_sea(coasts("-10:64 120:64"), kBox);
   EXPECT_EQ(picture(sea), "........\n........\n........\n........\n~~~~~~~~\n~~~~~~~~\n~~~~~~~~\n~~~~~~~~\n");
   EXPECT_EQ(sea.open_ends, (std::vector<OsmId>{{OsmType::kWay, 1}}));
