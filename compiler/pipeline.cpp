@@ -55,6 +55,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   recipes.roads = roads::plan(features, report);
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
+  recipes.streams = ground::plan_streams(features, report);
 
   // what leaves it, and what stands on it
   watch.enter("structures");

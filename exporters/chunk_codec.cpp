@@ -1,5 +1,6 @@
 #include "exporters/chunk_codec.h"
 
+#include <bit>
 #include <cmath>
 #include <type_traits>
 
@@ -12,11 +13,45 @@ namespace {
 
 using scene::Chunk;
 
+constexpr const char* kStreamNames[] = {
+    "point step", "field", "heights", "points", "x", "y", "point jumps", "id type", "id", "part", "surfaces", "surface class", "surface area", "surface rings",
+    "ring points", "roads", "streams", "road points", "road class", "road width", "road ends", "bridges", "tunnels", "span points", "span z", "span class",
+    "span width", "buildings", "footprint points", "footprint holes", "hole points", "building bottom", "building top", "building stands", "wall", "roof",
+    "colours", "colour values", "trees", "tree height", "tree kind", "woods", "wood", "barriers", "barrier points", "barrier kind", "barrier height",
+    "barrier width", "lamps", "lamp height"};
+
 constexpr std::size_t kMostPerFile = 1u << 28;
+
+// Points that several rings and lines share are written once. A point is a step along the list of those that came before (a shared border is followed
+// forwards or backwards), a jump to one of them, or new.
+enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
+
+// The map's own points lie on its step; a chunk with a finer point is written in the plane's finest.
+using map::kMapStep_m;
 
 struct Writer {
   static constexpr bool kReads = false;
   std::map<std::string, StreamWriter> streams;
+  std::map<Vec2, std::int64_t> known;
+  std::int64_t last = -1;
+  double point_step_m = kQuantum_m;
+
+  void point(Vec2& p) {
+    const auto [entry, is_new] = known.try_emplace(p, static_cast<std::int64_t>(known.size()));
+    const std::int64_t step = entry->second - last;
+    StreamWriter& codes = streams["points"];
+    if (is_new) {
+      codes.put(kNewPoint);
+      streams["x"].put_delta(static_cast<std::int64_t>(std::floor(p.x / point_step_m + 0.5)));
+      streams["y"].put_delta(static_cast<std::int64_t>(std::floor(p.y / point_step_m + 0.5)));
+    } else if (step == 1 || step == -1) {
+      codes.put(step == 1 ? kNextPoint : kPreviousPoint);
+    } else {
+      codes.put(kFirstJump);
+      streams["point jumps"].put_signed(step);
+    }
+    last = entry->second;
+  }
 
   void number(const char* name, auto& value) { streams[name].put(static_cast<std::uint64_t>(value)); }
   void delta(const char* name, auto& value) { streams[name].put_delta(static_cast<std::int64_t>(value)); }
@@ -32,6 +67,24 @@ struct Reader {
   static constexpr bool kReads = true;
   std::map<std::string, StreamReader> streams;
   std::string wrong;
+  std::vector<Vec2> known;
+  std::int64_t last = -1;
+  double point_step_m = kQuantum_m;
+
+  void point(Vec2& p) {
+    const std::uint64_t code = of("points").get();
+    if (code == kNewPoint) {
+      p.x = static_cast<double>(of("x").get_delta()) * point_step_m, p.y = static_cast<double>(of("y").get_delta()) * point_step_m;
+      last = static_cast<std::int64_t>(known.size());
+      known.push_back(p);
+      return;
+    }
+    const std::int64_t step = code == kNextPoint ? 1 : code == kPreviousPoint ? -1 : of("point jumps").get_signed();
+    const auto place = static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(step);
+    if (code > kFirstJump || place >= known.size()) return fail("points");
+    last = static_cast<std::int64_t>(place);
+    p = known[place];
+  }
 
   StreamReader& of(const char* name) {
     const auto found = streams.find(name);
@@ -101,7 +154,7 @@ void id(auto& io, ObjectId& id) {
 }
 
 void points(auto& io, const char* kind, std::vector<Vec2>& axis, std::size_t least) {
-  list(io, kind, axis, least, [&](Vec2& p) { io.metres("x", p.x), io.metres("y", p.y); });
+  list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
 }
 
 void surface(auto& io, ground::Surface& s) {
@@ -121,7 +174,11 @@ void road(auto& io, roads::Road& r) {
 
 void span(auto& io, structures::Span& s) {
   id(io, s.id);
-  list(io, "span points", s.axis, 2, [&](Vec3& p) { io.metres("x", p.x), io.metres("y", p.y), io.metres("span z", p.z); });
+  list(io, "span points", s.axis, 2, [&](Vec3& p) {
+    Vec2 plan = in_plan(p);
+    io.point(plan), io.metres("span z", p.z);
+    p = at_height(plan, p.z);
+  });
   enumerator(io, "span class", s.surface, map::SurfaceClass::kCount);
   io.metres("span width", s.width_m);
 }
@@ -146,7 +203,7 @@ void building(auto& io, buildings::Building& b) {
 
 void tree(auto& io, plants::Tree& t) {
   id(io, t.id);
-  io.metres("x", t.at.x), io.metres("y", t.at.y), io.metres("tree height", t.height_m);
+  io.point(t.at), io.metres("tree height", t.height_m);
   enumerator(io, "tree kind", t.archetype, plants::Archetype::kCount);
 }
 
@@ -169,7 +226,7 @@ void barrier(auto& io, props::Barrier& b) {
 
 void lamp(auto& io, props::Lamp& l) {
   id(io, l.id);
-  io.metres("x", l.at.x), io.metres("y", l.at.y), io.metres("lamp height", l.height_m);
+  io.point(l.at), io.metres("lamp height", l.height_m);
 }
 
 // Each height as its difference to what its western, southern and south-western neighbours foretell.
@@ -180,29 +237,45 @@ std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
   return i < across ? west : west + south - h.heights[i - across - 1];
 }
 
+int common_zeros(const map::Heightfield& h) {
+  std::uint32_t all = 1u << 20;
+  for (const std::int32_t height : h.heights) all |= static_cast<std::uint32_t>(height);
+  return std::countr_zero(all);
+}
+
 template <typename Io>
 void heights(Io& io, map::Heightfield& h) {
   io.metres("field", h.min.x), io.metres("field", h.min.y), io.metres("field", h.step_m);
   io.number("field", h.columns), io.number("field", h.rows);
-  io.real("field error", h.resampling_error_m);
+  io.metres("field", h.resampling_error_m);
   const std::size_t size = io.count("field", h.heights.size());
   if constexpr (Io::kReads) {
     const bool fits = h.columns >= 2 && h.rows >= 2 && h.step_m >= 1 && static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size && size < kMostPerFile;
     if (!fits) return io.fail("field");
     h.heights.resize(size);
   }
+  // the zeros that all heights end in are written once
+  int shift = common_zeros(h);
+  io.number("field", shift);
+  if constexpr (Io::kReads)
+    if (shift < 0 || shift > 30) return io.fail("field");
   for (std::size_t i = 0; i < size; ++i) {
-    std::int64_t off = h.heights[i] - foretold(h, i);
+    std::int64_t off = (h.heights[i] - foretold(h, i)) >> shift;
     std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
     io.number("heights", zigzag);
-    if constexpr (Io::kReads) h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) + (zigzag >> 1 ^ (~(zigzag & 1) + 1)));
+    if constexpr (Io::kReads) h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) + ((zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift));
   }
 }
 
-void describe(auto& io, Chunk& c) {
+template <typename Io>
+void describe(Io& io, Chunk& c) {
+  std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
+  io.number("point step", is_coarse);
+  io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
   heights(io, c.heights);
   list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });
   list(io, "roads", c.roads, 0, [&](auto& o) { road(io, o); });
+  list(io, "streams", c.streams, 0, [&](auto& o) { road(io, o); });
   list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o); });
   list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o); });
   list(io, "buildings", c.buildings, 0, [&](auto& o) { building(io, o); });
@@ -212,12 +285,37 @@ void describe(auto& io, Chunk& c) {
   list(io, "lamps", c.lamps, 0, [&](auto& o) { lamp(io, o); });
 }
 
+// Looks at every point of a chunk and leaves it as it is.
+struct StepFinder {
+  static constexpr bool kReads = false;
+  double point_step_m = kMapStep_m;
+
+  void point(Vec2& p) {
+    const auto fits = [](double v) { return std::floor(v / kMapStep_m) * kMapStep_m == v; };
+    if (!fits(p.x) || !fits(p.y)) point_step_m = kQuantum_m;
+  }
+  void number(const char*, auto&) {}
+  void delta(const char*, auto&) {}
+  void metres(const char*, double&) {}
+  void real(const char*, double&) {}
+  std::size_t count(const char*, std::size_t size) { return size; }
+};
+
+double step_of(Chunk& chunk) {
+  StepFinder finder;
+  describe(finder, chunk);
+  return finder.point_step_m;
+}
+
 }  // namespace
+
+std::span<const char* const> stream_names() { return kStreamNames; }
 
 Streams encode_chunk(const Chunk& chunk) {
   Writer writer;
   // the description is one for both ways, so it takes what it may change
   Chunk copy = chunk;
+  writer.point_step_m = step_of(copy);
   describe(writer, copy);
   Streams streams;
   for (const auto& [name, stream] : writer.streams) streams[name] = stream.bytes();

@@ -14,6 +14,9 @@ namespace citykiln::exporters {
 
 using Streams = std::map<std::string, std::vector<std::uint8_t>>;
 
+/// The names of all streams, in the order in which a chunk holds them. Part of the format: add at the end.
+std::span<const char* const> stream_names();
+
 /// Lossless for coordinates that are multiples of 2^-10 m.
 Streams encode_chunk(const scene::Chunk& chunk);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/map/locate.h"
@@ -60,9 +61,14 @@ struct Frame {
 
 Frame frame_of(const scene::Chunk& chunk) {
   flatbuffers::FlatBufferBuilder builder;
-  std::vector<flatbuffers::Offset<fbs::Stream>> streams;
-  for (const auto& [name, bytes] : encode_chunk(chunk)) streams.push_back(fbs::CreateStreamDirect(builder, name.c_str(), &bytes));
-  builder.Finish(fbs::CreateChunkDirect(builder, &streams));
+  std::vector<std::uint32_t> sizes;
+  std::vector<std::uint8_t> all;
+  Streams streams = encode_chunk(chunk);
+  for (const char* name : stream_names()) {
+    sizes.push_back(static_cast<std::uint32_t>(streams[name].size()));
+    all.insert(all.end(), streams[name].begin(), streams[name].end());
+  }
+  builder.Finish(fbs::CreateChunkDirect(builder, &sizes, &all));
   const ByteSpan raw = std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize()));
   return {squeezed(raw), raw.size()};
 }
@@ -142,6 +148,23 @@ Result<scene::Header> plain(const fbs::Header& h, const std::string& name) {
   return header;
 }
 
+// The streams of a chunk, or nothing where their sizes do not add up.
+std::optional<Streams> streams_of(const fbs::Chunk& chunk) {
+  const auto names = stream_names();
+  if (chunk.sizes() == nullptr || chunk.bytes() == nullptr || chunk.sizes()->size() != names.size()) return std::nullopt;
+  const std::span<const std::uint8_t> all(chunk.bytes()->data(), chunk.bytes()->size());
+  Streams streams;
+  std::size_t at = 0;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    const std::size_t size = chunk.sizes()->Get(i);
+    if (size > all.size() - at) return std::nullopt;
+    const auto stream = all.subspan(at, size);
+    streams[names[i]].assign(stream.begin(), stream.end());
+    at += size;
+  }
+  return at == all.size() ? std::optional(std::move(streams)) : std::nullopt;
+}
+
 // The bytes of one chunk, unpacked and checked.
 Result<scene::Chunk> chunk_of(ByteSpan body, const fbs::ChunkEntry& entry, const std::string& name) {
   const std::string where = fmt::format("{}, tile {}_{}", name, entry.x(), entry.y());
@@ -154,12 +177,10 @@ Result<scene::Chunk> chunk_of(ByteSpan body, const fbs::ChunkEntry& entry, const
   if (ZSTD_decompress(raw.data(), raw.size(), packed.data(), packed.size()) != raw.size()) return Error{where, "expected a zstd frame, found damage in it"};
   flatbuffers::Verifier verifier(raw.data(), raw.size());
   if (!verifier.VerifyBuffer<fbs::Chunk>(nullptr)) return Error{where, "expected a chunk's tables, found damage in them"};
-  Streams streams;
-  if (const auto* list = flatbuffers::GetRoot<fbs::Chunk>(raw.data())->streams())
-    for (const auto* stream : *list)
-      if (stream->name() != nullptr && stream->bytes() != nullptr) streams[stream->name()->str()].assign(stream->bytes()->begin(), stream->bytes()->end());
+  const auto streams = streams_of(*flatbuffers::GetRoot<fbs::Chunk>(raw.data()));
+  if (!streams) return Error{where, "expected as many streams as this format has, each of its stated size"};
   std::string wrong;
-  auto chunk = decode_chunk(streams, {entry.x(), entry.y()}, wrong);
+  auto chunk = decode_chunk(*streams, {entry.x(), entry.y()}, wrong);
   if (!chunk) return Error{where, "expected sound values in \"" + wrong + "\""};
   return std::move(*chunk);
 }

@@ -120,8 +120,8 @@ Tint varied(Material material, const Draw& draw) {
 Dress dress_of(const map::Footprint& footprint) {
   const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
   const Material roof = footprint.roof_material.value_or(untagged_roof(footprint));
-  return {showing(footprint.wall_colour, {wall, Material::kPlaster}),
-          showing(footprint.roof_colour, {roof, Material::kFlatRoof, Material::kPlaster})};
+  return {showing(footprint.wall_colour, {wall, Material::kPaint}),
+          showing(footprint.roof_colour, {roof, Material::kFlatRoof, Material::kPaint})};
 }
 
 Tint wall_tint(const Building& building, std::uint64_t seed) {

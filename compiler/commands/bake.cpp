@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/bake/bake.h"
+#include "compiler/commands/join_tiles.h"
 #include "compiler/commands/output_folder.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
-#include "compiler/spec.h"
+#include "compiler/pipeline.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
 
@@ -22,27 +22,33 @@ struct Request {
   CompileSpec spec;                   ///< The settings that compile has too: only, emit, lods, instancing, threads.
 };
 
-/// The one tile that goes into one file.
-Result<scene::Scene> read_one_tile(const Request& request) {
-  Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
-  if (!scene || scene->chunks.size() == 1) return scene;
-  if (scene->chunks.empty()) return Error{request.manifest_path, "holds no tile"};
-  return Error{request.manifest_path,
-               fmt::format("holds {} tiles, {} to {}: name one with --tile X_Y, or give a folder and no --tolerance", scene->chunks.size(),
-                           to_string(scene->chunks.front().tile), to_string(scene->chunks.back().tile))};
+/// All tiles of the scene, as one.
+Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m, int threads, const OnProgress& on_progress) {
+  std::vector<bake::BakedTile> tiles;
+  Report ignored;
+  const Result<Done> fired = fire(scene, std::vector{tolerance_m}, threads, ignored, on_progress,
+                                  [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+                                    tiles.push_back(tile);
+                                    return Done{};
+                                  });
+  if (!fired) return fired.error();
+  return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
 Result<Exit> bake_to_file(const Request& request, const Console& console) {
-  const Result<scene::Scene> scene = read_one_tile(request);
+  const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
-  Report report;
-  const bake::BakedTile tile = bake::bake(scene->header, scene->chunks.front(), *request.tolerance_m, request.spec.threads, report);
+  if (scene->chunks.empty()) return Error{request.manifest_path, "holds no tile"};
+  const Result<bake::BakedTile> tile = bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
+  if (!tile) return Error{request.out_path, tile.error().message};
+
   const auto instancing =
       request.spec.outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  const Result<Done> written = exporters::write_glb(tile, scene->header, instancing, request.out_path);
+  const Result<Done> written = exporters::write_glb(*tile, scene->header, instancing, request.out_path);
   if (!written) return written.error();
-  console.say(fmt::format("{}: tile {}, {} triangles, error {:.4g} m", request.out_path, to_string(tile.tile), triangles_of(tile), tile.error_m));
-  console.answer(fmt::format(R"({{"tile": "{}", "triangles": {}, "error_m": {}}})", to_string(tile.tile), triangles_of(tile), tile.error_m));
+  console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(), triangles_of(*tile),
+                          tile->error_m));
+  console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(), triangles_of(*tile), tile->error_m));
   return Exit::kDone;
 }
 
@@ -95,7 +101,7 @@ void add_settings(Verb& verb, Request& request) {
 
 Verb bake_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"bake", "fires a manifest: one tile to a file, or all to a folder, as compile does", {}, {}};
+  Verb verb{"bake", "fires a manifest: to one file, or to a folder as compile does", {}, {}};
   verb.options = {
       {"manifest", "SCENE.kiln", "the manifest", false, into(request->manifest_path)},
       {"--tolerance", "M", "largest deviation in metres of the one file", false,

@@ -8,7 +8,11 @@
 
 namespace citykiln {
 
-/// The nearest multiple of kQuantum_m; halves go up. Exact for |v| < 2^42 m.
+/// The nearest multiple of a power of two; halves go up. Exact for |v| < 2^52 steps.
+inline double snapped_to(double step_m, double v) { return std::floor(v / step_m + 0.5) * step_m; }
+inline Vec2 snapped_to(double step_m, Vec2 p) { return {snapped_to(step_m, p.x), snapped_to(step_m, p.y)}; }
+
+/// The nearest multiple of kQuantum_m.
 inline double snapped(double v) { return std::floor(v * (1 / kQuantum_m) + 0.5) * kQuantum_m; }
 inline Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
 inline Vec3 snapped(Vec3 p) { return {snapped(p.x), snapped(p.y), snapped(p.z)}; }

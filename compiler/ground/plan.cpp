@@ -18,34 +18,34 @@ Surface area_surface(const map::AreaFeature& area) {
   return surface;
 }
 
-// A waterway as a road of water: the same stroke.
-Surface water_surface(const map::Waterway& water) {
-  return surface_of(roads::Road{water.id, water.axis, map::SurfaceClass::kRiver, water.width_m, true, true});
-}
-
 }  // namespace
 
 std::vector<Surface> plan(const map::Features& features, Report& report) {
   std::vector<Surface> surfaces;
-  Account areas, waters;
+  Account account;
   for (const map::AreaFeature& area : features.areas) {
-    ++areas.in, ++areas.out;
+    ++account.in, ++account.out;
     surfaces.push_back(area_surface(area));
   }
+  report.account("ground", "area") = account;
+  return surfaces;
+}
+
+std::vector<roads::Road> plan_streams(const map::Features& features, Report& report) {
+  std::vector<roads::Road> streams;
+  Account account;
   for (const map::Waterway& water : features.waterways) {
-    ++waters.in;
+    ++account.in;
     // a culvert or an aqueduct leaves the ground as it is
     if (water.passage != map::Passage::kGround) {
-      report.drop(waters, Code::kWaterOffGround, water.id.osm, length_m(water.axis));
+      report.drop(account, Code::kWaterOffGround, water.id.osm, length_m(water.axis));
       continue;
     }
-    ++waters.out;
-    surfaces.push_back(water_surface(water));
+    ++account.out;
+    streams.push_back({water.id, water.axis, map::SurfaceClass::kRiver, water.width_m, true, true});
   }
-  report.account("ground", "area") = areas;
-  report.account("ground", "waterway") = waters;
-  std::sort(surfaces.begin(), surfaces.end(), [](const Surface& a, const Surface& b) { return a.id < b.id; });
-  return surfaces;
+  report.account("ground", "waterway") = account;
+  return streams;
 }
 
 Surface surface_of(const roads::Road& road) {

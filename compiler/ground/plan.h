@@ -10,9 +10,12 @@
 
 namespace citykiln::ground {
 
-/// Areas and waterways at ground level as surfaces, sorted by id. Roads and buildings cover the ground too, but their strips and
-/// footprints are made from their own recipes (surface_of). Ledger "ground/area", "ground/waterway". Total.
+/// Areas as surfaces, sorted by id. Roads, streams and buildings cover the ground too, but their strips and footprints are made from their own
+/// recipes (surface_of). Ledger "ground/area". Total.
 std::vector<Surface> plan(const map::Features& features, Report& report);
+
+/// Waterways at ground level as strips, like roads, sorted by id. Ledger "ground/waterway". Total.
+std::vector<roads::Road> plan_streams(const map::Features& features, Report& report);
 
 /// The surface a road covers.
 Surface surface_of(const roads::Road& road);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/plane.h"
 
 namespace citykiln::map {
 namespace {
@@ -87,7 +88,7 @@ std::optional<std::array<Vec2, 2>> clipped(Vec2 a, Vec2 b, const Box2& box) {
   if (!cut(-d.x, a.x - box.min.x) || !cut(d.x, box.max.x - a.x) || !cut(-d.y, a.y - box.min.y) || !cut(d.y, box.max.y - a.y)) return std::nullopt;
   const auto on_side = [&](double t) {
     const Vec2 p = a + d * t, side = nearest_on_sides(box, p);
-    return snapped(Vec2{std::clamp(side.x, box.min.x, box.max.x), std::clamp(side.y, box.min.y, box.max.y)});
+    return snapped_to(kMapStep_m, Vec2{std::clamp(side.x, box.min.x, box.max.x), std::clamp(side.y, box.min.y, box.max.y)});
   };
   return std::array{from > 0 ? on_side(from) : a, to < 1 ? on_side(to) : b};
 }
@@ -140,7 +141,7 @@ Vec2 led_on(const Polyline& from_end, const Box2& box) {
   if (d == Vec2{}) return nearest_on_sides(box, end);
   const double to_x = d.x > 0 ? (box.max.x - end.x) / d.x : d.x < 0 ? (box.min.x - end.x) / d.x : 1e300;
   const double to_y = d.y > 0 ? (box.max.y - end.y) / d.y : d.y < 0 ? (box.min.y - end.y) / d.y : 1e300;
-  const Vec2 p = snapped(end + d * std::min(to_x, to_y));
+  const Vec2 p = snapped_to(kMapStep_m, end + d * std::min(to_x, to_y));
   if (to_x <= to_y) return {d.x > 0 ? box.max.x : box.min.x, std::clamp(p.y, box.min.y, box.max.y)};
   return {std::clamp(p.x, box.min.x, box.max.x), d.y > 0 ? box.max.y : box.min.y};
 }

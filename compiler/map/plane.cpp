@@ -15,7 +15,7 @@ namespace {
 constexpr double kNearTie = 1e-6;
 
 bool is_near_tie(double v) {
-  const double steps = v / kQuantum_m + 0.5;
+  const double steps = v / kMapStep_m + 0.5;
   return std::abs(steps - std::round(steps)) < kNearTie;
 }
 
@@ -30,7 +30,7 @@ LonLat within_reach(LonLat origin, LonLat place) {
   return {origin.lon_deg + std::clamp(away_deg, -kMostAway_deg, kMostAway_deg), place.lat_deg};
 }
 
-double precisely_snapped(long double v) { return static_cast<double>(floorl(v / kQuantum_m + 0.5L)) * kQuantum_m; }
+double precisely_snapped(long double v) { return static_cast<double>(floorl(v / kMapStep_m + 0.5L)) * kMapStep_m; }
 
 }  // namespace
 
@@ -67,12 +67,12 @@ LonLat Plane::backward(Vec2 p) const {
 
 Vec2 Plane::snapped_forward(source::Location place) const {
   const Vec2 p = forward({place.lon_deg(), place.lat_deg()});
-  if (!is_near_tie(p.x) && !is_near_tie(p.y)) return snapped(p);
+  if (!is_near_tie(p.x) && !is_near_tie(p.y)) return snapped_to(kMapStep_m, p);
   // degrees as the same doubles that the fast way sees
   const LonLat degrees = within_reach(projection_->origin, {place.lon_deg(), place.lat_deg()});
   const PrecisePoint precise = precise_forward(projection_->origin, {degrees.lon_deg, degrees.lat_deg});
-  return {is_near_tie(p.x) ? precisely_snapped(precise.x) : snapped(p.x),
-          is_near_tie(p.y) ? precisely_snapped(precise.y) : snapped(p.y)};
+  return {is_near_tie(p.x) ? precisely_snapped(precise.x) : snapped_to(kMapStep_m, p.x),
+          is_near_tie(p.y) ? precisely_snapped(precise.y) : snapped_to(kMapStep_m, p.y)};
 }
 
 }  // namespace citykiln::map

@@ -8,6 +8,9 @@
 
 namespace citykiln::map {
 
+/// Places of the map lie on multiples of this, which is finer than OSM's own grid (1e-7 degrees, 11 mm): finer steps would only store noise.
+inline constexpr double kMapStep_m = 0x1p-7;
+
 struct LonLat {
   double lon_deg = 0, lat_deg = 0;
   bool operator==(const LonLat&) const = default;
@@ -25,7 +28,7 @@ class Plane {
   LonLat origin() const;
   Vec2 forward(LonLat place) const;  ///< Not snapped.
   LonLat backward(Vec2 p) const;
-  /// forward, snapped to 2^-10 m; points within 1e-6 quantum of a tie are computed again in higher precision, so that every CPU agrees.
+  /// forward, snapped to kMapStep_m; points within 1e-6 step of a tie are computed again in higher precision, so that every CPU agrees.
   Vec2 snapped_forward(source::Location place) const;
 
  private:

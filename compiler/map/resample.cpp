@@ -90,16 +90,21 @@ std::optional<Real> first_height_m(std::span<const Sampler> samplers, Real lon_d
   return std::nullopt;
 }
 
+// Heights are whole multiples of so many quanta: a 512th of the step, so that no slope is off by more than 0.2 % and coarse fields, which are off by metres
+// themselves, take few bytes.
+std::int32_t grain_for(double step_m) { return std::max(1, static_cast<std::int32_t>(step_m / 512 / kHeightQuantum_m)); }
+
 // In quanta; recomputed in long double where the last bits of a double would decide.
-std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p) {
+std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p, std::int32_t grain) {
+  const double grain_m = grain * kHeightQuantum_m;
   const LonLat place = plane.backward(p);
   const auto height = first_height_m<double>(samplers, place.lon_deg, place.lat_deg);
   if (!height) return std::nullopt;
-  const double quanta = *height / kHeightQuantum_m + 0.5;
-  if (std::abs(quanta - std::round(quanta)) > kNearTie) return static_cast<std::int32_t>(std::floor(quanta));
+  const double grains = *height / grain_m + 0.5;
+  if (std::abs(grains - std::round(grains)) > kNearTie) return static_cast<std::int32_t>(std::floor(grains)) * grain;
   const PreciseLonLat precise = precise_backward(plane.origin(), p, place);
   const auto exact = first_height_m<long double>(samplers, precise.lon_deg, precise.lat_deg);
-  return static_cast<std::int32_t>(floorl(exact.value_or(*height) / kHeightQuantum_m + 0.5L));
+  return static_cast<std::int32_t>(floorl(exact.value_or(*height) / grain_m + 0.5L)) * grain;
 }
 
 // Places without height take that of the nearest row neighbour, then of the nearest row: total, and in a fixed order.
@@ -167,10 +172,11 @@ Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane
     samplers.emplace_back(raster, *to_system);
   }
   std::vector<bool> known(field.heights.size(), false);
+  const std::int32_t grain = grain_for(field.step_m);
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
-      const auto height = quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m});
+      const auto height = quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m}, grain);
       if (height) field.heights[at] = *height, known[at] = true;
     }
   if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);

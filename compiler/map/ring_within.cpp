@@ -1,6 +1,7 @@
 #include "compiler/map/ring_within.h"
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/plane.h"
 
 namespace citykiln::map {
 namespace {
@@ -16,7 +17,7 @@ struct Side {
   Vec2 crossing(Vec2 a, Vec2 b) const {
     Vec2 p;
     p.*axis = limit;
-    p.*other = snapped(a.*other + (b.*other - a.*other) * ((limit - a.*axis) / (b.*axis - a.*axis)));
+    p.*other = snapped_to(kMapStep_m, a.*other + (b.*other - a.*other) * ((limit - a.*axis) / (b.*axis - a.*axis)));
     return p;
   }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compiler/contract/draw.h"
+#include "compiler/geometry/snap.h"
 
 namespace citykiln::plants {
 namespace {
@@ -36,7 +37,7 @@ Candidate candidate_of(std::uint64_t seed, StableId owner, std::int64_t column, 
   Candidate candidate;
   candidate.site.id = stable_id(owner, "site", number);
   const Draw draw(seed, candidate.site.id, "site");
-  candidate.site.at = {(static_cast<double>(column) + draw.unit(0)) * cell_m, (static_cast<double>(row) + draw.unit(1)) * cell_m};
+  candidate.site.at = snapped({(static_cast<double>(column) + draw.unit(0)) * cell_m, (static_cast<double>(row) + draw.unit(1)) * cell_m});
   candidate.priority = static_cast<std::uint64_t>(stable_id(candidate.site.id, "priority", seed));
   return candidate;
 }
@@ -49,13 +50,16 @@ Lattice candidates_in(std::uint64_t seed, StableId owner, double cell_m, const B
   for (int r = 0; r < lattice.rows; ++r)
     for (int c = 0; c < lattice.columns; ++c) {
       Candidate candidate = candidate_of(seed, owner, lattice.first_column + c, lattice.first_row + r, cell_m);
-      if (box.contains(candidate.site.at) && allowed(candidate.site.at, candidate.site.slope)) candidate.state = State::kUndecided;
+      if (box.contains(candidate.site.at) && allowed(candidate.site.at, candidate.site.height_m)) candidate.state = State::kUndecided;
       lattice.candidates.push_back(candidate);
     }
   return lattice;
 }
 
-bool are_close(const Site& a, const Site& b, double spacing_m) { return distance(a.at, b.at) * std::max(a.slope, b.slope) < spacing_m; }
+bool are_close(const Site& a, const Site& b, double spacing_m) {
+  const Vec3 apart = at_height(b.at - a.at, b.height_m - a.height_m);
+  return dot(apart, apart) < spacing_m * spacing_m;
+}
 
 // Calls visit(candidate) for the others that may be within spacing; stops when it returns false.
 template <typename Visit>
@@ -81,7 +85,7 @@ State decide(const Lattice& lattice, int c, int r, double spacing_m) {
 
 }  // namespace
 
-std::vector<Site> blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m, const Allowed& allowed) {
+Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m, const Allowed& allowed) {
   Lattice lattice = candidates_in(seed, owner, spacing_m * kLatticeShare, box.widened(reach_m), allowed);
   const int rounds = std::min(kMostRounds, static_cast<int>(reach_m / spacing_m));
   for (int round = 0; round < rounds; ++round) {
@@ -93,11 +97,13 @@ std::vector<Site> blue_noise(std::uint64_t seed, StableId owner, double spacing_
       }
     for (std::size_t i = 0; i < next.size(); ++i) lattice.candidates[i].state = next[i];
   }
-  std::vector<Site> sites;
+  Sites sites;
   for (const Candidate& candidate : lattice.candidates) {
     const Vec2 p = candidate.site.at;
     const bool is_here = p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-    if (candidate.state == State::kAccepted && is_here) sites.push_back(candidate.site);
+    if (!is_here) continue;
+    if (candidate.state == State::kAccepted) sites.accepted.push_back(candidate.site);
+    if (candidate.state == State::kUndecided) ++sites.undecided;
   }
   return sites;
 }

@@ -10,18 +10,27 @@
 namespace citykiln::plants {
 namespace {
 
-// A trunk's distance to roads, paths and buildings.
-constexpr double kTrunkClearance_m = 1.25;
-// Roads, paths and rails, and buildings, by their classes' priorities (surface_classes.inc).
-constexpr int kLeastBuiltPriority = 70;
-// Trunks reach below the ground by their own roots; their feet stand on the exact field.
+// Water, pitches and squares, paths, rails, roads and buildings, by their classes' priorities (surface_classes.inc).
+constexpr int kLeastBarePriority = 50;
+
+// Trees of one wood differ by this share of their mean height.
 constexpr double kHeightSpread = 0.3;
 constexpr double kUntaggedHeight_m = 9;
 
-void stand(Placed& placed, Archetype archetype, Vec2 at, double height_m, const Draw& draw, OsmId feature, const map::Heightfield& heights) {
-  const Vec2 place = snapped(at), yaw = direction_of(draw.unit(10));
-  placed[static_cast<std::size_t>(archetype)].push_back({at_height(place, snapped(map::height_m_at(heights, place))), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
+// A place's neighbours are asked this far, since what lies within the clearance of the farthest must be known too.
+constexpr double kDecidingReach_m = kReach_m - kTrunkClearance_m;
+
+// Indices of what is drawn for a tree.
+enum Dice : std::uint32_t { kHeightDice, kArchetypeDice, kYawDice };
+
+void stand(Placed& placed, Archetype archetype, Vec3 foot, double height_m, const Draw& draw, OsmId feature) {
+  const Vec2 yaw = direction_of(draw.unit(kYawDice));
+  placed[static_cast<std::size_t>(archetype)].push_back({snapped(foot), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
 }
+
+double drawn_height_m(double mean_m, const Draw& draw) { return mean_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice); }
+
+bool stands_in(const Box2& box, Vec2 p) { return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y; }
 
 bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
   const std::uint32_t top = ground::surface_at(map, p);
@@ -31,9 +40,11 @@ bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
   return is_driven || values.group == map::SurfaceGroup::kBuilding || values.group == map::SurfaceGroup::kWater;
 }
 
-void place_trees(Placed& placed, std::span<const Tree> trees, const ground::SurfaceMap& map, const map::Heightfield& heights, std::uint64_t seed, Report& report) {
+void place_trees(Placed& placed, std::span<const Tree> trees, const ground::SurfaceMap& map, const map::Heightfield& heights, const Box2& box,
+                 std::uint64_t seed, Report& report) {
   Account account;
   for (const Tree& tree : trees) {
+    if (!stands_in(box, tree.at)) continue;
     ++account.in;
     if (is_covered(map, tree.at)) {
       report.drop(account, Code::kTreeOnRoad, tree.id.osm);
@@ -41,8 +52,8 @@ void place_trees(Placed& placed, std::span<const Tree> trees, const ground::Surf
     }
     ++account.out;
     const Draw draw(seed, stable_id(tree.id), "tree");
-    const double height_m = tree.height_m > 0 ? tree.height_m : kUntaggedHeight_m * (1 + kHeightSpread * (2 * draw.unit(0) - 1));
-    stand(placed, tree.archetype, tree.at, height_m, draw, tree.id.osm, heights);
+    const double height_m = tree.height_m > 0 ? tree.height_m : drawn_height_m(kUntaggedHeight_m, draw);
+    stand(placed, tree.archetype, at_height(tree.at, height_m_at(heights, tree.at)), height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
 }
@@ -59,7 +70,8 @@ Box2 common(const Box2& a, const Box2& b) {
   return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)}, {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const map::Heightfield& heights, const Box2& box, std::uint64_t seed) {
+void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const map::Heightfield& heights, const Box2& box, std::uint64_t seed,
+                Report& report) {
   const std::uint32_t surface = surface_of(map, wood);
   if (surface == ground::kNoSurface) return;
   Box2 around;
@@ -67,16 +79,18 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
     for (const Vec2 p : ring) around.grow(p);
   const Box2 here = common(box, around);
   if (here.is_empty()) return;
-  const auto allowed = [&](Vec2 p, double& slope) {
-    if (!map.box.contains(p) || ground::surface_at(map, p) != surface) return false;
-    if (ground::clearance_m(map, p, kLeastBuiltPriority, kTrunkClearance_m) < kTrunkClearance_m) return false;
-    slope = 1 / map::normal_at(heights, p).z;
+  const auto allowed = [&](Vec2 p, double& height_m) {
+    if (!around.contains(p) || !map.box.contains(p) || ground::surface_at(map, p) != surface) return false;
+    if (ground::clearance_m(map, p, kLeastBarePriority, kTrunkClearance_m) < kTrunkClearance_m) return false;
+    height_m = height_m_at(heights, p);
     return true;
   };
-  for (const Site& site : blue_noise(seed, stable_id(wood.surface), wood.spacing_m, here, kReach_m, allowed)) {
+  const Sites sites = blue_noise(seed, stable_id(wood.surface), wood.spacing_m, here, kDecidingReach_m, allowed);
+  if (sites.undecided > 0) report.add(Code::kTreesUndecided, wood.surface.osm, static_cast<double>(sites.undecided));
+  for (const Site& site : sites.accepted) {
     const Draw draw(seed, site.id, "tree");
-    const Archetype archetype = draw.unit(1) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
-    stand(placed, archetype, site.at, wood.height_m * (1 + kHeightSpread * (2 * draw.unit(0) - 1)), draw, wood.surface.osm, heights);
+    const Archetype archetype = draw.unit(kArchetypeDice) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
+    stand(placed, archetype, at_height(site.at, site.height_m), drawn_height_m(wood.height_m, draw), draw, wood.surface.osm);
   }
 }
 
@@ -85,8 +99,8 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces, const map::Heightfield& heights,
               const Box2& box, std::uint64_t seed, Report& report) {
   Placed placed;
-  place_trees(placed, trees, surfaces, heights, seed, report);
-  for (const Wood& wood : woods) place_wood(placed, wood, surfaces, heights, box, seed);
+  place_trees(placed, trees, surfaces, heights, box, seed, report);
+  for (const Wood& wood : woods) place_wood(placed, wood, surfaces, heights, box, seed, report);
   return placed;
 }
 

@@ -15,18 +15,21 @@
 
 namespace citykiln::plants {
 
+/// A trunk's least distance to roads, paths, rails, water and buildings, and to what else lies on top of land (priority 50 and more).
+inline constexpr double kTrunkClearance_m = 1.25;
+
 /// Placements by archetype.
 using Placed = std::array<std::vector<Placement>, static_cast<std::size_t>(Archetype::kCount)>;
 
 /// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
-inline constexpr double kReach_m = 64;
+inline constexpr double kReach_m = 48;
 
 /// The trees whose trunks stand in the half-open box.
 ///
 /// @param surfaces  Covers the box widened by kReach_m.
 /// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least spacing_m apart on the ground;
 /// a tree depends on nothing beyond kReach_m. Single trees on a building, road or water are dropped, diagnosed kTreeOnRoad.
-/// Method: blue noise by hash priority on a fixed lattice (12 rounds, the undecided are rejected).
+/// Method: blue_noise.h; what stays undecided is diagnosed kTreesUndecided. Ledger "bake/tree" for single trees.
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces, const map::Heightfield& heights,
               const Box2& box, std::uint64_t seed, Report& report);
 

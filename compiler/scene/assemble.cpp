@@ -58,7 +58,7 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 }
 
 struct Sorted {
-  ByTile surfaces, roads, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
+  ByTile surfaces, roads, streams, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
 };
 
 Box2 box_of_surface(const ground::Surface& surface) {
@@ -68,6 +68,8 @@ Box2 box_of_surface(const ground::Surface& surface) {
   return box;
 }
 
+Box2 box_of_strip(const roads::Road& road) { return citykiln::box_of(road.axis).widened(road.width_m); }
+
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes) {
@@ -75,7 +77,8 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes) {
   const auto stands = [](const auto& object) { return object.at; };
   const auto starts = [](const auto& object) { return object.axis.front(); };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
-          by_touch(grid, std::span(recipes.roads), [](const roads::Road& road) { return citykiln::box_of(road.axis).widened(road.width_m); }),
+          by_touch(grid, std::span(recipes.roads), box_of_strip),
+          by_touch(grid, std::span(recipes.streams), box_of_strip),
           by_touch(grid, std::span(recipes.buildings), [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
           by_anchor(grid, std::span(recipes.buildings), anchor_of),
           by_anchor(grid, std::span(recipes.structures.bridges), span_anchor),
@@ -107,11 +110,11 @@ std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& 
   return surfaces;
 }
 
-std::vector<roads::Road> roads_for(const Recipes& recipes, const Sorted& sorted, std::size_t t, const Box2& reach) {
-  std::vector<roads::Road> roads;
-  for (const std::uint32_t i : sorted.roads[t])
-    for (roads::Road& run : roads::trimmed_to(recipes.roads[i], reach)) roads.push_back(std::move(run));
-  return roads;
+std::vector<roads::Road> strips_for(const std::vector<roads::Road>& strips, const std::vector<std::uint32_t>& numbers, const Box2& reach) {
+  std::vector<roads::Road> runs;
+  for (const std::uint32_t i : numbers)
+    for (roads::Road& run : roads::trimmed_to(strips[i], reach)) runs.push_back(std::move(run));
+  return runs;
 }
 
 std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods, const std::vector<ground::Surface>& surfaces) {
@@ -129,7 +132,8 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const TileGrid& gri
   chunk.tile = grid.tiles[t];
   chunk.heights = map::window_of(recipes.heights, reach);
   chunk.surfaces = surfaces_for(recipes, sorted, t, reach);
-  chunk.roads = roads_for(recipes, sorted, t, reach);
+  chunk.roads = strips_for(recipes.roads, sorted.roads[t], reach);
+  chunk.streams = strips_for(recipes.streams, sorted.streams[t], reach);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);

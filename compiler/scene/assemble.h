@@ -14,7 +14,7 @@ namespace citykiln::scene {
 struct Recipes {
   map::Heightfield heights;
   std::vector<ground::Surface> surfaces;
-  std::vector<roads::Road> roads;
+  std::vector<roads::Road> roads, streams;
   structures::Structures structures;
   std::vector<buildings::Building> buildings;
   plants::Plants plants;

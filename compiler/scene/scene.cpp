@@ -50,6 +50,7 @@ ground::Surface footprint_surface(const buildings::Building& building) {
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk) {
   std::vector<ground::Surface> surfaces = chunk.surfaces;
   for (const roads::Road& road : chunk.roads) surfaces.push_back(ground::surface_of(road));
+  for (const roads::Road& stream : chunk.streams) surfaces.push_back(ground::surface_of(stream));
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) surfaces.push_back(footprint_surface(building));
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const ground::Surface& a, const ground::Surface& b) {

@@ -25,7 +25,7 @@ struct TileKey {
 };
 
 /// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of metres.
-inline constexpr double kHalo_m = 64;
+inline constexpr double kHalo_m = 48;
 
 struct Header {
   map::LonLat origin;                     ///< Of the plane.
@@ -44,8 +44,8 @@ struct Header {
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  std::vector<ground::Surface> surfaces;       ///< Areas, waterways, and footprints of buildings that are anchored in other tiles.
-  std::vector<roads::Road> roads;
+  std::vector<ground::Surface> surfaces;       ///< Areas, and footprints of buildings that are anchored in other tiles.
+  std::vector<roads::Road> roads, streams;      ///< Strips of road and of water.
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;

@@ -12,8 +12,8 @@
 namespace citykiln::sky {
 namespace {
 
-// Luminance that counts as 1: what a white floor sends back to a clear sky about noon.
-constexpr double kUnit_kcd_m2 = 4.5;
+// Luminance that counts as 1: about the mean of a clear sky at noon, with which the preview is exposed.
+constexpr double kUnit_kcd_m2 = 6.25;
 
 // The model's clear sky lights the ground with 28 klx when the sun stands at 60 degrees; measured are 14 to 17 klx.
 constexpr double kMeasuredShare = 0.55;

@@ -147,7 +147,7 @@ TEST(Dress, TakesALighterMaterialForABrightColour) {
   glass.wall_material = Material::kGlassFacade;
   glass.wall_colour = map::Srgb{200, 220, 255};
   const auto b = plan(features_of({f, glass}), slope(), report);
-  EXPECT_EQ(b[0].wall, Material::kPlaster);
+  EXPECT_EQ(b[0].wall, Material::kPaint);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
 }
 

@@ -76,7 +76,7 @@ TEST(Plane, PreciseBackwardUndoesPreciseForward) {
 
 Vec2 precisely_snapped(LonLat origin, source::Location place) {
   const PrecisePoint p = precise_forward(origin, {place.lon_deg(), place.lat_deg()});
-  const auto snap = [](long double v) { return static_cast<double>(floorl(v / kQuantum_m + 0.5L)) * kQuantum_m; };
+  const auto snap = [](long double v) { return static_cast<double>(floorl(v / kMapStep_m + 0.5L)) * kMapStep_m; };
   return {snap(p.x), snap(p.y)};
 }
 
@@ -99,7 +99,7 @@ TEST(Plane, NearTiesAreDecidedInHigherPrecision) {
   const LonLat origin{7.42, 43.73};
   const Plane plane(origin);
   const auto is_near_tie = [](double v) {
-    const double steps = v / kQuantum_m + 0.5;
+    const double steps = v / kMapStep_m + 0.5;
     return std::abs(steps - std::round(steps)) < 1e-6;
   };
   int ties = 0;

@@ -1,0 +1,97 @@
+#include "compiler/commands/join_tiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace citykiln::commands {
+namespace {
+
+/// Multiples of 2^-10 m are exact in float32 up to here.
+constexpr double kExactReach_m = 16384;
+
+Vec3 lowest_origin(std::span<const bake::BakedTile> tiles) {
+  Vec3 low = tiles.front().origin;
+  for (const bake::BakedTile& tile : tiles) {
+    low = {std::min(low.x, tile.origin.x), std::min(low.y, tile.origin.y), std::min(low.z, tile.origin.z)};
+  }
+  return low;
+}
+
+/// Tiles' origins and vertices are on the grid, so that the sum is exact where it is within reach.
+bake::Float3 moved(const bake::Float3& p, Vec3 by, double& reach_m) {
+  const Vec3 q{p[0] + by.x, p[1] + by.y, p[2] + by.z};
+  reach_m = std::max({reach_m, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+}
+
+/// A tile on its way into the joined one.
+struct Guest {
+  const bake::BakedTile& tile;
+  Vec3 offset;                          ///< From the joined origin to the tile's.
+  std::vector<std::uint32_t> features;  ///< The tile's numbers to the joined ones.
+};
+
+Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined) {
+  Guest guest{tile, tile.origin - joined.origin, {}};
+  for (const OsmId feature : tile.features) {
+    guest.features.push_back(static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
+  }
+  return guest;
+}
+
+void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest& guest, double& reach_m) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  for (const bake::Float3& p : from.positions) to.positions.push_back(moved(p, guest.offset, reach_m));
+  to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
+  to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
+  for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
+  for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+void add_instanced(bake::Instanced& to, const bake::Instanced& from, const Guest& guest, double& reach_m) {
+  for (const bake::Float3& p : from.translations) to.translations.push_back(moved(p, guest.offset, reach_m));
+  to.rotations.insert(to.rotations.end(), from.rotations.begin(), from.rotations.end());
+  to.scales.insert(to.scales.end(), from.scales.begin(), from.scales.end());
+  for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
+}
+
+bake::Primitive& primitive_of(bake::BakedTile& joined, materials::Material material) {
+  const auto place = std::ranges::lower_bound(joined.primitives, material, {}, &bake::Primitive::material);
+  if (place != joined.primitives.end() && place->material == material) return *place;
+  return *joined.primitives.insert(place, bake::Primitive{material, {}, {}, {}, {}, {}});
+}
+
+/// The shared mesh of that name and shape: tiles may cut the same archetype differently.
+bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like) {
+  for (bake::Instanced& instanced : joined.instanced) {
+    if (instanced.name == like.name && instanced.primitives == like.primitives) return instanced;
+  }
+  return joined.instanced.emplace_back(bake::Instanced{like.name, like.primitives, {}, {}, {}, {}});
+}
+
+}  // namespace
+
+Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
+  bake::BakedTile joined{tiles.front().tile, lowest_origin(tiles), tiles.front().tolerance_m, 0, {}, {}, {}};
+  std::set<OsmId> features;
+  for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());
+  joined.features.assign(features.begin(), features.end());
+
+  double reach_m = 0;
+  for (const bake::BakedTile& tile : tiles) {
+    const Guest guest = guest_of(tile, joined);
+    for (const bake::Primitive& p : tile.primitives) add_primitive(primitive_of(joined, p.material), p, guest, reach_m);
+    for (const bake::Instanced& i : tile.instanced) add_instanced(instanced_of(joined, i), i, guest, reach_m);
+    joined.error_m = std::max(joined.error_m, tile.error_m);
+  }
+  if (reach_m > kExactReach_m) {
+    return Error{"", fmt::format("{:.0f} km are too wide for one file, which is exact to 16 km: bake fewer tiles, or a folder", reach_m / 1000)};
+  }
+  return joined;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,53 @@
+#include "compiler/commands/geojson.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::commands {
+namespace {
+
+map::Features one_of_each() {
+  map::Features features;
+  map::Track track;
+  track.id = {{OsmType::kWay, 7}, 0};
+  track.axis = {{0, 0}, {100, 0}};
+  track.width_m = 5.5;
+  features.tracks.push_back(track);
+  map::Footprint building;
+  building.id = {{OsmType::kRelation, 8}, 1};
+  building.polygon = {{{0, 0}, {10, 0}, {10, 10}}, {{{4, 2}, {8, 4}, {8, 2}}}};
+  building.height_m = 9;
+  features.footprints.push_back(building);
+  return features;
+}
+
+TEST(GeoJson, LinesAreInLongitudeAndLatitudeWithTheirIds) {
+  const Result<Layer> layer = layer_of(one_of_each(), "roads");
+  ASSERT_TRUE(layer);
+  const std::string text = geojson_of(*layer, map::Plane({10, 48}), {"© \"us\""});
+  EXPECT_NE(text.find(R"("id":"w7","part":0)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("width_m":5.5)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"({"type":"LineString","coordinates":[[10.00000000,48.00000000],[10.00134)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("attribution":["© \"us\""])"), std::string::npos) << text;
+}
+
+TEST(GeoJson, RingsEndWhereTheyBegin) {
+  const Result<Layer> layer = layer_of(one_of_each(), "buildings");
+  ASSERT_TRUE(layer);
+  const std::string text = geojson_of(*layer, map::Plane({10, 48}), {});
+  EXPECT_NE(text.find(R"([[[10.00000000,48.00000000],)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"([10.00000000,48.00000000]],[[)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("id":"r8","part":1)"), std::string::npos) << text;
+}
+
+TEST(GeoJson, OfAnEmptyLayerIsAnEmptyCollection) {
+  const std::string text = geojson_of(*layer_of(map::Features{}, "areas"), map::Plane({10, 48}), {});
+  EXPECT_EQ(text, "{\"type\":\"FeatureCollection\",\"attribution\":[],\"features\":[\n]}\n");
+}
+
+TEST(GeoJson, UnknownAndLaterLayersAreErrors) {
+  EXPECT_NE(to_string(layer_of(map::Features{}, "junctions").error()).find("yet"), std::string::npos);
+  EXPECT_TRUE(to_string(layer_of(scene::Scene{}, "clouds").error()).starts_with("--layer: expected "));
+}
+
+}  // namespace
+}  // namespace citykiln::commands

@@ -1,0 +1,68 @@
+#include "compiler/commands/measure_ground.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/map/surface_class.h"
+
+namespace citykiln::commands {
+namespace {
+
+constexpr OsmId kLawn{OsmType::kWay, 1};
+constexpr OsmId kBridge{OsmType::kWay, 2};
+
+/// Flat at 10 m over [0, 64]².
+map::Heightfield flat() {
+  map::Heightfield field;
+  field.columns = field.rows = 2;
+  field.heights.assign(4, static_cast<std::int32_t>(10 / map::kHeightQuantum_m));
+  return field;
+}
+
+/// A square of ground about the tile's origin (0, 0, 10), with its last corner lifted; and a deck of the bridge over it.
+bake::BakedTile square(float lifted_m, bool has_second_half) {
+  bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kLawn, kBridge}, {}, {}};
+  bake::Primitive ground;
+  ground.material = map::values_of(map::SurfaceClass::kUnknown).material;
+  ground.positions = {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, lifted_m}, {0, 0, -5}, {64, 0, -5}, {64, 64, -5}};
+  ground.features = {1, 1, 1, 1, 2, 2, 2};
+  ground.triangles = {{0, 1, 2}, {4, 5, 6}};
+  if (has_second_half) ground.triangles.push_back({0, 2, 3});
+  tile.primitives = {ground};
+  return tile;
+}
+
+constexpr Box2 kBox{{0, 0}, {64, 64}};
+
+TEST(SampleGround, FindsNothingWrongWithWhatIsRight) {
+  const GroundSamples samples = sample_ground(square(0, true), std::vector{kBridge}, flat(), kBox, 4);
+  EXPECT_EQ(samples.count, 256u);
+  EXPECT_EQ(samples.uncovered, 0u);
+  EXPECT_EQ(samples.error_m, 0);
+}
+
+TEST(SampleGround, FindsPlacesWithoutGround) {
+  const GroundSamples samples = sample_ground(square(0, false), std::vector{kBridge}, flat(), kBox, 4);
+  // the other half but for the diagonal, whose middles lie on the edge
+  EXPECT_EQ(samples.uncovered, (256u - 16u) / 2);
+}
+
+TEST(SampleGround, FindsGroundThatIsOff) {
+  const GroundSamples samples = sample_ground(square(2, true), std::vector{kBridge}, flat(), kBox, 4);
+  EXPECT_GT(samples.error_m, 1.8);
+  EXPECT_LE(samples.error_m, 2);
+}
+
+TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
+  EXPECT_EQ(sample_ground(square(0, true), {}, flat(), kBox, 4).error_m, 5);
+}
+
+TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
+  const std::vector<OsmId> leaving = {kBridge};
+  const bake::BakedTile tile = square(0, true);
+  EXPECT_EQ(border_edges_along_x(tile, leaving, 64), (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
+  EXPECT_EQ(border_edges_along_y(tile, leaving, 0), (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
+  EXPECT_TRUE(border_edges_along_x(tile, leaving, 32).empty());
+}
+
+}  // namespace
+}  // namespace citykiln::commands
