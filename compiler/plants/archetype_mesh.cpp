@@ -12,7 +12,8 @@ using materials::Material;
 // The derivation at a detail: 0 is full, 1 and 2 are cut.
 using Details = std::array<double, 3>;
 
-// Largest deviation of a cut from the full shape, both ways, for a tree 1 m tall: bounds that archetype_mesh_test.cpp proves, rounded up.
+// Largest deviation of a cut from the full shape, both ways, for a tree 1 m tall: bounds that archetype_mesh_test.cpp
+// proves, rounded up.
 constexpr Details kBroadErrors = {0, 0.0615, 0.235}, kNeedleErrors = {0, 0.0615, 0.1};
 
 struct Lump {
@@ -20,8 +21,10 @@ struct Lump {
 };
 
 // A crown as wide as three fifths of the tree's height, heavier on one side, with a crest.
-constexpr Lump kCrown[] = {{{0.00, 0.02, 0.64}, {0.29, 0.28, 0.31}}, {{0.15, -0.09, 0.56}, {0.22, 0.21, 0.22}},
-                           {{-0.16, 0.04, 0.53}, {0.20, 0.23, 0.20}}, {{0.03, 0.06, 0.83}, {0.18, 0.18, 0.17}}};
+constexpr Lump kCrown[] = {{{0.00, 0.02, 0.64}, {0.29, 0.28, 0.31}},
+                           {{0.15, -0.09, 0.56}, {0.22, 0.21, 0.22}},
+                           {{-0.16, 0.04, 0.53}, {0.20, 0.23, 0.20}},
+                           {{0.03, 0.06, 0.83}, {0.18, 0.18, 0.17}}};
 
 // All of it in one.
 constexpr Lump kWholeCrown = {{0.00, 0.00, 0.64}, {0.36, 0.34, 0.38}};
@@ -61,8 +64,10 @@ Mesh trunk(Archetype archetype, int detail) {
   constexpr std::array kSides = {5, 3, 3};
   Mesh mesh;
   // below z = 0 it reaches into sloping ground
-  if (archetype == Archetype::kBroadLeaved) add_trunk(mesh, kSides[detail], -0.05, 0.5, 0.028, 0.016);
-  else add_trunk(mesh, kSides[detail], -0.05, 0.3, 0.022, 0.014);
+  if (archetype == Archetype::kBroadLeaved)
+    add_trunk(mesh, kSides[detail], -0.05, 0.5, 0.028, 0.016);
+  else
+    add_trunk(mesh, kSides[detail], -0.05, 0.3, 0.022, 0.014);
   return mesh;
 }
 
@@ -76,7 +81,10 @@ ArchetypeMesh archetype_mesh(Archetype archetype, double height_m, double tolera
   while (errors[detail] * height_m > tolerance_m) --detail;
   ArchetypeMesh tree{{}, errors[detail]};
   tree.meshes.push_back({trunk(archetype, detail), Material::kBark, materials::kNoTint, {}});
-  tree.meshes.push_back({is_broad ? broad_crown(detail) : needle_crown(detail), is_broad ? Material::kBroadLeaf : Material::kNeedleLeaf, materials::kNoTint, {}});
+  tree.meshes.push_back({is_broad ? broad_crown(detail) : needle_crown(detail),
+                         is_broad ? Material::kBroadLeaf : Material::kNeedleLeaf,
+                         materials::kNoTint,
+                         {}});
   return tree;
 }
 

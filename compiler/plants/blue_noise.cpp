@@ -37,20 +37,28 @@ Candidate candidate_of(std::uint64_t seed, StableId owner, std::int64_t column, 
   Candidate candidate;
   candidate.site.id = stable_id(owner, "site", number);
   const Draw draw(seed, candidate.site.id, "site");
-  candidate.site.at = snapped({(static_cast<double>(column) + draw.unit(0)) * cell_m, (static_cast<double>(row) + draw.unit(1)) * cell_m});
+  candidate.site.at = snapped(
+      Vec2{(static_cast<double>(column) + draw.unit(0)) * cell_m, (static_cast<double>(row) + draw.unit(1)) * cell_m});
   candidate.priority = static_cast<std::uint64_t>(stable_id(candidate.site.id, "priority", seed));
   return candidate;
 }
 
 Lattice candidates_in(std::uint64_t seed, StableId owner, double cell_m, const Box2& box, const Allowed& allowed) {
-  Lattice lattice{cell_m, static_cast<std::int64_t>(std::floor(box.min.x / cell_m)), static_cast<std::int64_t>(std::floor(box.min.y / cell_m)), 0, 0, {}};
-  lattice.columns = static_cast<int>(static_cast<std::int64_t>(std::floor(box.max.x / cell_m)) - lattice.first_column) + 1;
+  Lattice lattice{cell_m,
+                  static_cast<std::int64_t>(std::floor(box.min.x / cell_m)),
+                  static_cast<std::int64_t>(std::floor(box.min.y / cell_m)),
+                  0,
+                  0,
+                  {}};
+  lattice.columns =
+      static_cast<int>(static_cast<std::int64_t>(std::floor(box.max.x / cell_m)) - lattice.first_column) + 1;
   lattice.rows = static_cast<int>(static_cast<std::int64_t>(std::floor(box.max.y / cell_m)) - lattice.first_row) + 1;
   lattice.candidates.reserve(static_cast<std::size_t>(lattice.columns) * lattice.rows);
   for (int r = 0; r < lattice.rows; ++r)
     for (int c = 0; c < lattice.columns; ++c) {
       Candidate candidate = candidate_of(seed, owner, lattice.first_column + c, lattice.first_row + r, cell_m);
-      if (box.contains(candidate.site.at) && allowed(candidate.site.at, candidate.site.height_m)) candidate.state = State::kUndecided;
+      if (box.contains(candidate.site.at) && allowed(candidate.site.at, candidate.site.height_m))
+        candidate.state = State::kUndecided;
       lattice.candidates.push_back(candidate);
     }
   return lattice;
@@ -75,7 +83,8 @@ State decide(const Lattice& lattice, int c, int r, double spacing_m) {
   const Candidate& self = lattice.at(c, r);
   State state = State::kAccepted;
   for_each_near(lattice, c, r, spacing_m, [&](const Candidate& other) {
-    const bool matters = other.state == State::kAccepted || (other.state == State::kUndecided && other.priority > self.priority);
+    const bool matters =
+        other.state == State::kAccepted || (other.state == State::kUndecided && other.priority > self.priority);
     if (!matters || !are_close(self.site, other.site, spacing_m)) return true;
     state = other.state == State::kAccepted ? State::kRejected : State::kUndecided;
     return state != State::kRejected;
@@ -85,7 +94,8 @@ State decide(const Lattice& lattice, int c, int r, double spacing_m) {
 
 }  // namespace
 
-Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m, const Allowed& allowed) {
+Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m,
+                 const Allowed& allowed) {
   Lattice lattice = candidates_in(seed, owner, spacing_m * kLatticeShare, box.widened(reach_m), allowed);
   const int rounds = std::min(kMostRounds, static_cast<int>(reach_m / spacing_m));
   for (int round = 0; round < rounds; ++round) {
@@ -93,7 +103,8 @@ Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box
     for (int r = 0; r < lattice.rows; ++r)
       for (int c = 0; c < lattice.columns; ++c) {
         const State now = lattice.at(c, r).state;
-        next[static_cast<std::size_t>(r) * lattice.columns + c] = now == State::kUndecided ? decide(lattice, c, r, spacing_m) : now;
+        next[static_cast<std::size_t>(r) * lattice.columns + c] =
+            now == State::kUndecided ? decide(lattice, c, r, spacing_m) : now;
       }
     for (std::size_t i = 0; i < next.size(); ++i) lattice.candidates[i].state = next[i];
   }

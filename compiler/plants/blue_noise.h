@@ -27,10 +27,13 @@ struct Sites {
 /// Sites at even distances in the half-open box.
 ///
 /// @param allowed  Asked for places in the box widened by reach_m only.
-/// Guarantees: any two accepted sites are at least `spacing_m` apart from foot to foot, heights counted; whether a site is accepted depends on
-/// nothing beyond reach_m. Method: a jittered candidate in each cell of a fixed lattice of the plane; in each round a candidate with the highest priority among
-/// the undecided within spacing is accepted, and rejects those about it in the next; what is undecided after the rounds that fit the reach (at most 12) is rejected.
-/// Source: priority-based parallel Poisson disks, after Bowers, Wang, Wei, Maletz, "Parallel Poisson disk sampling with spectrum analysis on surfaces", 2010.
-Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m, const Allowed& allowed);
+/// Guarantees: any two accepted sites are at least `spacing_m` apart from foot to foot, heights counted; whether a site
+/// is accepted depends on nothing beyond reach_m. Method: a jittered candidate in each cell of a fixed lattice of the
+/// plane; in each round a candidate with the highest priority among the undecided within spacing is accepted, and
+/// rejects those about it in the next; what is undecided after the rounds that fit the reach (at most 12) is rejected.
+/// Source: priority-based parallel Poisson disks, after Bowers, Wang, Wei, Maletz, "Parallel Poisson disk sampling with
+/// spectrum analysis on surfaces", 2010.
+Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m,
+                 const Allowed& allowed);
 
 }  // namespace citykiln::plants

@@ -25,12 +25,17 @@ enum Dice : std::uint32_t { kHeightDice, kArchetypeDice, kYawDice };
 
 void stand(Placed& placed, Archetype archetype, Vec3 foot, double height_m, const Draw& draw, OsmId feature) {
   const Vec2 yaw = direction_of(draw.unit(kYawDice));
-  placed[static_cast<std::size_t>(archetype)].push_back({snapped(foot), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
+  placed[static_cast<std::size_t>(archetype)].push_back(
+      {snapped(foot), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
 }
 
-double drawn_height_m(double mean_m, const Draw& draw) { return mean_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice); }
+double drawn_height_m(double mean_m, const Draw& draw) {
+  return mean_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice);
+}
 
-bool stands_in(const Box2& box, Vec2 p) { return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y; }
+bool stands_in(const Box2& box, Vec2 p) {
+  return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
+}
 
 bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
   const std::uint32_t top = ground::surface_at(map, p);
@@ -40,8 +45,8 @@ bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
   return is_driven || values.group == map::SurfaceGroup::kBuilding || values.group == map::SurfaceGroup::kWater;
 }
 
-void place_trees(Placed& placed, std::span<const Tree> trees, const ground::SurfaceMap& map, const map::Heightfield& heights, const Box2& box,
-                 std::uint64_t seed, Report& report) {
+void place_trees(Placed& placed, std::span<const Tree> trees, const ground::SurfaceMap& map,
+                 const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report) {
   Account account;
   for (const Tree& tree : trees) {
     if (!stands_in(box, tree.at)) continue;
@@ -60,18 +65,21 @@ void place_trees(Placed& placed, std::span<const Tree> trees, const ground::Surf
 
 // The index of a wood's surface, by id; surfaces are sorted by id.
 std::uint32_t surface_of(const ground::SurfaceMap& map, const Wood& wood) {
-  const auto found = std::lower_bound(map.surfaces.begin(), map.surfaces.end(), wood.surface, [](const ground::Surface& s, ObjectId id) { return s.id < id; });
+  const auto found = std::lower_bound(map.surfaces.begin(), map.surfaces.end(), wood.surface,
+                                      [](const ground::Surface& s, ObjectId id) { return s.id < id; });
   for (auto at = found; at != map.surfaces.end() && at->id == wood.surface; ++at)
-    if (map::values_of(at->surface).group != map::SurfaceGroup::kBuilding) return static_cast<std::uint32_t>(at - map.surfaces.begin());
+    if (map::values_of(at->surface).group != map::SurfaceGroup::kBuilding)
+      return static_cast<std::uint32_t>(at - map.surfaces.begin());
   return ground::kNoSurface;
 }
 
 Box2 common(const Box2& a, const Box2& b) {
-  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)}, {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const map::Heightfield& heights, const Box2& box, std::uint64_t seed,
-                Report& report) {
+void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const map::Heightfield& heights,
+                const Box2& box, std::uint64_t seed, Report& report) {
   const std::uint32_t surface = surface_of(map, wood);
   if (surface == ground::kNoSurface) return;
   Box2 around;
@@ -89,15 +97,17 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
   if (sites.undecided > 0) report.add(Code::kTreesUndecided, wood.surface.osm, static_cast<double>(sites.undecided));
   for (const Site& site : sites.accepted) {
     const Draw draw(seed, site.id, "tree");
-    const Archetype archetype = draw.unit(kArchetypeDice) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
-    stand(placed, archetype, at_height(site.at, site.height_m), drawn_height_m(wood.height_m, draw), draw, wood.surface.osm);
+    const Archetype archetype =
+        draw.unit(kArchetypeDice) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
+    stand(placed, archetype, at_height(site.at, site.height_m), drawn_height_m(wood.height_m, draw), draw,
+          wood.surface.osm);
   }
 }
 
 }  // namespace
 
-Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces, const map::Heightfield& heights,
-              const Box2& box, std::uint64_t seed, Report& report) {
+Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
+              const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report) {
   Placed placed;
   place_trees(placed, trees, surfaces, heights, box, seed, report);
   for (const Wood& wood : woods) place_wood(placed, wood, surfaces, heights, box, seed, report);

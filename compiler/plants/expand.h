@@ -15,7 +15,8 @@
 
 namespace citykiln::plants {
 
-/// A trunk's least distance to roads, paths, rails, water and buildings, and to what else lies on top of land (priority 50 and more).
+/// A trunk's least distance to roads, paths, rails, water and buildings, and to what else lies on top of land (priority
+/// 50 and more).
 inline constexpr double kTrunkClearance_m = 1.25;
 
 /// Placements by archetype.
@@ -27,18 +28,21 @@ inline constexpr double kReach_m = 48;
 /// The trees whose trunks stand in the half-open box.
 ///
 /// @param surfaces  Covers the box widened by kReach_m.
-/// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least spacing_m apart on the ground;
-/// a tree depends on nothing beyond kReach_m. Single trees on a building, road or water are dropped, diagnosed kTreeOnRoad.
-/// Method: blue_noise.h; what stays undecided is diagnosed kTreesUndecided. Ledger "bake/tree" for single trees.
-Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces, const map::Heightfield& heights,
-              const Box2& box, std::uint64_t seed, Report& report);
+/// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least
+/// spacing_m apart on the ground; a tree depends on nothing beyond kReach_m. Single trees on a building, road or water
+/// are dropped, diagnosed kTreeOnRoad. Method: blue_noise.h; what stays undecided is diagnosed kTreesUndecided. Ledger
+/// "bake/tree" for single trees.
+Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
+              const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report);
 
 struct ArchetypeMesh {
-  std::vector<materials::DressedMesh> meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
-  double error_per_m = 0;                      ///< Deviation for a tree 1 m tall.
+  std::vector<materials::DressedMesh>
+      meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
+  double error_per_m = 0;  ///< Deviation for a tree 1 m tall.
 };
 
-/// An archetype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself is lower than it.
+/// An archetype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
+/// is lower than it.
 ArchetypeMesh archetype_mesh(Archetype archetype, double height_m, double tolerance_m);
 
 /// The tallest that a tree can be drawn, metres: what archetype_mesh is to be asked for.

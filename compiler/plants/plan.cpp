@@ -23,11 +23,13 @@ Plants plan(const map::Features& features, std::span<const ground::Surface> surf
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
-    plants.trees.push_back({point.id, point.at, point.height_m, point.is_needleleaved ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved});
+    plants.trees.push_back({point.id, point.at, point.height_m,
+                            point.is_needleleaved ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved});
   }
   for (const ground::Surface& surface : surfaces)
     for (const WoodRow& row : kWoods)
-      if (row.surface == surface.surface) plants.woods.push_back({surface.id, row.spacing_m, row.needle_255ths / 255.0, row.height_m});
+      if (row.surface == surface.surface)
+        plants.woods.push_back({surface.id, row.spacing_m, row.needle_255ths / 255.0, row.height_m});
   report.account("plants", "tree") = account;
   return plants;
 }

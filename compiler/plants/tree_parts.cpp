@@ -37,10 +37,22 @@ struct Icosphere {
 
 Icosphere icosahedron() {
   const double g = (1 + std::sqrt(5.0)) / 2;  // the golden ratio
-  Icosphere sphere{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
+  Icosphere sphere{{{-1, g, 0},
+                    {1, g, 0},
+                    {-1, -g, 0},
+                    {1, -g, 0},
+                    {0, -1, g},
+                    {0, 1, g},
+                    {0, -1, -g},
+                    {0, 1, -g},
+                    {g, 0, -1},
+                    {g, 0, 1},
+                    {-g, 0, -1},
+                    {-g, 0, 1}},
                    {},
-                   {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                    {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+                   {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (Vec3& d : sphere.directions) d = unit(d);
   return sphere;
 }
@@ -48,7 +60,8 @@ Icosphere icosahedron() {
 Icosphere finer(Icosphere sphere) {
   std::map<Edge, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(sphere.directions.size()));
+    const auto [entry, is_new] =
+        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(sphere.directions.size()));
     if (is_new) {
       sphere.directions.push_back(unit(sphere.directions[a] + sphere.directions[b]));
       sphere.edges.push_back(entry->first);

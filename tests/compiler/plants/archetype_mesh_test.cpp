@@ -19,7 +19,8 @@ using Corners = std::array<Vec3, 3>;
 // Ericson, "Real-Time Collision Detection", 5.1.5.
 Vec3 nearest_on(const Corners& t, Vec3 p) {
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1], cp = p - t[2];
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+               d6 = dot(ac, cp);
   if (d1 <= 0 && d2 <= 0) return t[0];
   if (d3 >= 0 && d4 <= d3) return t[1];
   if (d6 >= 0 && d5 <= d6) return t[2];
@@ -38,7 +39,8 @@ std::vector<Corners> triangles_of(const ArchetypeMesh& tree) {
   return all;
 }
 
-// No point of the piece is farther from the shape: the distance to one triangle is convex, so its corners tell. Cut in four `times` times for a closer bound.
+// No point of the piece is farther from the shape: the distance to one triangle is convex, so its corners tell. Cut in
+// four `times` times for a closer bound.
 double bound_on(const Corners& piece, const std::vector<Corners>& shape, int times) {
   if (times > 0) {
     const Vec3 ab = (piece[0] + piece[1]) * 0.5, bc = (piece[1] + piece[2]) * 0.5, ca = (piece[2] + piece[0]) * 0.5;
@@ -75,7 +77,8 @@ TEST(ArchetypeMesh, DeviatesByNoMoreThanItsError) {
 TEST(ArchetypeMesh, TakesFewerTrianglesTheCoarserItMayBe) {
   for (const Archetype archetype : kAll) {
     std::vector<std::size_t> counts;
-    for (const double tolerance : kDetails) counts.push_back(triangles_of(archetype_mesh(archetype, 1, tolerance)).size());
+    for (const double tolerance : kDetails)
+      counts.push_back(triangles_of(archetype_mesh(archetype, 1, tolerance)).size());
     EXPECT_GE(counts[0], 100u);
     EXPECT_LE(counts[0], 350u);
     EXPECT_GE(counts[0], 2 * counts[1]);
@@ -127,8 +130,10 @@ TEST(ArchetypeMesh, ClosesItsCrowns) {
         six += dot(crown.positions[t[0]], cross(crown.positions[t[1]], crown.positions[t[2]]));
         for (int i = 0; i < 3; ++i) {
           const Vec3 a = crown.positions[t[i]], b = crown.positions[t[(i + 1) % 3]];
-          if (a < b) ++open[{a, b}];
-          else --open[{b, a}];
+          if (a < b)
+            ++open[{a, b}];
+          else
+            --open[{b, a}];
         }
       }
       EXPECT_GT(six, 0);

@@ -19,7 +19,8 @@ using map::SurfaceClass;
 map::Heightfield sloping(double grade) {
   map::Heightfield field{{-512, -512}, 16, 65, 65, {}, 0};
   for (int j = 0; j < 65; ++j)
-    for (int i = 0; i < 65; ++i) field.heights.push_back(static_cast<std::int32_t>(grade * (i * 16) / map::kHeightQuantum_m));
+    for (int i = 0; i < 65; ++i)
+      field.heights.push_back(static_cast<std::int32_t>(grade * (i * 16) / map::kHeightQuantum_m));
   return field;
 }
 
@@ -32,8 +33,10 @@ Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, 
 
 // A wood with a road through it, a lake and a house in it.
 std::vector<Surface> wooded() {
-  return {surface(1, SurfaceClass::kForest, block(-250, -230, 240, 250)), surface(2, SurfaceClass::kResidentialRoad, block(-300, -3, 300, 3)),
-          surface(3, SurfaceClass::kLake, block(60, 40, 140, 110)), surface(4, SurfaceClass::kBuilding, block(-100, 50, -80, 70))};
+  return {surface(1, SurfaceClass::kForest, block(-250, -230, 240, 250)),
+          surface(2, SurfaceClass::kResidentialRoad, block(-300, -3, 300, 3)),
+          surface(3, SurfaceClass::kLake, block(60, 40, 140, 110)),
+          surface(4, SurfaceClass::kBuilding, block(-100, 50, -80, 70))};
 }
 
 const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, 7.5, 0.4, 15}};
@@ -57,7 +60,8 @@ TEST(Expand, KeepsTrunksApartOnTheGround) {
     const auto trees = joined(placed_in(kAll, grade, report));
     double nearest = 1e9;
     for (std::size_t i = 0; i < trees.size(); ++i)
-      for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 8; ++j) nearest = std::min(nearest, length(trees[j].at - trees[i].at));
+      for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 8; ++j)
+        nearest = std::min(nearest, length(trees[j].at - trees[i].at));
     EXPECT_GE(nearest, 7.5 - 0.01);
     EXPECT_LT(nearest, 8);
   }
@@ -74,7 +78,8 @@ TEST(Expand, FillsTheWood) {
   Report report;
   const auto trees = joined(placed_in(kAll, 0, report));
   const double wood_m2 = 490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5;
-  // disks of the spacing cover a plane to 0.907 at most, by random dart throwing to 0.547, in circles of half the spacing
+  // disks of the spacing cover a plane to 0.907 at most, by random dart throwing to 0.547, in circles of half the
+  // spacing
   const double cover = static_cast<double>(trees.size()) * 3.14159 * 3.75 * 3.75 / wood_m2;
   EXPECT_GT(cover, 0.38);
   EXPECT_LT(cover, 0.6);
@@ -112,7 +117,9 @@ TEST(Expand, DependsOnNothingBeyondItsReach) {
   Report report;
   const Box2 box = {{-64, -64}, {64, 64}};
   std::vector<Surface> surfaces = wooded();
-  const auto plant = [&] { return joined(expand({}, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), sloping(0.1), box, 7, report)); };
+  const auto plant = [&] {
+    return joined(expand({}, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), sloping(0.1), box, 7, report));
+  };
   const auto before = plant();
   // a clearing that begins just beyond
   surfaces.push_back(surface(5, SurfaceClass::kBuilding, block(128.5, -200, 230, 200)));
@@ -132,11 +139,16 @@ TEST(Expand, CountsThePlacesThatStayUndecided) {
 
 TEST(Expand, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   Report report;
-  const auto tree = [](std::int64_t id, Vec2 at) { return Tree{{{OsmType::kNode, id}, 0}, at, 11, Archetype::kBroadLeaved}; };
-  const std::vector<Tree> trees = {tree(1, {0, 0}), tree(2, {100, 80}), tree(3, {-90, 60}), tree(4, {-290, 20}), tree(5, {10, 10})};
+  const auto tree = [](std::int64_t id, Vec2 at) {
+    return Tree{{{OsmType::kNode, id}, 0}, at, 11, Archetype::kBroadLeaved};
+  };
+  const std::vector<Tree> trees = {tree(1, {0, 0}), tree(2, {100, 80}), tree(3, {-90, 60}), tree(4, {-290, 20}),
+                                   tree(5, {10, 10})};
   const Placed placed = placed_in({{-256, -64}, {256, 256}}, 0, report, trees);
   const auto& broad = placed[0];
-  EXPECT_EQ(std::count_if(broad.begin(), broad.end(), [](const Placement& p) { return p.feature.type == OsmType::kNode; }), 1);
+  EXPECT_EQ(
+      std::count_if(broad.begin(), broad.end(), [](const Placement& p) { return p.feature.type == OsmType::kNode; }),
+      1);
   EXPECT_EQ(report.counts()[Code::kTreeOnRoad], 3u);
   EXPECT_TRUE(report.balances());
 }
@@ -154,7 +166,8 @@ TEST(Expand, StandsTreesOnTheGroundOnTheGrid) {
 
 TEST(Plan, KeepsEveryTreeAndFindsTheWoods) {
   map::Features features;
-  features.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, true}, {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench, 0, false}};
+  features.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, true},
+                     {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench, 0, false}};
   Report report;
   const Plants plants = plan(features, wooded(), report);
   ASSERT_EQ(plants.trees.size(), 1u);
