@@ -1,5 +1,7 @@
 #include "compiler/plants/plan.h"
 
+#include <algorithm>
+
 namespace citykiln::plants {
 namespace {
 
@@ -30,6 +32,9 @@ Plants plan(const map::Features& features, std::span<const ground::Surface> surf
     for (const WoodRow& row : kWoods)
       if (row.surface == surface.surface)
         plants.woods.push_back({surface.id, row.spacing_m, row.needle_255ths / 255.0, row.height_m});
+  std::sort(plants.trees.begin(), plants.trees.end(), [](const Tree& a, const Tree& b) { return a.id < b.id; });
+  std::sort(plants.woods.begin(), plants.woods.end(),
+            [](const Wood& a, const Wood& b) { return a.surface < b.surface; });
   report.account("plants", "tree") = account;
   return plants;
 }

@@ -1,10 +1,11 @@
 #include "compiler/props/expand.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
+#include "compiler/props/follow_ground.h"
 
 namespace citykiln::props {
 namespace {
@@ -15,41 +16,46 @@ using materials::Material;
 
 // The band's foot reaches below the ground, which a coarse level may lower.
 constexpr double kFoot_m = 0.5;
-// Pieces of a band are at most this long, so that it follows the ground.
-constexpr double kPiece_m = 8;
+// A mitre is at most this many times the half width; sharper bends are cut off.
+constexpr double kLongestMitre = 2;
 
 Material material_of(BarrierKind kind) {
   switch (kind) {
-    case BarrierKind::kHedge: return Material::kHedge;
-    case BarrierKind::kFence: return Material::kTimber;
-    case BarrierKind::kGuardRail: return Material::kPaintedMetal;
-    case BarrierKind::kRetainingWall: return Material::kConcrete;
-    default: return Material::kStone;
+    case BarrierKind::kHedge:
+      return Material::kHedge;
+    case BarrierKind::kFence:
+      return Material::kTimber;
+    case BarrierKind::kGuardRail:
+      return Material::kPaintedMetal;
+    case BarrierKind::kRetainingWall:
+      return Material::kConcrete;
+    default:
+      return Material::kStone;
   }
 }
 
-Polyline in_pieces(const Polyline& axis) {
-  Polyline points = {axis.front()};
-  for (std::size_t i = 1; i < axis.size(); ++i) {
-    const int pieces = std::max(1, static_cast<int>(distance(axis[i - 1], axis[i]) / kPiece_m) + 1);
-    for (int k = 1; k <= pieces; ++k) points.push_back(snapped(axis[i - 1] + (axis[i] - axis[i - 1]) * (static_cast<double>(k) / pieces)));
-  }
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
-// Sideways at a point: along the mean of the two pieces' normals, not farther than twice the half width at sharp bends.
-Vec2 side_at(const Polyline& points, std::size_t i) {
-  const Vec2 before = i > 0 ? unit(points[i] - points[i - 1]) : Vec2{}, after = i + 1 < points.size() ? unit(points[i + 1] - points[i]) : Vec2{};
-  const Vec2 mean = unit(before + after) == Vec2{} ? before : unit(before + after);
-  return left_of(mean) * (1 / std::max(0.5, std::max(dot(mean, before), dot(mean, after))));
+// The way from the axis to the left side at a point, for half a width of 1: square to it, mitred between two pieces;
+// around the end of a closed one too.
+Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
+  const std::size_t last = axis.size() - 1;
+  const auto direction = [&](std::size_t a) { return unit(in_plan(axis[a + 1] - axis[a])); };
+  const Vec2 before = direction(i > 0       ? i - 1
+                                : is_closed ? last - 1
+                                            : 0),
+             after = direction(i < last    ? i
+                               : is_closed ? 0
+                                           : last - 1);
+  const Vec2 middle = unit(before + after);
+  if (middle == Vec2{}) return left_of(before);
+  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kLongestMitre);
 }
 
 // Four corners a point: left foot, left top, right top, right foot.
-void add_profile(Mesh& mesh, Vec2 p, Vec2 side, double ground_m, double height_m) {
-  const Vec2 left = snapped(p + side), right = snapped(p - side);
-  const double foot = snapped(ground_m - kFoot_m), top = snapped(ground_m + height_m);
-  for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)}) mesh.positions.push_back(corner);
+void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
+  const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
+  const double foot = snapped(at.z - kFoot_m), top = snapped(at.z + height_m);
+  for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)})
+    mesh.positions.push_back(corner);
 }
 
 void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -63,9 +69,11 @@ void add_tube(Mesh& mesh, int sides, double bottom_m, double top_m, double botto
   const auto n = static_cast<std::uint32_t>(sides);
   for (int i = 0; i < sides; ++i) {
     const Vec2 d = direction_of(static_cast<double>(i) / sides);
-    mesh.positions.push_back(at_height(d * bottom_radius_m, bottom_m)), mesh.positions.push_back(at_height(d * top_radius_m, top_m));
+    mesh.positions.push_back(snapped(at_height(d * bottom_radius_m, bottom_m)));
+    mesh.positions.push_back(snapped(at_height(d * top_radius_m, top_m)));
   }
-  for (std::uint32_t i = 0; i < n; ++i) add_quad(mesh, first + 2 * i, first + 2 * ((i + 1) % n), first + 2 * ((i + 1) % n) + 1, first + 2 * i + 1);
+  for (std::uint32_t i = 0; i < n; ++i)
+    add_quad(mesh, first + 2 * i, first + 2 * ((i + 1) % n), first + 2 * ((i + 1) % n) + 1, first + 2 * i + 1);
   for (std::uint32_t i = 1; i + 1 < n; ++i) mesh.triangles.push_back({first + 1, first + 2 * i + 1, first + 2 * i + 3});
 }
 
@@ -73,22 +81,27 @@ void add_tube(Mesh& mesh, int sides, double bottom_m, double top_m, double botto
 
 Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double tolerance_m) {
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
-  DressedMesh band{{}, material_of(barrier.kind), materials::kNoTint, barrier.id.osm};
-  const Polyline points = in_pieces(barrier.axis);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    add_profile(band.mesh, points[i], side_at(points, i) * (barrier.width_m / 2), map::height_m_at(heights, points[i]), barrier.height_m);
-  for (std::uint32_t i = 0; i + 1 < points.size(); ++i)
-    for (std::uint32_t k = 0; k < 3; ++k) add_quad(band.mesh, 4 * i + k, 4 * i + k + 1, 4 * i + k + 5, 4 * i + k + 4);
-  const auto last = static_cast<std::uint32_t>(4 * (points.size() - 1));
-  add_quad(band.mesh, 3, 2, 1, 0);
-  add_quad(band.mesh, last, last + 1, last + 2, last + 3);
-  return {{std::move(band)}, 0};
+  const std::vector<Vec3> axis = follow_ground(barrier.axis, heights);
+  if (axis.size() < 2) return {};
+  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
+  Mesh band;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    add_profile(band, axis[i], side_at(axis, i, is_closed) * (barrier.width_m / 2), barrier.height_m);
+  for (std::uint32_t i = 0; i + 1 < axis.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k) add_quad(band, 4 * i + k, 4 * i + k + 1, 4 * i + k + 5, 4 * i + k + 4);
+  const auto last = static_cast<std::uint32_t>(4 * (axis.size() - 1));
+  if (!is_closed) {
+    add_quad(band, 3, 2, 1, 0);
+    add_quad(band, last, last + 1, last + 2, last + 3);
+  }
+  return {{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}}, 0};
 }
 
 Expanded lamp_mesh(double height_m, double tolerance_m) {
   if (height_m <= tolerance_m) return {{}, height_m};
   // a lamp 1 m tall: the pole, and a lantern on it
-  DressedMesh pole{{}, Material::kPaintedMetal, materials::kNoTint, {}}, lantern{{}, Material::kLampGlass, materials::kNoTint, {}};
+  DressedMesh pole{{}, Material::kPaintedMetal, materials::kNoTint, {}},
+      lantern{{}, Material::kLampGlass, materials::kNoTint, {}};
   add_tube(pole.mesh, 6, 0, 0.93, 0.013, 0.008);
   add_tube(lantern.mesh, 6, 0.93, 0.98, 0.014, 0.034);
   add_tube(pole.mesh, 6, 0.98, 1.0, 0.040, 0.010);

@@ -1,5 +1,7 @@
 #include "compiler/props/plan.h"
 
+#include <algorithm>
+
 namespace citykiln::props {
 namespace {
 
@@ -25,6 +27,8 @@ Props plan(const map::Features& features, Report& report) {
     ++points.out;
     props.lamps.push_back({point.id, point.at, point.height_m > 0 ? point.height_m : kLampHeight_m});
   }
+  std::sort(props.barriers.begin(), props.barriers.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::sort(props.lamps.begin(), props.lamps.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   report.account("props", "barrier") = barriers;
   report.account("props", "point") = points;
   return props;

@@ -9,7 +9,7 @@ namespace citykiln::props {
 
 struct Barrier {
   ObjectId id;
-  Polyline axis;               ///< Plane metres, snapped.
+  Polyline axis;  ///< Plane metres, snapped.
   map::BarrierKind kind{};
   double height_m = 0, width_m = 0;
   bool operator==(const Barrier&) const = default;
