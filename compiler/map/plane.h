@@ -28,7 +28,7 @@ class Plane {
   LonLat origin() const;
   Vec2 forward(LonLat place) const;  ///< Not snapped.
   LonLat backward(Vec2 p) const;
-  /// forward, snapped to kMapStep_m; points within 1e-6 step of a tie are computed again in higher precision, so that every CPU agrees.
+  /// forward, snapped to kMapStep_m; points within 1e-5 step of a tie are computed again in higher precision, so that every CPU agrees.
   Vec2 snapped_forward(source::Location place) const;
 
  private:
