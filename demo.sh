@@ -20,7 +20,7 @@ if ! is_fresh "$out/report.json" "$citykiln" "$town"; then
   "$citykiln" compile --spec "$town/spec.json" -o "$out"
 fi
 if ! is_fresh "$out/preview.png" "$citykiln" "$out/report.json"; then
-  "$citykiln" preview "$out" --level 0 --view overview --size 1280x720 --spp 64 -o "$out/preview.png"
+  "$citykiln" preview "$out" --level 0 --view low --size 1280x720 --spp 64 -o "$out/preview.png"
 fi
 
 echo

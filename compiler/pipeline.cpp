@@ -23,8 +23,8 @@ namespace {
 bool holds_nothing(const map::Features& features);
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report);
-Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region, double resampling_error_m,
-                               const std::vector<std::string>& credits);
+Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                               double resampling_error_m, const std::vector<std::string>& credits);
 
 }  // namespace
 
@@ -69,7 +69,8 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 
   // the light on it, and all of it sorted into tiles
   watch.enter("assemble");
-  const Result<scene::Header> header = describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
+  const Result<scene::Header> header =
+      describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), watch.finish()};
@@ -96,7 +97,8 @@ namespace {
 constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
 
 bool holds_nothing(const map::Features& f) {
-  return f.tracks.empty() && f.footprints.empty() && f.areas.empty() && f.waterways.empty() && f.barriers.empty() && f.points.empty();
+  return f.tracks.empty() && f.footprints.empty() && f.areas.empty() && f.waterways.empty() && f.barriers.empty() &&
+         f.points.empty();
 }
 
 /// The box of degrees that holds a box of the plane. Its sides bend, so corners and middles of sides are asked.
@@ -113,8 +115,8 @@ source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
 }
 
 /// The samples that the window needs, voids filled.
-Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs, const source::LonLatBox& window,
-                                                 Report& report) {
+Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs,
+                                                 const source::LonLatBox& window, Report& report) {
   std::vector<source::Raster> rasters;
   for (const source::RasterSpec& spec : specs) {
     Result<source::Raster> raster = source::read_raster(spec, &window);
@@ -137,8 +139,9 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   report.append(here);
   const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
   if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
-    return Error{spec.rasters.front().path, fmt::format("covers nothing of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f}",
-                                                        window.west, window.south, window.east, window.north)};
+    return Error{spec.rasters.front().path,
+                 fmt::format("covers nothing of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f}", window.west,
+                             window.south, window.east, window.north)};
   }
   return heights;
 }
@@ -157,8 +160,8 @@ Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::Ti
 std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 /// What holds for the scene as a whole.
-Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region, double resampling_error_m,
-                               const std::vector<std::string>& credits) {
+Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                               double resampling_error_m, const std::vector<std::string>& credits) {
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
   scene::Header header{plane.origin(), region, spec.tile_m, spec.seed, resampling_error_m, std::move(*sky), {}, {}};

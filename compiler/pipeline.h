@@ -23,18 +23,18 @@ struct Compiled {
 
 /// From a map and heightmaps to the scene: every object's recipe, and the ledger of how it became one.
 ///
-/// Guarantees: same inputs and spec, same scene, whatever the threads and the order of elements in the file; a tile asked for by spec.only is the
-/// tile that the whole holds.
-/// Errors: an input that cannot be read; a map that holds nothing to compile; heightmaps that cover nothing of the map; tiles outside of it.
-/// Cost: the stages', each linear but for the read's sorting; memory that of the extract.
+/// Guarantees: same inputs and spec, same scene, whatever the threads and the order of elements in the file; a tile
+/// asked for by spec.only is the tile that the whole holds. Errors: an input that cannot be read; a map that holds
+/// nothing to compile; heightmaps that cover nothing of the map; tiles outside of it. Cost: the stages', each linear
+/// but for the read's sorting; memory that of the extract.
 Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress);
 
 /// Takes one tile at one level; an error ends the firing.
 using TakeBaked = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 
-/// Bakes every chunk at every tolerance, one tile at a time and in the order of tiles then levels, and hands each on. What the tolerances drop is added to
-/// `report`. Memory: one baked tile.
-Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report, const OnProgress& on_progress,
-                  const TakeBaked& take);
+/// Bakes every chunk at every tolerance, one tile at a time and in the order of tiles then levels, and hands each on.
+/// What the tolerances drop is added to `report`. Memory: one baked tile.
+Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                  const OnProgress& on_progress, const TakeBaked& take);
 
 }  // namespace citykiln

@@ -44,7 +44,8 @@ Result<bool> parse_switch(std::string_view text) {
   return expected("true or false", text);
 }
 
-// ---- one function a setting, in the order of the table -------------------------------------------------------------------------------
+// ---- one function a setting, in the order of the table
+// -------------------------------------------------------------------------------
 
 Result<Done> set_map(CompileSpec& spec, std::string_view text) {
   spec.map_path = text;
@@ -174,7 +175,8 @@ Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(p
 
 constexpr Setting kSettings[] = {
     {"map", "FILE", "the extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
-    {"dem", "FILE[,key=value...]", "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
+    {"dem", "FILE[,key=value...]",
+     "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
     {"bbox", "W,S,E,N", "what to compile, degrees; else the extract's own box", false, set_bbox},
     {"origin", "LON,LAT", "of the plane, degrees; else the box's centre to 0.01°", false, set_origin},
     {"tile", "M", "size of a tile, a whole multiple of 128 m (1024)", false, set_tile},
@@ -184,7 +186,8 @@ constexpr Setting kSettings[] = {
     {"lods", "M,M,...", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
     {"world", "plane", "what the plane is bent into (plane)", false, set_world},
     {"compress", "none", "of glb (none)", false, set_compress},
-    {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false, set_instancing},
+    {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false,
+     set_instancing},
     {"drive-on", "left|right", "side of the road (right)", false, set_drive_on},
     {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
     {"seed", "N", "of all chance (0)", false, set_seed},
@@ -205,7 +208,8 @@ std::string text_of(const json& value) {
 std::string place_of(const std::string& path, std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
-  return fmt::format("{}:{}:{}", path, std::count(before.begin(), before.end(), '\n') + 1, before.size() - line_begin + 1);
+  return fmt::format("{}:{}:{}", path, std::count(before.begin(), before.end(), '\n') + 1,
+                     before.size() - line_begin + 1);
 }
 
 Result<Done> apply_json(const Setting& setting, const json& value, CompileSpec& spec) {
@@ -292,7 +296,8 @@ std::string to_string(scene::TileKey tile) { return fmt::format("{}_{}", tile.x,
 Result<double> parse_number(std::string_view text) {
   double number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return expected("a number", text);
+  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+    return expected("a number", text);
   return number;
 }
 
@@ -312,7 +317,8 @@ Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least) {
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = problem == std::errc() && end == text.data() + text.size();
   // what counts threads, pixels or paths fits into an int
-  if (!is_whole || number < least || number > 0x7fffffff) return expected(fmt::format("a whole number from {} on", least), text);
+  if (!is_whole || number < least || number > 0x7fffffff)
+    return expected(fmt::format("a whole number from {} on", least), text);
   return number;
 }
 

@@ -1,7 +1,7 @@
 // What a compile is asked to do: inputs, bounds, chance, levels, outputs, and one Options per stage that has any.
 //
-// Every setting has one name, on the command line (--tile 512) and in spec.json ("tile": 512) alike; the table of settings() is the only
-// place that knows them.
+// Every setting has one name, on the command line (--tile 512) and in spec.json ("tile": 512) alike; the table of
+// settings() is the only place that knows them.
 #pragma once
 
 #include <cstdint>
@@ -24,28 +24,30 @@ struct Outputs {
   bool manifest = true;             ///< scene.kiln
   bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
   bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
-  std::vector<double> ladder_m{kDefaultLadder_m.begin(), kDefaultLadder_m.end()};  ///< Tolerances, rising; level n is the n-th.
+  std::vector<double> ladder_m{kDefaultLadder_m.begin(),
+                               kDefaultLadder_m.end()};  ///< Tolerances, rising; level n is the n-th.
 };
 
 struct CompileSpec {
   std::string map_path;
   std::vector<source::RasterSpec> rasters;  ///< Where several cover a place, the first wins.
   map::Options map;
-  double tile_m = 1024;               ///< A whole multiple of map::kCell_m.
-  std::vector<scene::TileKey> only;   ///< If not empty, only these tiles are compiled.
+  double tile_m = 1024;              ///< A whole multiple of map::kCell_m.
+  std::vector<scene::TileKey> only;  ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
-  std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
-  int threads = 0;                    ///< 0: as many as the machine has. Never changes a byte.
-  bool is_strict = false;             ///< Exit 2 where data was mended or dropped.
+  std::string time;        ///< Of the sky, ISO 8601, UTC; see sky::plan.
+  int threads = 0;         ///< 0: as many as the machine has. Never changes a byte.
+  bool is_strict = false;  ///< Exit 2 where data was mended or dropped.
   Outputs outputs;
 };
 
 /// One thing that can be set.
 struct Setting {
-  std::string_view name;   ///< "tile"
-  std::string_view value;  ///< How its value is written: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false".
+  std::string_view name;  ///< "tile"
+  std::string_view
+      value;  ///< How its value is written: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false".
   std::string_view help;
-  bool repeats = false;    ///< May be given several times; the values add up.
+  bool repeats = false;  ///< May be given several times; the values add up.
   Result<Done> (*apply)(CompileSpec& spec, std::string_view text);
 };
 
@@ -55,8 +57,9 @@ std::span<const Setting> settings();
 /// Sets one. Errors name the setting and what it takes; the spec is then unchanged.
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
 
-/// Reads spec.json: an object whose keys are names of settings; values are texts, numbers, true or false, or arrays of these. Paths are relative to
-/// where the program runs. Errors: a missing file, malformed JSON (line, column), an unknown key, a value that does not parse.
+/// Reads spec.json: an object whose keys are names of settings; values are texts, numbers, true or false, or arrays of
+/// these. Paths are relative to where the program runs. Errors: a missing file, malformed JSON (line, column), an
+/// unknown key, a value that does not parse.
 Result<CompileSpec> read_spec(const std::string& path);
 
 /// What the spec must hold whatever way it was made: a map, a folder. The error says which is missing.

@@ -7,9 +7,7 @@
 namespace citykiln {
 namespace {
 
-double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// The kernel's high-water mark of resident memory; 0 where there is no /proc.
 std::uint64_t peak_resident_bytes() {
@@ -23,7 +21,8 @@ std::uint64_t peak_resident_bytes() {
   return 0;
 }
 
-/// Sets the high-water mark back to what is resident now (proc(5), clear_refs, 5), so that the next stage is measured alone.
+/// Sets the high-water mark back to what is resident now (proc(5), clear_refs, 5), so that the next stage is measured
+/// alone.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 }  // namespace

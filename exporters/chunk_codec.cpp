@@ -13,17 +13,61 @@ namespace {
 
 using scene::Chunk;
 
-constexpr const char* kStreamNames[] = {
-    "point step", "field", "heights", "points", "x", "y", "point jumps", "id type", "id", "part", "surfaces", "surface class", "surface area", "surface rings",
-    "ring points", "roads", "streams", "road points", "road class", "road width", "road ends", "bridges", "tunnels", "span points", "span z", "span class",
-    "span width", "buildings", "footprint points", "footprint holes", "hole points", "building bottom", "building top", "building stands", "wall", "roof",
-    "colours", "colour values", "trees", "tree height", "tree kind", "woods", "wood", "barriers", "barrier points", "barrier kind", "barrier height",
-    "barrier width", "lamps", "lamp height"};
+constexpr const char* kStreamNames[] = {"point step",
+                                        "field",
+                                        "heights",
+                                        "points",
+                                        "x",
+                                        "y",
+                                        "point jumps",
+                                        "id type",
+                                        "id",
+                                        "part",
+                                        "surfaces",
+                                        "surface class",
+                                        "surface area",
+                                        "surface rings",
+                                        "ring points",
+                                        "roads",
+                                        "streams",
+                                        "road points",
+                                        "road class",
+                                        "road width",
+                                        "road ends",
+                                        "bridges",
+                                        "tunnels",
+                                        "span points",
+                                        "span z",
+                                        "span class",
+                                        "span width",
+                                        "buildings",
+                                        "footprint points",
+                                        "footprint holes",
+                                        "hole points",
+                                        "building bottom",
+                                        "building top",
+                                        "building stands",
+                                        "wall",
+                                        "roof",
+                                        "colours",
+                                        "colour values",
+                                        "trees",
+                                        "tree height",
+                                        "tree kind",
+                                        "woods",
+                                        "wood",
+                                        "barriers",
+                                        "barrier points",
+                                        "barrier kind",
+                                        "barrier height",
+                                        "barrier width",
+                                        "lamps",
+                                        "lamp height"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 
-// Points that several rings and lines share are written once. A point is a step along the list of those that came before (a shared border is followed
-// forwards or backwards), a jump to one of them, or new.
+// Points that several rings and lines share are written once. A point is a step along the list of those that came
+// before (a shared border is followed forwards or backwards), a jump to one of them, or new.
 enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
 
 // The map's own points lie on its step; a chunk with a finer point is written in the plane's finest.
@@ -55,7 +99,9 @@ struct Writer {
 
   void number(const char* name, auto& value) { streams[name].put(static_cast<std::uint64_t>(value)); }
   void delta(const char* name, auto& value) { streams[name].put_delta(static_cast<std::int64_t>(value)); }
-  void metres(const char* name, double& value) { streams[name].put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5))); }
+  void metres(const char* name, double& value) {
+    streams[name].put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5)));
+  }
   void real(const char* name, double& value) { streams[name].put_double(value); }
   std::size_t count(const char* name, std::size_t size) {
     streams[name].put(size);
@@ -74,7 +120,8 @@ struct Reader {
   void point(Vec2& p) {
     const std::uint64_t code = of("points").get();
     if (code == kNewPoint) {
-      p.x = static_cast<double>(of("x").get_delta()) * point_step_m, p.y = static_cast<double>(of("y").get_delta()) * point_step_m;
+      p.x = static_cast<double>(of("x").get_delta()) * point_step_m,
+      p.y = static_cast<double>(of("y").get_delta()) * point_step_m;
       last = static_cast<std::int64_t>(known.size());
       known.push_back(p);
       return;
@@ -197,7 +244,8 @@ void building(auto& io, buildings::Building& b) {
   list(io, "footprint holes", b.footprint.holes, 0, [&](Ring& hole) { points(io, "hole points", hole, 3); });
   io.metres("building bottom", b.bottom_m), io.metres("building top", b.top_m);
   flag(io, "building stands", b.stands_on_ground);
-  enumerator(io, "wall", b.wall, materials::Material::kCount), enumerator(io, "roof", b.roof, materials::Material::kCount);
+  enumerator(io, "wall", b.wall, materials::Material::kCount),
+      enumerator(io, "roof", b.roof, materials::Material::kCount);
   colour(io, b.wall_colour), colour(io, b.roof_colour);
 }
 
@@ -212,7 +260,8 @@ void wood(auto& io, plants::Wood& w) {
   io.real("wood", w.spacing_m), io.real("wood", w.needle_share), io.real("wood", w.height_m);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
     // what would ask for a million trees a hectare, or none, is no wood
-    const bool is_wood = w.spacing_m >= 1 && w.spacing_m <= scene::kHalo_m && w.needle_share >= 0 && w.needle_share <= 1 && w.height_m > 0 && w.height_m <= 200;
+    const bool is_wood = w.spacing_m >= 1 && w.spacing_m <= scene::kHalo_m && w.needle_share >= 0 &&
+                         w.needle_share <= 1 && w.height_m > 0 && w.height_m <= 200;
     if (!is_wood) io.fail("wood");
   }
 }
@@ -250,7 +299,9 @@ void heights(Io& io, map::Heightfield& h) {
   io.metres("field", h.resampling_error_m);
   const std::size_t size = io.count("field", h.heights.size());
   if constexpr (Io::kReads) {
-    const bool fits = h.columns >= 2 && h.rows >= 2 && h.step_m >= 1 && static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size && size < kMostPerFile;
+    const bool fits = h.columns >= 2 && h.rows >= 2 && h.step_m >= 1 &&
+                      static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size &&
+                      size < kMostPerFile;
     if (!fits) return io.fail("field");
     h.heights.resize(size);
   }
@@ -263,7 +314,9 @@ void heights(Io& io, map::Heightfield& h) {
     std::int64_t off = (h.heights[i] - foretold(h, i)) >> shift;
     std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
     io.number("heights", zigzag);
-    if constexpr (Io::kReads) h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) + ((zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift));
+    if constexpr (Io::kReads)
+      h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) +
+                                               ((zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift));
   }
 }
 

@@ -20,8 +20,8 @@ std::span<const char* const> stream_names();
 /// Lossless for coordinates that are multiples of 2^-10 m.
 Streams encode_chunk(const scene::Chunk& chunk);
 
-/// Nothing where a stream is missing, too short or too long, or says what no chunk can be (an enumerator that does not exist, a grid of the wrong size,
-/// an axis of one point, a height that is not finite). `wrong` then names the stream.
+/// Nothing where a stream is missing, too short or too long, or says what no chunk can be (an enumerator that does not
+/// exist, a grid of the wrong size, an axis of one point, a height that is not finite). `wrong` then names the stream.
 std::optional<scene::Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong);
 
 }  // namespace citykiln::exporters

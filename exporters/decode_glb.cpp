@@ -36,14 +36,16 @@ const T& item(const std::vector<T>& items, int index, const char* what) {
 std::span<const unsigned char> bytes_of(const tinygltf::Model& model, int view_number) {
   const tinygltf::BufferView& view = item(model.bufferViews, view_number, "a buffer view that exists");
   const auto& data = item(model.buffers, view.buffer, "a buffer that exists").data;
-  expect(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset, "buffer views inside the buffer");
+  expect(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
+         "buffer views inside the buffer");
   return std::span(data).subspan(view.byteOffset, view.byteLength);
 }
 
 template <typename T>
 std::vector<T> values_of(const tinygltf::Model& model, int accessor_number, int component, int type) {
   const tinygltf::Accessor& accessor = item(model.accessors, accessor_number, "an accessor that exists");
-  expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0, "accessors as citykiln writes them");
+  expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0,
+         "accessors as citykiln writes them");
   const auto bytes = bytes_of(model, accessor.bufferView);
   expect(accessor.count <= bytes.size() / sizeof(T), "accessors inside their buffer view");
   std::vector<T> values(accessor.count);
@@ -98,15 +100,19 @@ double element(const Value& array, std::size_t i) {
 
 materials::Material material_named(const std::string& name) {
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
-    if (materials::values_of(static_cast<materials::Material>(m)).name == name) return static_cast<materials::Material>(m);
+    if (materials::values_of(static_cast<materials::Material>(m)).name == name)
+      return static_cast<materials::Material>(m);
   throw Wrong{"a material that citykiln has, not \"" + name + "\""};
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& model, int accessor, std::size_t vertices) {
-  const bool narrow = item(model.accessors, accessor, "an accessor that exists").componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& model, int accessor,
+                                                       std::size_t vertices) {
+  const bool narrow = item(model.accessors, accessor, "an accessor that exists").componentType ==
+                      TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   std::vector<std::uint32_t> indices;
   if (narrow) {
-    const auto values = values_of<std::uint16_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+    const auto values =
+        values_of<std::uint16_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
     indices.assign(values.begin(), values.end());
   } else {
     indices = values_of<std::uint32_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
@@ -123,20 +129,27 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& mo
 Primitive primitive_of(const tinygltf::Model& model, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   out.material = material_named(item(model.materials, p.material, "a material that exists").name);
-  out.positions = turned(values_of<Float3>(model, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.normals = turned(values_of<Float3>(model, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.colours = values_of<materials::Tint>(model, attribute(p.attributes, "COLOR_0"), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  out.positions = turned(
+      values_of<Float3>(model, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.normals = turned(
+      values_of<Float3>(model, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.colours = values_of<materials::Tint>(model, attribute(p.attributes, "COLOR_0"),
+                                           TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
   if (p.attributes.count("_FEATURE_ID_0") != 0)
-    out.features = as_numbers(values_of<float>(model, attribute(p.attributes, "_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR), features);
+    out.features = as_numbers(values_of<float>(model, attribute(p.attributes, "_FEATURE_ID_0"),
+                                               TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
+                              features);
   const std::size_t n = out.positions.size();
-  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n), "as many values in each attribute");
+  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n),
+         "as many values in each attribute");
   out.triangles = triangles_of(model, p.indices, n);
   return out;
 }
 
 std::vector<Primitive> primitives_of(const tinygltf::Model& model, int mesh, std::size_t features) {
   std::vector<Primitive> primitives;
-  for (const tinygltf::Primitive& p : item(model.meshes, mesh, "a mesh that exists").primitives) primitives.push_back(primitive_of(model, p, features));
+  for (const tinygltf::Primitive& p : item(model.meshes, mesh, "a mesh that exists").primitives)
+    primitives.push_back(primitive_of(model, p, features));
   return primitives;
 }
 
@@ -147,7 +160,8 @@ std::vector<OsmId> features_of(const tinygltf::Model& model) {
   expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
   const Value& table = tables.Get(0);
   const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(model, whole(member(member(columns, "id"), "values"))), types = bytes_of(model, whole(member(member(columns, "type"), "values")));
+  const auto ids = bytes_of(model, whole(member(member(columns, "id"), "values"))),
+             types = bytes_of(model, whole(member(member(columns, "type"), "values")));
   const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
   expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
   std::vector<OsmId> features(count);
@@ -163,22 +177,30 @@ Instanced extended(const tinygltf::Model& model, const tinygltf::Node& node, std
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
   Instanced out{node.name, primitives_of(model, node.mesh, features), {}, {}, {}, {}};
-  out.translations = turned(values_of<Float3>(model, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.rotations = turned(values_of<Float4>(model, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
-  for (const Float3& s : values_of<Float3>(model, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3)) out.scales.push_back(s[0]);
-  out.features = as_numbers(values_of<float>(model, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR), features);
+  out.translations =
+      turned(values_of<Float3>(model, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.rotations =
+      turned(values_of<Float4>(model, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
+  for (const Float3& s : values_of<Float3>(model, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
+    out.scales.push_back(s[0]);
+  out.features = as_numbers(
+      values_of<float>(model, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
+      features);
   const std::size_t n = out.translations.size();
-  expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n, "as many values for each instance");
+  expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n,
+         "as many values for each instance");
   return out;
 }
 
 void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out) {
-  expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3, "a place for each instance");
+  expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3,
+         "a place for each instance");
   const auto f = [](double v) { return static_cast<float>(v); };
   const int feature = whole(member(node.extras, "feature"));
   expect(feature >= 0 && static_cast<std::size_t>(feature) < features, "feature ids inside the property table");
   out.translations.push_back(from_gltf(Float3{f(node.translation[0]), f(node.translation[1]), f(node.translation[2])}));
-  out.rotations.push_back(from_gltf(Float4{f(node.rotation[0]), f(node.rotation[1]), f(node.rotation[2]), f(node.rotation[3])}));
+  out.rotations.push_back(
+      from_gltf(Float4{f(node.rotation[0]), f(node.rotation[1]), f(node.rotation[2]), f(node.rotation[3])}));
   out.scales.push_back(f(node.scale[0]));
   out.features.push_back(static_cast<std::uint32_t>(feature));
 }
@@ -191,7 +213,8 @@ void add_instances(const tinygltf::Model& model, const tinygltf::Node& root, Bak
       tile.instanced.push_back(extended(model, node, tile.features.size()));
       continue;
     }
-    if (node.mesh != last_mesh) tile.instanced.push_back({node.name, primitives_of(model, node.mesh, tile.features.size()), {}, {}, {}, {}});
+    if (node.mesh != last_mesh)
+      tile.instanced.push_back({node.name, primitives_of(model, node.mesh, tile.features.size()), {}, {}, {}, {}});
     last_mesh = node.mesh;
     add_single(node, tile.features.size(), tile.instanced.back());
   }
@@ -217,9 +240,11 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
   tinygltf::Model model;
   std::string error, warning;
   constexpr std::size_t kHeaderBytes = 20;
-  if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data(), "glTF", 4) != 0) return Error{name, "expected a binary glTF file, which begins with glTF"};
+  if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data(), "glTF", 4) != 0)
+    return Error{name, "expected a binary glTF file, which begins with glTF"};
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data, static_cast<unsigned int>(bytes.size())))
+  if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data,
+                                                 static_cast<unsigned int>(bytes.size())))
     return Error{name, "expected binary glTF: " + error.substr(0, error.find('\n'))};
   try {
     return tile_of(model);

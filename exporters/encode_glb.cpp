@@ -39,7 +39,8 @@ struct Filling {
   int add_view(const std::vector<T>& values, int target) {
     buffer().resize((buffer().size() + 7) / 8 * 8, 0);
     tinygltf::BufferView view;
-    view.buffer = 0, view.byteOffset = buffer().size(), view.byteLength = values.size() * sizeof(T), view.target = target;
+    view.buffer = 0, view.byteOffset = buffer().size(), view.byteLength = values.size() * sizeof(T),
+    view.target = target;
     buffer().resize(view.byteOffset + view.byteLength);
     std::memcpy(buffer().data() + view.byteOffset, values.data(), view.byteLength);
     model.bufferViews.push_back(view);
@@ -48,13 +49,15 @@ struct Filling {
 
   int add_accessor(int view, int component, int type, std::size_t count, bool normalised = false) {
     tinygltf::Accessor accessor;
-    accessor.bufferView = view, accessor.componentType = component, accessor.type = type, accessor.count = count, accessor.normalized = normalised;
+    accessor.bufferView = view, accessor.componentType = component, accessor.type = type, accessor.count = count,
+    accessor.normalized = normalised;
     model.accessors.push_back(accessor);
     return static_cast<int>(model.accessors.size()) - 1;
   }
 
   template <typename T>
-  int add_attribute(const std::vector<T>& values, int component, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER, bool normalised = false) {
+  int add_attribute(const std::vector<T>& values, int component, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER,
+                    bool normalised = false) {
     return add_accessor(add_view(values, target), component, type, values.size(), normalised);
   }
 };
@@ -72,9 +75,11 @@ std::vector<float> as_floats(const std::vector<std::uint32_t>& numbers) { return
 int add_positions(Filling& f, const std::vector<Float3>& positions) {
   const std::vector<Float3> values = turned(positions);
   const int accessor = f.add_attribute(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  std::vector<double> low(3, std::numeric_limits<double>::infinity()), high(3, -std::numeric_limits<double>::infinity());
+  std::vector<double> low(3, std::numeric_limits<double>::infinity()),
+      high(3, -std::numeric_limits<double>::infinity());
   for (const Float3& p : values)
-    for (std::size_t c = 0; c < 3; ++c) low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
+    for (std::size_t c = 0; c < 3; ++c)
+      low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
   f.model.accessors.back().minValues = low, f.model.accessors.back().maxValues = high;
   return accessor;
 }
@@ -82,15 +87,19 @@ int add_positions(Filling& f, const std::vector<Float3>& positions) {
 int add_indices(Filling& f, const Primitive& p) {
   std::vector<std::uint32_t> wide;
   for (const auto& t : p.triangles) wide.insert(wide.end(), t.begin(), t.end());
-  if (p.positions.size() >= 65535) return f.add_attribute(wide, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  if (p.positions.size() >= 65535)
+    return f.add_attribute(wide, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                           TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
-  return f.add_attribute(narrow, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  return f.add_attribute(narrow, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
+                         TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
 }
 
 // The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
 Value feature_ids(Filling& f, const char* extension) {
   f.extensions.insert(extension);
-  const Object ids = {{"featureCount", whole(f.tile.features.size())}, {"attribute", Value(0)}, {"propertyTable", Value(0)}};
+  const Object ids = {
+      {"featureCount", whole(f.tile.features.size())}, {"attribute", Value(0)}, {"propertyTable", Value(0)}};
   return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
 }
 
@@ -113,9 +122,11 @@ tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
   out.material = material_number(f, p.material);
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
+                                              TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.features.empty()) {
-    out.attributes["_FEATURE_ID_0"] = f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
+    out.attributes["_FEATURE_ID_0"] =
+        f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
     out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
   }
   out.indices = add_indices(f, p);
@@ -141,10 +152,14 @@ void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<
   node.name = instanced.name, node.mesh = mesh;
   std::vector<Float3> scales;
   for (const float s : instanced.scales) scales.push_back({s, s, s});
-  const Object attributes = {{"TRANSLATION", Value(f.add_attribute(turned(instanced.translations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
-                             {"ROTATION", Value(f.add_attribute(turned(instanced.rotations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, 0))},
-                             {"SCALE", Value(f.add_attribute(scales, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
-                             {"_FEATURE_ID_0", Value(f.add_attribute(as_floats(instanced.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, 0))}};
+  const Object attributes = {
+      {"TRANSLATION",
+       Value(f.add_attribute(turned(instanced.translations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
+      {"ROTATION",
+       Value(f.add_attribute(turned(instanced.rotations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, 0))},
+      {"SCALE", Value(f.add_attribute(scales, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
+      {"_FEATURE_ID_0",
+       Value(f.add_attribute(as_floats(instanced.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, 0))}};
   node.extensions["EXT_mesh_gpu_instancing"] = Value(Object{{"attributes", Value(attributes)}});
   node.extensions["EXT_instance_features"] = feature_ids(f, "EXT_instance_features");
   f.extensions.insert("EXT_mesh_gpu_instancing");
@@ -169,15 +184,20 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
 Value property_table(Filling& f) {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint8_t> types;
-  for (const OsmId& id : f.tile.features) ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
+  for (const OsmId& id : f.tile.features)
+    ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
   const auto property = [](const char* name, const char* type, const char* what) {
-    return Value(Object{{"name", text(name)}, {"description", text(what)}, {"type", text("SCALAR")}, {"componentType", text(type)}});
+    return Value(Object{
+        {"name", text(name)}, {"description", text(what)}, {"type", text("SCALAR")}, {"componentType", text(type)}});
   };
   const Object osm = {{"id", property("OSM id", "UINT64", "id of the OpenStreetMap element")},
                       {"type", property("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation")}};
-  const Object schema = {{"id", text("citykiln")}, {"classes", Value(Object{{"osm", Value(Object{{"properties", Value(osm)}})}})}};
-  const Object rows = {{"id", Value(Object{{"values", Value(f.add_view(ids, 0))}})}, {"type", Value(Object{{"values", Value(f.add_view(types, 0))}})}};
-  const Object table = {{"name", text("osm")}, {"class", text("osm")}, {"count", whole(ids.size())}, {"properties", Value(rows)}};
+  const Object schema = {{"id", text("citykiln")},
+                         {"classes", Value(Object{{"osm", Value(Object{{"properties", Value(osm)}})}})}};
+  const Object rows = {{"id", Value(Object{{"values", Value(f.add_view(ids, 0))}})},
+                       {"type", Value(Object{{"values", Value(f.add_view(types, 0))}})}};
+  const Object table = {
+      {"name", text("osm")}, {"class", text("osm")}, {"count", whole(ids.size())}, {"properties", Value(rows)}};
   f.extensions.insert("EXT_structural_metadata");
   return Value(Object{{"schema", Value(schema)}, {"propertyTables", Value(Array{Value(table)})}});
 }
@@ -189,14 +209,17 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 Value extras_of(const BakedTile& tile, const scene::Header& header) {
-  const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")}, {"lon_0", number(header.origin.lon_deg)}, {"lat_0", number(header.origin.lat_deg)}};
-  return Value(Object{{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
-                      {"origin_m", Value(Array{number(tile.origin.x), number(tile.origin.y), number(tile.origin.z)})},
-                      {"tolerance_m", number(tile.tolerance_m)},
-                      {"error_m", number(tile.error_m)},
-                      // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
-                      {"rounding_m", number(0)},
-                      {"plane", Value(plane)}});
+  const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")},
+                        {"lon_0", number(header.origin.lon_deg)},
+                        {"lat_0", number(header.origin.lat_deg)}};
+  return Value(
+      Object{{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
+             {"origin_m", Value(Array{number(tile.origin.x), number(tile.origin.y), number(tile.origin.z)})},
+             {"tolerance_m", number(tile.tolerance_m)},
+             {"error_m", number(tile.error_m)},
+             // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
+             {"rounding_m", number(0)},
+             {"plane", Value(plane)}});
 }
 
 tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
@@ -209,14 +232,16 @@ tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
 }
 
 void fill(Filling& f, Instancing instancing) {
-  f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0", f.model.asset.copyright = joined(f.header.attributions);
+  f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0",
+  f.model.asset.copyright = joined(f.header.attributions);
   f.model.buffers.emplace_back();
   add_node(f, root_of(f.tile, f.header));
   if (!f.tile.primitives.empty()) f.model.nodes[0].mesh = add_mesh(f, "tile", f.tile.primitives);
   std::vector<int> children;
   for (const Instanced& instanced : f.tile.instanced) {
     const int mesh = add_mesh(f, instanced.name, instanced.primitives);
-    instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children) : add_single_nodes(f, instanced, mesh, children);
+    instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children)
+                                         : add_single_nodes(f, instanced, mesh, children);
   }
   f.model.nodes[0].children = children;
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
@@ -239,7 +264,8 @@ std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& he
   return {span.begin(), span.end()};
 }
 
-Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing, const std::string& path) {
+Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
+                       const std::string& path) {
   return write_file(path, encode_glb(tile, header, instancing));
 }
 

@@ -12,7 +12,9 @@
 namespace citykiln::exporters {
 namespace {
 
-Error failed(const std::string& path, const char* what) { return {path, std::string(what) + ": " + std::strerror(errno)}; }
+Error failed(const std::string& path, const char* what) {
+  return {path, std::string(what) + ": " + std::strerror(errno)};
+}
 
 // All bytes and the disk's word that it has them, or false with errno.
 bool write_all(int file, std::span<const std::byte> bytes) {
@@ -50,7 +52,8 @@ Result<std::vector<std::byte>> read_file(const std::string& path) {
   if (!file) return failed(path, "cannot be opened");
   std::vector<std::byte> bytes(static_cast<std::size_t>(file.tellg()));
   file.seekg(0);
-  if (!bytes.empty() && !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) return failed(path, "cannot be read");
+  if (!bytes.empty() && !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+    return failed(path, "cannot be read");
   return bytes;
 }
 

@@ -10,7 +10,8 @@
 
 namespace citykiln::exporters {
 
-/// Writes beside the final name, flushes, then renames. On any failure (full disk, unwritable folder) the temporary file is removed.
+/// Writes beside the final name, flushes, then renames. On any failure (full disk, unwritable folder) the temporary
+/// file is removed.
 Result<Done> write_file(const std::string& path, std::span<const std::byte> bytes);
 Result<std::vector<std::byte>> read_file(const std::string& path);
 

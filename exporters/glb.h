@@ -11,19 +11,22 @@
 
 namespace citykiln::exporters {
 
-/// How shared meshes are placed: by EXT_mesh_gpu_instancing (small; three.js, Cesium, glTFast), or by a node each (Blender, Godot).
+/// How shared meshes are placed: by EXT_mesh_gpu_instancing (small; three.js, Cesium, glTFast), or by a node each
+/// (Blender, Godot).
 enum class Instancing { kExtension, kNodes };
 
-/// One glTF mesh whose primitives are merged by material; instances as asked; features as _FEATURE_ID_0 (EXT_mesh_features, EXT_instance_features) into
-/// a property table of UINT64 OSM ids and UINT8 element types (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the
-/// root node's extras; attribution in asset.copyright. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
+/// One glTF mesh whose primitives are merged by material; instances as asked; features as _FEATURE_ID_0
+/// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
+/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras;
+/// attribution in asset.copyright. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing);
 
 /// A tile back from a .glb that encode_glb made; read(encode(tile)) == tile for either way of instancing.
 /// Errors: anything else, never a crash.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 
-Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing, const std::string& path);
+Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
+                       const std::string& path);
 Result<bake::BakedTile> read_glb(const std::string& path);
 
 }  // namespace citykiln::exporters

@@ -1,4 +1,5 @@
-// The manifest, .kiln: the scene written down. Format: MANIFEST.md. FlatBuffers tables, one zstd frame a chunk, so that a tile is read without the rest.
+// The manifest, .kiln: the scene written down. Format: MANIFEST.md. FlatBuffers tables, one zstd frame a chunk, so that
+// a tile is read without the rest.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,8 @@ std::vector<std::byte> encode_manifest(const scene::Scene& scene, int threads);
 /// @param name  How errors call the bytes, e.g. the file's name.
 /// @param only  If not empty, only these tiles' chunks are decoded; a tile that is not there is an error.
 /// Errors: anything that is not a whole manifest of this major version: never a crash, whatever the bytes (fuzzed).
-Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name, std::span<const scene::TileKey> only);
+Result<scene::Scene> decode_manifest(std::span<const std::byte> bytes, const std::string& name,
+                                     std::span<const scene::TileKey> only);
 
 Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads);
 Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only);

@@ -6,8 +6,12 @@ namespace citykiln::exporters {
 namespace {
 
 // Differences wrap around, so that nonsense in a file overflows nothing.
-std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) { return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b)); }
-std::int64_t wrapping_difference(std::int64_t a, std::int64_t b) { return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b)); }
+std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+std::int64_t wrapping_difference(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
 
 }  // namespace
 
@@ -16,7 +20,9 @@ void StreamWriter::put(std::uint64_t value) {
   bytes_.push_back(static_cast<std::uint8_t>(value));
 }
 
-void StreamWriter::put_signed(std::int64_t value) { put(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63)); }
+void StreamWriter::put_signed(std::int64_t value) {
+  put(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
+}
 
 void StreamWriter::put_delta(std::int64_t value) {
   put_signed(wrapping_difference(value, last_));

@@ -10,6 +10,9 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+// clang-format off: the second uses what the first declares
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
+// clang-format on
+
 #pragma GCC diagnostic pop

@@ -1,61 +1,114 @@
+// From outside, a view's direction is given and its distance is solved for; inside, places are tried by looking about.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "preview/preview.h"
+#include "preview/relief.h"
+#include "preview/street_view.h"
 
 namespace citykiln::preview {
 namespace {
 
-// Where things are: the middle of all ground in plan, and heights that few points lie outside of.
-struct Extent {
-  Vec2 centre;
-  double half_m = 0;           ///< Half of the longer side.
-  double low_m = 0, high_m = 0;  ///< 2 and 98 in a hundred of the vertices' heights.
-};
+// Pictures are at least this wide for their height; wider ones show more at the sides.
+constexpr double kAspect = 16.0 / 9;
 
-Extent extent_of(std::span<const bake::BakedTile> tiles) {
-  Box2 box;
-  std::vector<double> heights;
-  for (const bake::BakedTile& tile : tiles)
-    for (const bake::Primitive& primitive : tile.primitives)
-      for (const bake::Float3& p : primitive.positions) {
-        box.grow({tile.origin.x + p[0], tile.origin.y + p[1]});
-        heights.push_back(tile.origin.z + p[2]);
-      }
-  if (heights.empty()) return {{0, 0}, 100, 0, 10};
-  const auto at = [&](double share) {
-    const auto nth = heights.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(heights.size() - 1));
-    std::nth_element(heights.begin(), nth, heights.end());
-    return *nth;
-  };
-  return {box.centre(), std::max(box.width(), box.height()) / 2, at(0.02), at(0.98)};
-}
+// How many in a hundred of the scene's columns may lie outside a side of the picture: a lone peak or a stray far tile
+// must not make everything else small.
+constexpr double kOutside = 0.01;
+
+// Room at the edges.
+constexpr double kMargin = 0.94;
 
 struct View {
   const char* name;
-  Vec3 from;       ///< Of the centre, in half extents (plan) and half extents above the high ground.
+  Vec3 towards_eye;  ///< From the scene.
   double fov_deg;
 };
 
-constexpr View kViews[] = {{"overview", {0.75, -1.25, 0.85}, 40}, {"top", {0, 0, 2.9}, 40},       {"north", {0, 1.5, 0.7}, 42}, {"south", {0, -1.5, 0.7}, 42},
-                           {"east", {1.5, 0, 0.7}, 42},         {"west", {-1.5, 0, 0.7}, 42}, {"low", {-0.55, -0.75, 0.10}, 50}};
+constexpr View kOutsideViews[] = {
+    {"overview", {0.52, -0.85, 0.62}, 35}, {"top", {0, 0, 1}, 35},    {"north", {0, 1, 0.5}, 35},
+    {"south", {0, -1, 0.5}, 35},           {"east", {1, 0, 0.5}, 35}, {"west", {-1, 0, 0.5}, 35}};
+
+// The largest of the values, leaving out the share that may lie outside.
+double largest(std::vector<double>& values) {
+  const auto nth = values.end() - 1 - static_cast<std::ptrdiff_t>(kOutside * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// Two opposite planes of a camera's frustum, pushed in until they touch the points: where the eye must be across and,
+// at most, along the view.
+struct Wedge {
+  double across, along;
+};
+
+Wedge wedge_about(const std::vector<Vec3>& points, Vec3 across, Vec3 forward, double half_slope) {
+  std::vector<double> plus, minus;
+  for (const Vec3& p : points) {
+    plus.push_back(dot(p, across) - half_slope * dot(p, forward));
+    minus.push_back(-dot(p, across) - half_slope * dot(p, forward));
+  }
+  const double a = largest(plus), b = largest(minus);
+  return {(a - b) / 2, -(a + b) / (2 * half_slope)};
+}
+
+Camera outside_view(const Relief& relief, const View& view) {
+  const Vec3 forward = unit(view.towards_eye) * -1,
+             pole = view.towards_eye.x == 0 && view.towards_eye.y == 0 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 right = unit(cross(forward, pole)), up = cross(right, forward);
+  const double slope = std::tan(view.fov_deg * std::numbers::pi / 360) * kMargin;
+  const std::vector<Vec3> points = relief.points();
+  const Wedge sideways = wedge_about(points, right, forward, slope * kAspect),
+              upright = wedge_about(points, up, forward, slope);
+  const double along = std::min(sideways.along, upright.along);
+  const Vec3 eye = right * sideways.across + up * upright.across + forward * along;
+  return {eye, eye + forward * std::max(1.0, dot(relief.core_point() - eye, forward)), view.fov_deg};
+}
+
+// How high an eye must stand to look at a target past the hills on the way and over the roofs below it.
+double clear_height_m(const Relief& relief, Vec2 from, Vec3 target) {
+  constexpr double kOverHills_m = 40, kOverRoofs_m = 30;
+  constexpr int kSteps = 16;
+  double height = std::max(target.z, relief.highest_m(from) + kOverRoofs_m);
+  for (int step = 1; step < kSteps; ++step) {
+    const double share = static_cast<double>(step) / kSteps;
+    const double hill = relief.lowest_m(from + (in_plan(target) - from) * share) + kOverHills_m * (1 - share);
+    height = std::max(height, target.z + (hill - target.z) / (1 - share));
+  }
+  return height;
+}
+
+// Over the roofs into the densest part, from the side that needs the least height; among equals from the south-west.
+Camera low_view(const Relief& relief) {
+  constexpr Vec2 kSides[] = {{-0.6, -0.8}, {0.7, -0.7}, {0, -1}, {-1, 0}, {1, 0}, {-0.7, 0.7}, {0.7, 0.7}, {0, 1}};
+  // as a man on a hill sees a town: some 15 degrees down
+  constexpr double kAway_m = 550, kRise = 0.27, kStoreys = 1.6;
+  const Vec3 ground = relief.core_point();
+  const double tall_m = std::max(0.0, relief.highest_m(in_plan(ground)) - ground.z);
+  const double away_m = std::max(kAway_m, kStoreys * tall_m);
+  const Vec3 target = ground + Vec3{0, 0, tall_m / 3};
+  Camera best{{}, target, 45};
+  best.eye.z = std::numeric_limits<double>::infinity();
+  for (const Vec2 side : kSides) {
+    const Vec2 from = in_plan(target) + unit(side) * away_m;
+    const double height = std::max(target.z + kRise * away_m, clear_height_m(relief, from, target));
+    // a few metres less are no reason to go round the town
+    if (height < best.eye.z - 20) best.eye = at_height(from, height);
+  }
+  return best;
+}
 
 }  // namespace
 
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name) {
-  const Extent extent = extent_of(tiles);
-  const Vec3 middle = at_height(extent.centre, (extent.low_m + extent.high_m) / 2);
-  if (name == "street") {
-    // a few metres over the ground at the centre, looking north-east along it
-    const Vec3 eye = at_height(extent.centre + Vec2{-40, -40}, extent.low_m + 12);
-    return Camera{eye, eye + Vec3{60, 60, -4}, 60};
-  }
-  std::string known = "street";
-  for (const View& view : kViews) {
-    if (name == view.name) {
-      const Vec3 eye = at_height(extent.centre + Vec2{view.from.x, view.from.y} * extent.half_m, extent.high_m + view.from.z * extent.half_m);
-      return Camera{eye, middle, view.fov_deg};
-    }
+  const Relief relief(tiles);
+  if (name == "street") return street_view(tiles, relief);
+  if (name == "low") return low_view(relief);
+  std::string known = "street, low";
+  for (const View& view : kOutsideViews) {
+    if (name == view.name) return outside_view(relief, view);
     known += std::string(", ") + view.name;
   }
   return Error{"--view " + name, "expected one of " + known};

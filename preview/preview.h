@@ -20,7 +20,7 @@ struct Camera {
 
 struct Options {
   int width = 1280, height = 720;
-  int samples = 64;           ///< Paths a pixel.
+  int samples = 64;  ///< Paths a pixel.
   int bounces = 3;
   double exposure = 1;
   int threads = 0;
@@ -33,14 +33,16 @@ struct Image {
   std::vector<float> rgb;
 };
 
-/// The view `name` of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east", "west", "low". Depends on the tiles' content only.
-/// An unknown name is an error that lists the known ones.
+/// The view `name` of a scene: "overview" (from the south-east, all of it), "street", "top", "north", "south", "east",
+/// "west", "low". Depends on the tiles' content only. An unknown name is an error that lists the known ones.
 Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name);
 
-/// Same tiles, same camera, same options: the same picture, bit for bit on one machine, for any number of threads, whichever form the tiles were read from.
+/// Same tiles, same camera, same options: the same picture, bit for bit on one machine, for any number of threads,
+/// whichever form the tiles were read from.
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options);
 
-/// PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's ending, through OpenImageIO, which is loaded only now.
+/// PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's ending, through OpenImageIO, which is loaded only
+/// now.
 Result<Done> write_image(const Image& image, const std::string& path);
 
 }  // namespace citykiln::preview

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kBlock_px = 32;
 
+int blocks(int pixels) { return (pixels + kBlock_px - 1) / kBlock_px; }
+
 // The camera's axes, and how far its picture reaches at distance 1.
 struct Lens {
   Vec3 forward, right, up;
@@ -18,49 +20,65 @@ struct Lens {
 };
 
 Lens lens_of(const Camera& camera, const Options& options) {
-  const Vec3 forward = unit(camera.look_at - camera.eye);
+  // an eye that looks at itself looks north
+  const Vec3 sight = unit(camera.look_at - camera.eye), forward = dot(sight, sight) > 0 ? sight : Vec3{0, 1, 0};
   // straight up or down, north is up
   const Vec3 pole = std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
   const Vec3 right = unit(cross(forward, pole));
-  const double half_height = std::tan(camera.vertical_fov_deg * std::numbers::pi / 360);
+  const double half_height = std::tan(std::clamp(camera.vertical_fov_deg, 0.01, 179.0) * std::numbers::pi / 360);
   return {forward, right, cross(right, forward), half_height * options.width / options.height, half_height};
 }
 
 // A tent of one pixel's half width either way: smooth edges without blur.
-double tent(float u) { return u < 0.5f ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(2.0 - 2.0 * u); }
+double tent(double u) { return u < 0.5 ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(2.0 - 2.0 * u); }
 
-std::array<double, 3> pixel(const Stage& stage, const Lens& lens, const Options& options, int x, int y) {
-  std::array<double, 3> sum{};
-  for (int sample = 0; sample < options.samples; ++sample) {
-    PathDraw draw(options.seed, static_cast<std::uint32_t>(y * options.width + x), static_cast<std::uint32_t>(sample));
-    const double px = (2 * (x + 0.5 + tent(draw.next())) / options.width - 1) * lens.half_width;
-    const double py = (1 - 2 * (y + 0.5 + tent(draw.next())) / options.height) * lens.half_height;
-    const auto light = trace(stage, {}, unit(lens.forward + lens.right * px + lens.up * py), draw);
-    for (int c = 0; c < 3; ++c) sum[c] += light[c];
+// Everything that a pixel needs.
+struct Shot {
+  Stage stage;
+  Lens lens;
+  Vec3 eye;  // in the world's frame
+  SampleGrid grid;
+};
+
+Rgb pixel(const Shot& shot, const Options& options, int x, int y) {
+  const int samples = std::max(options.samples, 1);
+  const PixelSamples chances(options.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), shot.grid);
+  Rgb sum{};
+  for (int sample = 0; sample < samples; ++sample) {
+    PathDraw draw(chances, static_cast<std::uint32_t>(sample));
+    const UnitPair at = draw.next();
+    const double px = (2 * (x + 0.5 + tent(at.u)) / options.width - 1) * shot.lens.half_width;
+    const double py = (1 - 2 * (y + 0.5 + tent(at.v)) / options.height) * shot.lens.half_height;
+    sum = sum + trace(shot.stage, shot.eye, unit(shot.lens.forward + shot.lens.right * px + shot.lens.up * py), draw);
   }
-  for (double& c : sum) c *= options.exposure / options.samples;
-  return sum;
+  return sum * (options.exposure / samples);
+}
+
+void render_block(const Shot& shot, const Options& options, int block, Image& image) {
+  const int across = blocks(options.width), x0 = block % across * kBlock_px, y0 = block / across * kBlock_px;
+  for (int y = y0; y < std::min(y0 + kBlock_px, options.height); ++y)
+    for (int x = x0; x < std::min(x0 + kBlock_px, options.width); ++x) {
+      const Rgb rgb = pixel(shot, options, x, y);
+      float* out = &image.rgb[(static_cast<std::size_t>(y) * options.width + x) * 3];
+      for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(rgb[c]);
+    }
 }
 
 }  // namespace
 
-Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options) {
-  // the eye is the world's origin: rounding is finest where pixels are
+Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
+             const Options& options) {
+  if (options.width <= 0 || options.height <= 0) return {};
   const World world(tiles, camera.eye);
-  const sky::Dome dome = sky::expand(sky);
-  const Stage stage{world, dome, options.bounces};
+  const Lights lights(sky::expand(sky));
   const Lens lens = lens_of(camera, options);
-  Image image{options.width, options.height, std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
-  const int across = (options.width + kBlock_px - 1) / kBlock_px, down = (options.height + kBlock_px - 1) / kBlock_px;
-  for_each_index(static_cast<std::size_t>(across) * down, options.threads, [&](std::size_t block) {
-    const int x0 = static_cast<int>(block) % across * kBlock_px, y0 = static_cast<int>(block) / across * kBlock_px;
-    for (int y = y0; y < std::min(y0 + kBlock_px, options.height); ++y)
-      for (int x = x0; x < std::min(x0 + kBlock_px, options.width); ++x) {
-        const auto rgb = pixel(stage, lens, options, x, y);
-        float* out = &image.rgb[(static_cast<std::size_t>(y) * options.width + x) * 3];
-        for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(rgb[c]);
-      }
-  });
+  const Stage stage{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
+  const Shot shot{stage, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
+  Image image{options.width, options.height,
+              std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};
+  const std::size_t count = static_cast<std::size_t>(blocks(options.width)) * blocks(options.height);
+  for_each_index(count, options.threads,
+                 [&](std::size_t block) { render_block(shot, options, static_cast<int>(block), image); });
   return image;
 }
 

@@ -4,133 +4,110 @@
 #include <cmath>
 #include <numbers>
 
+#include "preview/mirror.h"
+
 namespace citykiln::preview {
 namespace {
 
-using Rgb = std::array<double, 3>;
 constexpr double kPi = std::numbers::pi;
 
-// Surfaces smoother than this mirror the sky as well as being coloured.
-constexpr float kMirrorRoughness = 0.3f;
-// Of water and window glass at normal incidence.
-constexpr double kMirrorF0 = 0.02, kGlassF0 = 0.06;
-// Visibility on a clear day is some 150 km (Koschmieder: 3.9 over the extinction).
-constexpr double kHaze_per_m = 1.0 / 38000;
-// No sample counts more than this: rare paths by mirrors into the sun would stay as white dots.
+// A sample brighter than this, twice a white wall in the sun, is rare and would stay as a white dot.
 constexpr double kBrightest = 12;
 
-Rgb operator*(const Rgb& a, const Rgb& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
-Rgb operator*(const Rgb& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
-void add(Rgb& a, const Rgb& b) {
-  for (int c = 0; c < 3; ++c) a[c] += b[c];
+// Paths that carry less than this go on by lot: three in four of the rays that a dark ground throws back do not matter.
+constexpr double kSmallWeight = 0.4;
+
+// Where triangles are large, smooth normals see light that the flat triangle's own shadow cuts off with an edge; this
+// fades it. Chiang, Li, Burley, "Taming the Shadow Terminator", SIGGRAPH 2019 talks.
+double terminator(const Hit& hit, Vec3 to_light) {
+  const double flat = dot(hit.geometric_normal, to_light), smooth = dot(hit.shading_normal, to_light);
+  if (flat <= 0 || smooth <= 0) return 0;
+  const double g = std::min(1.0, flat / (smooth * dot(hit.geometric_normal, hit.shading_normal)));
+  return g * (1 + g - g * g);
 }
 
-struct Frame {
-  Vec3 tangent, bitangent;
-};
-
-// Duff et al., "Building an orthonormal basis, revisited", JCGT 6, 2017.
-Frame frame_about(Vec3 n) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+// What a white surface sends on of light from a direction, times pi.
+double received(const Hit& hit, Vec3 to_light) {
+  return std::max(0.0, dot(hit.shading_normal, to_light)) * terminator(hit, to_light);
 }
 
-Vec3 around(Vec3 axis, double cos_angle, double turn) {
-  const Frame f = frame_about(axis);
-  const double s = std::sqrt(std::max(0.0, 1 - cos_angle * cos_angle));
-  return unit(f.tangent * (s * std::cos(turn)) + f.bitangent * (s * std::sin(turn)) + axis * cos_angle);
+Rgb from_sun(const Stage& stage, const Hit& hit, UnitPair chance) {
+  if (!stage.lights.has_sun()) return {};
+  const Vec3 to_sun = stage.lights.draw_sun(chance);
+  const double share = received(hit, to_sun) * stage.lights.sun_solid_angle() / kPi;
+  if (share <= 0 || stage.world.is_blocked(leave(hit, to_sun), to_sun)) return {};
+  return stage.lights.dome().sun_radiance * share;
 }
 
-Vec3 cosine_direction(Vec3 n, PathDraw& draw) {
-  const double cos_angle = std::sqrt(1.0 - draw.next());
-  return around(n, cos_angle, 2 * kPi * draw.next());
+// `goes_on`: the path looks for the sky by a cosine-weighted ray as well.
+Rgb from_sky(const Stage& stage, const Hit& hit, UnitPair chance, bool goes_on) {
+  const Drawn drawn = stage.lights.draw_sky(chance);
+  if (drawn.pdf <= 0) return {};
+  const double share = received(hit, drawn.direction);
+  if (share <= 0 || stage.world.is_blocked(leave(hit, drawn.direction), drawn.direction)) return {};
+  const double other = goes_on ? dot(hit.shading_normal, drawn.direction) / kPi : 0;
+  return stage.lights.falling(drawn.direction) * (share / kPi / (drawn.pdf + other));
 }
 
-Vec3 sun_direction(const sky::Dome& dome, PathDraw& draw) {
-  const double cos_angle = 1 - draw.next() * (1 - dome.sun_cos_radius);
-  return around(dome.to_sun, cos_angle, 2 * kPi * draw.next());
+// What a cosine-weighted ray that meets nothing brings: all of what comes from below the horizon, its share of the sky.
+Rgb escaped(const Stage& stage, const Drawn& ray) {
+  return stage.lights.falling(ray.direction) * (ray.pdf / (ray.pdf + stage.lights.sky_pdf(ray.direction)));
 }
 
-bool is_water(materials::Material m) { return m == materials::Material::kWater || m == materials::Material::kSea; }
-
-// Small waves: the slopes of a few sines that run across each other, fading with distance as they fall below a pixel.
-Vec3 wave_normal(Vec3 position, double distance_m) {
-  constexpr double kWaves[5][4] = {{0.9, 0.35, 0.020, 0}, {-0.5, 0.8, 0.022, 1.7}, {1.9, -1.3, 0.016, 4.1}, {2.7, 2.3, 0.012, 2.2}, {0.21, -0.13, 0.012, 5.3}};
-  double dx = 0, dy = 0;
-  for (const auto& wave : kWaves) {
-    const double slope = wave[2] * std::cos(wave[0] * position.x + wave[1] * position.y + wave[3]), k = std::sqrt(wave[0] * wave[0] + wave[1] * wave[1]);
-    dx += slope * wave[0] / k, dy += slope * wave[1] / k;
+// The light that a diffuse surface sends out, by a path of at most `bounces` more surfaces.
+Rgb body_light(const Stage& stage, Hit hit, int bounces, PathDraw& draw) {
+  Rgb light{}, weight{1, 1, 1};
+  for (int bounce = 0;; ++bounce) {
+    weight = weight * hit.albedo;
+    const bool goes_on = bounce < bounces;
+    light = light + weight * (from_sun(stage, hit, draw.next()) + from_sky(stage, hit, draw.next(), goes_on));
+    if (!goes_on) return light;
+    const Drawn ray = draw_cosine(hit.shading_normal, draw.next());
+    weight = weight * terminator(hit, ray.direction);
+    const double carried = std::max({weight[0], weight[1], weight[2]}), kept = std::min(1.0, carried / kSmallWeight);
+    if (carried <= 0 || (kept < 1 && draw.next().u >= kept)) return light;
+    weight = weight * (1 / kept);
+    const auto next = stage.world.first_hit(leave(hit, ray.direction), ray.direction);
+    if (!next) return light + weight * escaped(stage, ray);
+    hit = *next;
   }
-  const double fade = 1 / (1 + distance_m / 400);
-  return unit(Vec3{-dx * fade, -dy * fade, 1});
 }
 
-Rgb horizon_light(const sky::Dome& dome, Vec3 direction) {
-  const Vec3 level{direction.x, direction.y, 0.15};
-  return sky::radiance(dome, unit(level));
+// What a mirrored ray brings: the body of what it meets, without a second mirror, or the sky, or the sun's glint.
+Rgb mirrored_light(const Stage& stage, const Hit& hit, const Mirror& mirror, PathDraw& draw) {
+  const UnitPair chance = draw.next(), sun_chance = draw.next();
+  Rgb light{};
+  const Vec3 out = mirror.draw(chance);
+  const auto met = stage.world.first_hit(leave(hit, out), out);
+  if (met)
+    light = stage.lights.through_air(body_light(stage, *met, std::min(stage.bounces, 1), draw), out, met->distance_m);
+  else
+    light = stage.lights.seen(out);
+  light = light * mirror.share(out);
+  if (!stage.lights.has_sun()) return light;
+  const Vec3 to_sun = stage.lights.draw_sun(sun_chance);
+  const Rgb glint = stage.lights.dome().sun_radiance * (mirror.glint(to_sun) * stage.lights.sun_solid_angle());
+  // far from the highlight a shadow ray would be wasted
+  if (luminance(glint) < 0.002 || stage.world.is_blocked(leave(hit, to_sun), to_sun)) return light;
+  return light + glint;
 }
 
-// What a ray that meets nothing sees.
-Rgb background(const sky::Dome& dome, Vec3 direction) {
-  return direction.z >= 0 ? sky::radiance(dome, direction) : horizon_light(dome, direction) * 0.9;
-}
-
-// Light that arrives straight from the sun, times cosine over pi.
-Rgb sunlight(const Stage& stage, const Hit& hit, PathDraw& draw) {
-  const Vec3 to_sun = sun_direction(stage.dome, draw);
-  const double cosine = dot(hit.shading_normal, to_sun);
-  if (cosine <= 0 || dot(hit.geometric_normal, to_sun) <= 0 || stage.world.is_blocked(leave(hit, to_sun), to_sun)) return {};
-  const double solid_angle = 2 * kPi * (1 - stage.dome.sun_cos_radius);
-  return stage.dome.sun_radiance * (cosine * solid_angle / kPi);
-}
-
-double fresnel(double f0, double cosine) { return f0 + (1 - f0) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5); }
-
-Vec3 mirrored(Vec3 d, Vec3 n) { return d - n * (2 * dot(d, n)); }
-
-// The mirror's share of the light at a smooth surface, and where it looks.
-struct Mirror {
-  double share = 0;
-  Vec3 direction;
-};
-
-Mirror mirror_of(const Hit& hit, Vec3 direction) {
-  if (hit.roughness >= kMirrorRoughness) return {};
-  const Vec3 normal = is_water(hit.material) ? wave_normal(hit.position, hit.distance_m) : hit.shading_normal;
-  Vec3 out = unit(mirrored(direction, normal));
-  // a wave's far side would mirror the ground's inside
-  if (dot(out, hit.geometric_normal) < 0.01) out = unit(out + hit.geometric_normal * (0.02 - dot(out, hit.geometric_normal)));
-  return {fresnel(is_water(hit.material) ? kMirrorF0 : kGlassF0, -dot(direction, normal)), out};
+Rgb surface_light(const Stage& stage, const Hit& hit, Vec3 direction, PathDraw& draw) {
+  const Rgb body = body_light(stage, hit, stage.bounces, draw);
+  if (!is_smooth(hit)) return body;
+  const Vec3 origin = stage.world.origin();
+  const Mirror mirror = mirror_of(hit, direction, in_plan(hit.position + origin), stage.pixel_rad);
+  return body * (1 - mirror.fresnel) + mirrored_light(stage, hit, mirror, draw);
 }
 
 }  // namespace
 
-std::array<double, 3> trace(const Stage& stage, Vec3 from, Vec3 direction, PathDraw& draw) {
-  Rgb light{}, weight{1, 1, 1};
-  for (int bounce = 0; bounce <= stage.bounces; ++bounce) {
-    const auto hit = stage.world.first_hit(from, direction);
-    if (!hit) {
-      add(light, weight * background(stage.dome, direction));
-      break;
-    }
-    if (bounce == 0) {
-      const double clear = std::exp(-hit->distance_m * kHaze_per_m);
-      add(light, weight * (horizon_light(stage.dome, direction) * (1 - clear)));
-      weight = weight * clear;
-    }
-    if (const Mirror mirror = mirror_of(*hit, direction); mirror.share > 0) {
-      // both ways at the first smooth surface, so that water does not sparkle with the choice; none of it after a diffuse bounce
-      const Stage shorter{stage.world, stage.dome, std::min(stage.bounces - 1, 1)};
-      if (bounce == 0 && stage.bounces > 0) add(light, weight * (trace(shorter, leave(*hit, mirror.direction), mirror.direction, draw) * mirror.share));
-      weight = weight * (1 - mirror.share);
-    }
-    weight = weight * Rgb{hit->albedo[0], hit->albedo[1], hit->albedo[2]};
-    add(light, weight * sunlight(stage, *hit, draw));
-    direction = cosine_direction(hit->shading_normal, draw);
-    if (dot(direction, hit->geometric_normal) <= 0) break;
-    from = leave(*hit, direction);
-  }
-  for (double& c : light) c = std::min(c, kBrightest);
+Rgb trace(const Stage& stage, Vec3 from, Vec3 direction, PathDraw& draw) {
+  const auto hit = stage.world.first_hit(from, direction);
+  if (!hit) return stage.lights.seen(direction);
+  Rgb light = stage.lights.through_air(surface_light(stage, *hit, direction, draw), direction, hit->distance_m);
+  // not std::min: a channel that is not a number becomes the limit's other side, not the picture's
+  for (double& c : light) c = c > 0 ? std::min(c, kBrightest) : 0;
   return light;
 }
 

@@ -1,6 +1,7 @@
 // Fired tiles as rays see them: Embree's trees of triangles and instances, and what each triangle is made of.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,27 +10,32 @@
 
 namespace citykiln::preview {
 
-/// Where a ray met a surface. Frame of the world: plane metres from World::origin, z up.
+/// Where a ray met a surface. Frame of the world: metres from World::origin, x east, y north, z up.
 struct Hit {
-  Vec3 position;               ///< Computed from the triangle, not along the ray, so that its error is that of the triangle.
-  Vec3 geometric_normal;       ///< Unit, towards where the ray came from.
-  Vec3 shading_normal;         ///< Unit, interpolated, on the same side.
-  std::array<float, 3> albedo; ///< Linear.
+  Vec3 position;                   ///< On the triangle, not along the ray: its error does not grow with the distance.
+  Vec3 geometric_normal;           ///< Unit, towards where the ray came from.
+  Vec3 shading_normal;             ///< Unit, interpolated, on the same side.
+  std::array<double, 3> albedo{};  ///< Linear: base colour times tint.
   float roughness = 1;
   materials::Material material{};
   double distance_m = 0;
+  double rounding_m = 0;  ///< How far off its plane single precision may put a ray's origin here, and the plane itself.
 };
 
-/// Immutable once built; safe to ask from many threads.
+/// Immutable once built; safe to ask from many threads. Refers to the tiles, which must outlive it.
 class World {
  public:
-  /// Tiles lie as their origins say, about `origin` (plane metres): near the camera, so that single precision is finest there. Cost: O(n log n).
-  World(std::span<const bake::BakedTile> tiles, Vec3 origin);
+  /// Tiles lie as their origins say, about `near` rounded to whole metres: there single precision is finest, and within
+  /// 16 km of it baked positions, which lie on a grid of 2^-10 m, keep their very values.
+  ///
+  /// A shape that stands in many places is kept once, for all tiles that have the same; a place takes 32 bytes and its
+  /// share of the tree. Cost: O(n log n).
+  World(std::span<const bake::BakedTile> tiles, Vec3 near);
   ~World();
   World(World&&) noexcept;
 
   Vec3 origin() const;
-  /// The first surface along a ray. Directions are unit vectors; rays that are not finite meet nothing.
+  /// The first surface along a ray. Directions are unit vectors; rays that are not finite, or go nowhere, meet nothing.
   std::optional<Hit> first_hit(Vec3 from, Vec3 direction) const;
   /// Is there anything at all along the ray?
   bool is_blocked(Vec3 from, Vec3 direction) const;
@@ -39,7 +45,8 @@ class World {
   std::unique_ptr<Scene> scene_;
 };
 
-/// A point from which a ray can leave a hit without meeting it again: moved off along the geometric normal by the rounding error of its coordinates.
+/// A point from which a ray can leave a hit without meeting it again: off the surface, to the side that the ray goes,
+/// by the hit's rounding.
 Vec3 leave(const Hit& hit, Vec3 direction);
 
 }  // namespace citykiln::preview

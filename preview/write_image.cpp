@@ -1,12 +1,11 @@
 #include <dlfcn.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include "preview/image_module/picture_io.h"
 #include "preview/preview.h"
+#include "preview/tone.h"
 
 namespace citykiln::preview {
 namespace {
@@ -15,24 +14,17 @@ using WritePicture = decltype(&citykiln_write_picture);
 
 // Beside the program, or where the build put it.
 Result<WritePicture> load_module() {
-  const std::filesystem::path beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "citykiln_image.so";
+  const std::filesystem::path beside =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "citykiln_image.so";
   for (const std::string& path : {beside.string(), std::string(CITYKILN_IMAGE_MODULE)})
-    if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return reinterpret_cast<WritePicture>(dlsym(module, "citykiln_write_picture"));
+    if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL))
+      return reinterpret_cast<WritePicture>(dlsym(module, "citykiln_write_picture"));
   return Error{"citykiln_image.so", std::string("cannot be loaded: ") + dlerror()};
 }
 
-// A white wall in the midday sun is about 6 in the renderer's unit; this puts it just below paper white.
-constexpr double kMiddle = 0.22;
-
-// Filmic curve: Narkowicz' fit of ACES (2015), linear in, linear out.
-double filmic(double v) { return std::clamp(v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14), 0.0, 1.0); }
-
-std::uint8_t srgb_byte(double v) {
-  const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255 + 0.5);
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-
-bool ends_with(const std::string& text, const std::string& end) { return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0; }
 
 }  // namespace
 
@@ -42,8 +34,11 @@ Result<Done> write_image(const Image& image, const std::string& path) {
   const auto module = load_module();
   if (!module) return module.error();
   std::vector<std::uint8_t> bytes;
-  if (!is_exr)
-    for (const float v : image.rgb) bytes.push_back(srgb_byte(filmic(v * kMiddle)));
+  if (!is_exr) {
+    bytes.reserve(image.rgb.size());
+    for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
+      for (const std::uint8_t byte : tone(&image.rgb[i])) bytes.push_back(byte);
+  }
   // beside the final name, with its ending, then renamed
   const std::string part = path.substr(0, path.size() - 4) + ".part" + path.substr(path.size() - 4);
   char error[512] = "";

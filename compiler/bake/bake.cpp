@@ -52,19 +52,23 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
-void fire_ground(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, int threads, Report& report) {
-  for (const ground::GroundMesh& ground : expand_cells(firing.chunk, surfaces, box, firing.tolerance_m, threads, report)) {
+void fire_ground(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, int threads,
+                 Report& report) {
+  for (const ground::GroundMesh& ground :
+       expand_cells(firing.chunk, surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(ground.error_m);
     firing.take(dress(ground, surfaces, firing.header.seed));
   }
 }
 
 std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
-  return static_cast<std::uint32_t>(std::lower_bound(tile.features.begin(), tile.features.end(), feature) - tile.features.begin());
+  return static_cast<std::uint32_t>(std::lower_bound(tile.features.begin(), tile.features.end(), feature) -
+                                    tile.features.begin());
 }
 
 // Shared meshes and where they stand. Nothing is left of them below the tolerance.
-void fire_instances(Firing& firing, const std::string& name, const std::vector<DressedMesh>& meshes, const std::vector<Placement>& placements) {
+void fire_instances(Firing& firing, const std::string& name, const std::vector<DressedMesh>& meshes,
+                    const std::vector<Placement>& placements) {
   if (meshes.empty() || placements.empty()) return;
   Merged merged;
   for (const DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
@@ -74,7 +78,8 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
     instanced.translations.push_back(offset_from(firing.tile.origin, p.at));
     // half of the turn about z, from cos and sin of the whole
     const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
-    instanced.rotations.push_back({0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
+    instanced.rotations.push_back(
+        {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
     instanced.scales.push_back(static_cast<float>(p.scale));
     instanced.features.push_back(number_of(firing.tile, p.feature));
   }
@@ -82,7 +87,8 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
 }
 
 // Trees are placed before features are numbered, and written after.
-plants::Placed place_trees(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, Report& report) {
+plants::Placed place_trees(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box,
+                           Report& report) {
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
   const scene::Chunk& chunk = firing.chunk;
   plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, chunk.heights, box, firing.header.seed, report);
@@ -124,7 +130,8 @@ void fire_lamps(Firing& firing, const std::vector<Placement>& placements) {
 
 void merge_meshes(Firing& firing) {
   Merged merged;
-  for (const DressedMesh& mesh : firing.meshes) merge(merged, mesh, firing.tile.origin, number_of(firing.tile, mesh.feature));
+  for (const DressedMesh& mesh : firing.meshes)
+    merge(merged, mesh, firing.tile.origin, number_of(firing.tile, mesh.feature));
   firing.tile.primitives = primitives_of(std::move(merged));
 }
 
@@ -136,16 +143,20 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
 
 }  // namespace
 
-BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report) {
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
+               Report& report) {
   const Box2 box = scene::box_of(header, chunk.tile);
   BakedTile tile{chunk.tile, origin_of(box, chunk.heights), tolerance_m, 0, {}, {}, {}};
   Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
 
   fire_ground(firing, surfaces, box, threads, report);
-  fire_each(firing, chunk.bridges, "bridge", report, [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
-  fire_each(firing, chunk.buildings, "building", report, [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
-  fire_each(firing, chunk.barriers, "barrier", report, [&](const auto& b) { return props::expand(b, chunk.heights, tolerance_m); });
+  fire_each(firing, chunk.bridges, "bridge", report,
+            [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
+  fire_each(firing, chunk.buildings, "building", report,
+            [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
+  fire_each(firing, chunk.barriers, "barrier", report,
+            [&](const auto& b) { return props::expand(b, chunk.heights, tolerance_m); });
   const plants::Placed trees = place_trees(firing, surfaces, box, report);
   const std::vector<Placement> lamps = place_lamps(firing);
 

@@ -22,7 +22,8 @@ struct CellSurfaces {
   std::vector<std::uint32_t> numbers;
 };
 
-CellSurfaces surfaces_near(std::span<const Surface> surfaces, std::span<const std::uint32_t> candidates, const Box2& cell) {
+CellSurfaces surfaces_near(std::span<const Surface> surfaces, std::span<const std::uint32_t> candidates,
+                           const Box2& cell) {
   CellSurfaces near;
   for (const std::uint32_t i : candidates) {
     Surface trimmed = ground::trimmed_to(surfaces[i], cell.widened(kCellReach_m));
@@ -58,12 +59,13 @@ materials::Tint tint_of(const Surface& surface, materials::Material material, st
 std::vector<Box2> cells_of(const Box2& tile) {
   std::vector<Box2> cells;
   for (double x = tile.min.x; x < tile.max.x; x += map::kCell_m)
-    for (double y = tile.min.y; y < tile.max.y; y += map::kCell_m) cells.push_back({{x, y}, {x + map::kCell_m, y + map::kCell_m}});
+    for (double y = tile.min.y; y < tile.max.y; y += map::kCell_m)
+      cells.push_back({{x, y}, {x + map::kCell_m, y + map::kCell_m}});
   return cells;
 }
 
-std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const Surface> surfaces, const Box2& tile, double tolerance_m,
-                                             int threads, Report& report) {
+std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const Surface> surfaces,
+                                             const Box2& tile, double tolerance_m, int threads, Report& report) {
   struct Slot {
     ground::GroundMesh ground;
     Report report;
@@ -86,11 +88,13 @@ std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::spa
   return grounds;
 }
 
-std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std::span<const Surface> surfaces, std::uint64_t seed) {
+std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std::span<const Surface> surfaces,
+                                          std::uint64_t seed) {
   // faces by surface, each surface a mesh over its own vertices
   std::vector<std::uint32_t> order(ground.face_surface.size());
   for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
-  std::stable_sort(order.begin(), order.end(), [&](auto f, auto g) { return ground.face_surface[f] < ground.face_surface[g]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto f, auto g) { return ground.face_surface[f] < ground.face_surface[g]; });
   std::vector<std::uint32_t> place(ground.mesh.positions.size()), whose(ground.mesh.positions.size(), kNoSurface - 1);
   std::vector<materials::DressedMesh> dressed;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -99,7 +103,8 @@ std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std:
       materials::DressedMesh& mesh = dressed.emplace_back();
       const map::SurfaceClass surface = number == kNoSurface ? map::SurfaceClass::kUnknown : surfaces[number].surface;
       mesh.material = values_of(surface).material;
-      if (number != kNoSurface) mesh.tint = tint_of(surfaces[number], mesh.material, seed), mesh.feature = surfaces[number].id.osm;
+      if (number != kNoSurface)
+        mesh.tint = tint_of(surfaces[number], mesh.material, seed), mesh.feature = surfaces[number].id.osm;
     }
     Mesh& mesh = dressed.back().mesh;
     Triangle triangle = ground.mesh.triangles[order[i]];

@@ -15,10 +15,11 @@ namespace citykiln::bake {
 std::vector<Box2> cells_of(const Box2& tile);
 
 /// The ground of each cell, in the order of cells_of.
-std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const ground::Surface> surfaces, const Box2& tile, double tolerance_m,
-                                             int threads, Report& report);
+std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const ground::Surface> surfaces,
+                                             const Box2& tile, double tolerance_m, int threads, Report& report);
 
 /// A cell's ground as one mesh a surface, tinted by (seed, surface).
-std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std::span<const ground::Surface> surfaces, std::uint64_t seed);
+std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std::span<const ground::Surface> surfaces,
+                                          std::uint64_t seed);
 
 }  // namespace citykiln::bake

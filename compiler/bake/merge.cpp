@@ -19,7 +19,8 @@ struct Copies {
   std::vector<std::uint32_t> next;   // by vertex of the primitive, from `base` on
   std::uint32_t base;
 
-  Copies(Primitive& p, std::size_t positions) : primitive(p), first(positions, kNone), base(static_cast<std::uint32_t>(p.positions.size())) {}
+  Copies(Primitive& p, std::size_t positions)
+      : primitive(p), first(positions, kNone), base(static_cast<std::uint32_t>(p.positions.size())) {}
 
   std::uint32_t vertex(std::uint32_t position, Float3 at, Float3 normal, materials::Tint tint, std::uint32_t feature) {
     for (std::uint32_t v = first[position]; v != kNone; v = next[v - base])

@@ -13,8 +13,9 @@ namespace citykiln::bake {
 /// The primitive of each material so far.
 using Merged = std::map<materials::Material, Primitive>;
 
-/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position and normal are shared. Triangles that single
-/// precision makes degenerate are left out. `feature` is the number written for every vertex.
+/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position and
+/// normal are shared. Triangles that single precision makes degenerate are left out. `feature` is the number written
+/// for every vertex.
 void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature);
 
 /// Sorted by material.

@@ -23,7 +23,8 @@ struct Request {
 };
 
 /// All tiles of the scene, as one.
-Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m, int threads, const OnProgress& on_progress) {
+Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m, int threads,
+                                   const OnProgress& on_progress) {
   std::vector<bake::BakedTile> tiles;
   Report ignored;
   const Result<Done> fired = fire(scene, std::vector{tolerance_m}, threads, ignored, on_progress,
@@ -39,16 +40,18 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
   if (scene->chunks.empty()) return Error{request.manifest_path, "holds no tile"};
-  const Result<bake::BakedTile> tile = bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
+  const Result<bake::BakedTile> tile =
+      bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
 
   const auto instancing =
       request.spec.outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
   const Result<Done> written = exporters::write_glb(*tile, scene->header, instancing, request.out_path);
   if (!written) return written.error();
-  console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(), triangles_of(*tile),
-                          tile->error_m));
-  console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(), triangles_of(*tile), tile->error_m));
+  console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
+                          triangles_of(*tile), tile->error_m));
+  console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
+                             triangles_of(*tile), tile->error_m));
   return Exit::kDone;
 }
 
@@ -60,7 +63,8 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<Written> written = write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
+  const Result<Written> written =
+      write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
   const std::string json = report_json(scene->header, *scene, report, *written, outputs);
   if (const Result<Done> done = folder->commit(json); !done) return done.error();
@@ -72,7 +76,8 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.manifest_path.empty()) return Error{"", "no manifest is given"};
-  if (request.out_path.empty()) return Error{"", "no output is given (-o FILE.glb with --tolerance, -o FOLDER without)"};
+  if (request.out_path.empty())
+    return Error{"", "no output is given (-o FILE.glb with --tolerance, -o FOLDER without)"};
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
@@ -87,13 +92,14 @@ Result<Done> take_tolerance(const std::string& text, std::optional<double>& tole
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
-    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" && name != "world" &&
-        name != "threads") {
+    if (name != "only" && name != "emit" && name != "lods" && name != "instancing" && name != "compress" &&
+        name != "world" && name != "threads") {
       continue;
     }
     const std::string flags = name == "only" ? "--tile,--only" : "--" + std::string(name);
-    verb.options.push_back({flags, std::string(setting.value), std::string(setting.help), setting.repeats,
-                            [&request, &setting](const std::string& text) { return apply(setting, text, request.spec); }});
+    verb.options.push_back(
+        {flags, std::string(setting.value), std::string(setting.help), setting.repeats,
+         [&request, &setting](const std::string& text) { return apply(setting, text, request.spec); }});
   }
 }
 

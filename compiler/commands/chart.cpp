@@ -53,7 +53,8 @@ Result<Done> take_bbox(const std::string& text, ChartRequest& request) {
 
 Result<Done> take_number(const std::string& text, double least, double most, double& number) {
   const Result<double> given = parse_number(text);
-  if (!given || *given < least || *given > most) return Error{"", fmt::format("expected a number from {} to {}, found \"{}\"", least, most, text)};
+  if (!given || *given < least || *given > most)
+    return Error{"", fmt::format("expected a number from {} to {}, found \"{}\"", least, most, text)};
   number = *given;
   return Done{};
 }
@@ -73,7 +74,8 @@ Verb chart_verb() {
   verb.options = {
       {"names", "NAME...", "plane, terrain", true, onto(request->names)},
       {"--dem", "FILE[,key=value...]", "terrain: the heightmap", true, onto(request->rasters)},
-      {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false, [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
+      {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false,
+       [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
       {"--cell", "M", "terrain: size of the pieces that are meshed (1024)", false,
        [request = request.get()](const std::string& t) { return take_number(t, 128, 65536, request->cell_m); }},
       {"--lat", "DEG", "plane: latitude of the origin (42.5)", false,

@@ -28,25 +28,27 @@ struct Chart {
   std::vector<Series> series;
 };
 
-/// Writes NAME.csv (columns series, x, y) and NAME.svg into the folder. Errors: a folder that cannot be written; gnuplot missing or unwilling, the CSV stays
-/// then.
+/// Writes NAME.csv (columns series, x, y) and NAME.svg into the folder. Errors: a folder that cannot be written;
+/// gnuplot missing or unwilling, the CSV stays then.
 Result<Done> write_chart(const Chart& chart, const std::string& folder);
 
 /// What a chart may be told.
 struct ChartRequest {
   std::vector<std::string> names;
   std::string folder;
-  source::LonLatBox bbox;               ///< Of the terrain chart; all of the heightmap where empty.
+  source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
-  std::vector<std::string> rasters;     ///< As --dem gives them; the terrain chart draws the first.
-  double lat_deg = 42.5;                ///< Of the plane chart's origin.
-  double cell_m = 1024;                 ///< Of the terrain chart.
+  std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
+  double lat_deg = 42.5;             ///< Of the plane chart's origin.
+  double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
 };
 
-/// How far lengths and angles of the plane are off against the geodesic, over the distance from the origin, beside other projections; time per point in their names.
+/// How far lengths and angles of the plane are off against the geodesic, over the distance from the origin, beside
+/// other projections; time per point in their names.
 Result<std::vector<Chart>> chart_plane(const ChartRequest& request);
-/// The vertical error of the ground against its triangles, and against time, over tolerances, beside other meshers' figures.
+/// The vertical error of the ground against its triangles, and against time, over tolerances, beside other meshers'
+/// figures.
 Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
 
 }  // namespace citykiln::commands

@@ -88,7 +88,8 @@ double time_us(map::LonLat origin, const Project& project) {
     const Vec2 p = project({origin.lon_deg + (i % 447) * 1e-3, origin.lat_deg + (i / 447) * 1e-3});
     sum += p.x + p.y;
   }
-  const double microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  const double microseconds =
+      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
   // the sum is looked at, so that the loop is not optimised away
   return std::isfinite(sum) ? microseconds / kPoints : 0;
 }
@@ -99,11 +100,20 @@ Result<std::vector<Chart>> chart_plane(const ChartRequest& request) {
   const map::Plane plane({1.5, request.lat_deg});
   const Axis distance{"distance from the origin (km)", true};
   const std::string where = fmt::format("origin at {}° north", request.lat_deg);
-  Chart lengths{"plane_length", "Error of lengths against the geodesic, " + where, distance, {"worst error of a length (ppm)", true}, {}};
-  Chart angles{"plane_angle", "Error of angles against the geodesic, " + where, distance, {"worst error of a right angle (°)", true}, {}};
+  Chart lengths{"plane_length",
+                "Error of lengths against the geodesic, " + where,
+                distance,
+                {"worst error of a length (ppm)", true},
+                {}};
+  Chart angles{"plane_angle",
+               "Error of angles against the geodesic, " + where,
+               distance,
+               {"worst error of a right angle (°)", true},
+               {}};
 
   for (const Projection& projection : projections_of(plane)) {
-    const std::string name = fmt::format("{}: {:.2f} µs a point", projection.name, time_us(plane.origin(), projection.project));
+    const std::string name =
+        fmt::format("{}: {:.2f} µs a point", projection.name, time_us(plane.origin(), projection.project));
     lengths.series.push_back({name, {}});
     angles.series.push_back({name, {}});
     for (const double distance_km : {1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 18.0, 25.0, 35.0, 50.0, 70.0, 100.0}) {

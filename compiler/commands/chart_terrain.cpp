@@ -20,9 +20,11 @@ struct Peer {
   const char* name;
   double triangles, seconds, error_m;
 };
-constexpr Peer kPeersOnFuji[] = {
-    {"hmm, Fuji 512² at 5 m", 123'402, 0.12, 5}, {"delatin, Fuji 512² at 5 m", 123'279, 0.50, 5}, {"martini, Fuji 512² at 5 m", 187'985, 0.02, 8.8}};
-constexpr Peer kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159, 2.0, 5}, {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
+constexpr Peer kPeersOnFuji[] = {{"hmm, Fuji 512² at 5 m", 123'402, 0.12, 5},
+                                 {"delatin, Fuji 512² at 5 m", 123'279, 0.50, 5},
+                                 {"martini, Fuji 512² at 5 m", 187'985, 0.02, 8.8}};
+constexpr Peer kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159, 2.0, 5},
+                                    {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
 
 /// Western and northern edge of a Web Mercator tile's column and row.
 map::LonLat corner_of_tile(int z, double x, double y) {
@@ -32,7 +34,8 @@ map::LonLat corner_of_tile(int z, double x, double y) {
 }
 
 /// What the chart meshes, in degrees.
-Result<source::LonLatBox> box_of(const ChartRequest& request, const source::RasterSpec& spec, const source::Raster& raster) {
+Result<source::LonLatBox> box_of(const ChartRequest& request, const source::RasterSpec& spec,
+                                 const source::Raster& raster) {
   if (request.has_bbox) return request.bbox;
   if (spec.bounds) return *spec.bounds;
   if (spec.tile_zxy) {
@@ -51,7 +54,8 @@ Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, doubl
   const Vec2 nw = plane.forward({box.west, box.north}), ne = plane.forward({box.east, box.north});
   const auto up = [&](double v) { return std::ceil(v / cell_m) * cell_m; };
   const auto down = [&](double v) { return std::floor(v / cell_m) * cell_m; };
-  return {{up(std::max(sw.x, nw.x)), up(std::max(sw.y, se.y))}, {down(std::min(se.x, ne.x)), down(std::min(nw.y, ne.y))}};
+  return {{up(std::max(sw.x, nw.x)), up(std::max(sw.y, se.y))},
+          {down(std::min(se.x, ne.x)), down(std::min(nw.y, ne.y))}};
 }
 
 struct Terrain {
@@ -78,7 +82,8 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   if (!box) return box.error();
   const map::Plane plane(map::default_origin(*box));
   const Box2 region = whole_cells_in(*box, plane, request.cell_m);
-  if (region.is_empty()) return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
+  if (region.is_empty())
+    return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
 
   Report ignored;
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
@@ -120,9 +125,18 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
   const Result<Terrain> terrain = read_terrain(request);
   if (!terrain) return terrain.error();
   const map::Heightfield& heights = terrain->heights;
-  const std::string what = fmt::format("{} x {} heights every {} m, cells of {} m", heights.columns, heights.rows, heights.step_m, request.cell_m);
-  Chart triangles{"terrain_triangles", "Vertical error against triangles: " + what, {"triangles", true}, {"largest vertical error (m)", true}, {}};
-  Chart seconds{"terrain_time", "Vertical error against time: " + what, {"seconds", true}, {"largest vertical error (m)", true}, {}};
+  const std::string what = fmt::format("{} x {} heights every {} m, cells of {} m", heights.columns, heights.rows,
+                                       heights.step_m, request.cell_m);
+  Chart triangles{"terrain_triangles",
+                  "Vertical error against triangles: " + what,
+                  {"triangles", true},
+                  {"largest vertical error (m)", true},
+                  {}};
+  Chart seconds{"terrain_time",
+                "Vertical error against time: " + what,
+                {"seconds", true},
+                {"largest vertical error (m)", true},
+                {}};
 
   triangles.series.push_back({"citykiln, certified", {}});
   seconds.series.push_back({"citykiln, certified", {}});

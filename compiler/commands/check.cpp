@@ -1,4 +1,5 @@
-// citykiln check OUT: measures again every promise that the outputs make. A promise that holds is "not falsified by n samples".
+// citykiln check OUT: measures again every promise that the outputs make. A promise that holds is "not falsified by n
+// samples".
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,19 +94,23 @@ double ground_area_m2(const scene::Chunk& chunk, const Box2& box, double toleran
   return area;
 }
 
-void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile, const std::string& name, Findings& findings) {
+void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
+                  const std::string& name, Findings& findings) {
   const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
   const double tile_m2 = box.width() * box.height();
   const double ground_m2 = ground_area_m2(chunk, box, tile.tolerance_m);
-  findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2, fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
+  findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
+                     fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
   const GroundSamples samples = sample_ground(tile, subject.leaving, chunk.heights, box, kSampleStep_m);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {
-    findings.height.breaches.push_back(fmt::format("{}: {} m where {} m is stated", name, samples.error_m, tile.error_m));
+    findings.height.breaches.push_back(
+        fmt::format("{}: {} m where {} m is stated", name, samples.error_m, tile.error_m));
   }
-  if (samples.uncovered > 0) findings.height.breaches.push_back(fmt::format("{}: {} places without ground", name, samples.uncovered));
+  if (samples.uncovered > 0)
+    findings.height.breaches.push_back(fmt::format("{}: {} places without ground", name, samples.uncovered));
 }
 
 /// One file against the manifest and against itself.
@@ -120,7 +125,8 @@ Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& wr
 
   Report ignored;
   const bake::BakedTile baked = bake::bake(subject.scene.header, *chunk, written.tolerance_m, 0, ignored);
-  const auto instancing = subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+  const auto instancing =
+      subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
   findings.forms.test(exporters::encode_glb(baked, subject.scene.header, instancing) == *bytes, written.file.name);
   check_ground(subject, *chunk, *tile, written.file.name, findings);
   return tile;
@@ -142,10 +148,12 @@ void check_seams(const BordersByTile& borders, Findings& findings) {
   for (const auto& [key, own] : borders) {
     const auto [level, tile] = key;
     if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
-      findings.seams.test(own.east == east->second.west, fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
+      findings.seams.test(own.east == east->second.west,
+                          fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
     }
     if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
-      findings.seams.test(own.north == north->second.south, fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
+      findings.seams.test(own.north == north->second.south,
+                          fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
     }
   }
 }
@@ -161,7 +169,8 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
     const WrittenTile& written = subject.record.tiles[i];
     const Result<bake::BakedTile> tile = check_tile(subject, written, findings);
     if (!tile) return tile.error();
-    borders[{written.level, written.tile}] = borders_of(*tile, subject.leaving, scene::box_of(subject.scene.header, written.tile));
+    borders[{written.level, written.tile}] =
+        borders_of(*tile, subject.leaving, scene::box_of(subject.scene.header, written.tile));
   }
   check_seams(borders, findings);
   return findings;
@@ -172,8 +181,9 @@ void tell(const Findings& findings, const Console& console) {
   for (const Finding* finding : findings.all()) {
     json.push_back({{"promise", finding->promise}, {"tests", finding->tests}, {"breaches", finding->breaches}});
     const bool holds = finding->breaches.empty();
-    console.say(fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding->promise,
-                            holds ? fmt::format("not falsified by {} tests", finding->tests) : finding->breaches.front()));
+    console.say(
+        fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding->promise,
+                    holds ? fmt::format("not falsified by {} tests", finding->tests) : finding->breaches.front()));
   }
   console.answer(json.dump(1));
 }
@@ -186,7 +196,8 @@ Result<Exit> run(const std::string& folder, const Console& console) {
   if (!findings) return findings.error();
   tell(*findings, console);
   for (const Finding* finding : findings->all()) {
-    if (!finding->breaches.empty()) return Error{folder, fmt::format("breaks a promise: {} ({})", finding->promise, finding->breaches.front())};
+    if (!finding->breaches.empty())
+      return Error{folder, fmt::format("breaks a promise: {} ({})", finding->promise, finding->breaches.front())};
   }
   return Exit::kDone;
 }

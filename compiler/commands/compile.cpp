@@ -34,8 +34,8 @@ Result<CompileSpec> spec_of(const Request& request) {
   return spec;
 }
 
-void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const Written& written, const std::vector<StageCost>& costs,
-                       const Console& console) {
+void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const Written& written,
+                       const std::vector<StageCost>& costs, const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
@@ -43,8 +43,8 @@ void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const 
     peak_bytes = std::max(peak_bytes, cost.peak_bytes);
   }
   console.say(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory", spec.outputs.folder,
-                          compiled.scene.chunks.size(), written.files.size() + written.tiles.size() + 2, written.bytes() * 1e-6, seconds,
-                          peak_bytes * 1e-6));
+                          compiled.scene.chunks.size(), written.files.size() + written.tiles.size() + 2,
+                          written.bytes() * 1e-6, seconds, peak_bytes * 1e-6));
   for (const auto& [code, count] : compiled.report.counts()) {
     console.say(fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
   }
@@ -63,12 +63,14 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
 
   StageWatch watch(on_progress);
   watch.enter("bake, write");
-  const Result<Written> written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
+  const Result<Written> written =
+      write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
   if (!written) return written.error();
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
 
-  const std::string report = report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs);
+  const std::string report =
+      report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs);
   const std::string timing = timing_json(costs, spec.threads);
   if (const Result<Done> done = folder->write("timing.json", bytes_of(timing)); !done) return done.error();
   if (const Result<Done> done = folder->commit(report); !done) return done.error();
@@ -95,7 +97,8 @@ Verb compile_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"compile", "makes a scene of a map, and fires its tiles", {}, {}};
   for (const Setting& setting : settings()) verb.options.push_back(option_of(setting, *request));
-  verb.options.push_back({"--spec", "FILE", "settings from a JSON file; those given here come after it", false, into(request->spec_path)});
+  verb.options.push_back(
+      {"--spec", "FILE", "settings from a JSON file; those given here come after it", false, into(request->spec_path)});
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

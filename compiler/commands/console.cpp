@@ -31,7 +31,8 @@ class Bar {
     const Clock::time_point now = Clock::now();
     if (now - begin_ < kPatience || (is_drawn_ && now - drawn_ < kRedraw)) return;
     const int filled = static_cast<int>(share * kBarWidth);
-    fmt::print(stderr, "\r{:<10} [{:#<{}}{:.<{}}] {:3.0f} %\x1b[K", stage, "", filled, "", kBarWidth - filled, share * 100);
+    fmt::print(stderr, "\r{:<10} [{:#<{}}{:.<{}}] {:3.0f} %\x1b[K", stage, "", filled, "", kBarWidth - filled,
+               share * 100);
     std::fflush(stderr);
     is_drawn_ = true;
     drawn_ = now;

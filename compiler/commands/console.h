@@ -17,8 +17,8 @@ struct Console {
   void say(std::string_view line) const;
   /// The answer for machines, on stdout.
   void answer(std::string_view json) const;
-  /// A bar on stderr, from one second on, if stderr is a terminal and nobody asked for silence. The bar is gone when the last copy of what
-  /// this returns is.
+  /// A bar on stderr, from one second on, if stderr is a terminal and nobody asked for silence. The bar is gone when
+  /// the last copy of what this returns is.
   OnProgress progress() const;
 };
 

@@ -38,8 +38,14 @@ Layer areas_of(const map::Features& features) {
 Layer buildings_of(const map::Features& features) {
   Layer layer;
   for (const map::Footprint& building : features.footprints) {
-    layer.push_back({building.id, building.is_part ? "Part" : "Building", ShapeKind::kPolygon, rings_of(building.polygon), {}, 0,
-                     building.min_height_m, building.height_m});
+    layer.push_back({building.id,
+                     building.is_part ? "Part" : "Building",
+                     ShapeKind::kPolygon,
+                     rings_of(building.polygon),
+                     {},
+                     0,
+                     building.min_height_m,
+                     building.height_m});
   }
   return layer;
 }
@@ -60,7 +66,8 @@ Layer roads_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const roads::Road& road : chunk.roads) {
-      layer.push_back({road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), road.width_m});
+      layer.push_back(
+          {road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), road.width_m});
     }
   }
   return layer;
@@ -73,7 +80,8 @@ Layer areas_of(const scene::Scene& scene) {
     for (const ground::Surface& surface : chunk.surfaces) {
       for (const Ring& ring : surface.rings) {
         const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
-        layer.push_back({surface.id, class_of(surface.surface) + hole, ShapeKind::kPolygon, {ring}, name_of(chunk.tile)});
+        layer.push_back(
+            {surface.id, class_of(surface.surface) + hole, ShapeKind::kPolygon, {ring}, name_of(chunk.tile)});
       }
     }
   }
@@ -84,8 +92,9 @@ Layer buildings_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const buildings::Building& building : chunk.buildings) {
-      layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", ShapeKind::kPolygon, rings_of(building.footprint),
-                       name_of(chunk.tile), 0, building.bottom_m, building.top_m - building.bottom_m});
+      layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", ShapeKind::kPolygon,
+                       rings_of(building.footprint), name_of(chunk.tile), 0, building.bottom_m,
+                       building.top_m - building.bottom_m});
     }
   }
   return layer;
@@ -108,11 +117,13 @@ Result<Layer> layer_named(const Source& source, const std::string& name) {
   if (name == "areas") return areas_of(source);
   if (name == "buildings") return buildings_of(source);
   if (name == "plants") return plants_of(source);
-  if (name == "junctions") return Error{"--layer", "junctions are not outlined yet; this version has roads, areas, buildings and plants"};
+  if (name == "junctions")
+    return Error{"--layer", "junctions are not outlined yet; this version has roads, areas, buildings and plants"};
   return Error{"--layer", fmt::format("expected roads, junctions, areas, buildings or plants, found \"{}\"", name)};
 }
 
-// ---- writing ---------------------------------------------------------------------------------------------------------------------------
+// ---- writing
+// ---------------------------------------------------------------------------------------------------------------------------
 
 void write_position(std::string& out, Vec2 p, const map::Plane& plane) {
   const map::LonLat place = plane.backward(p);
@@ -130,7 +141,8 @@ void write_positions(std::string& out, const Ring& points, bool closes, const ma
 
 void write_geometry(std::string& out, const Shape& shape, const map::Plane& plane) {
   constexpr std::array kNames = {"Point", "LineString", "Polygon"};
-  fmt::format_to(std::back_inserter(out), R"({{"type":"{}","coordinates":)", kNames[static_cast<std::size_t>(shape.geometry)]);
+  fmt::format_to(std::back_inserter(out), R"({{"type":"{}","coordinates":)",
+                 kNames[static_cast<std::size_t>(shape.geometry)]);
   if (shape.geometry == ShapeKind::kPoint) {
     write_position(out, shape.parts[0][0], plane);
   } else if (shape.geometry == ShapeKind::kLine) {
@@ -147,7 +159,8 @@ void write_geometry(std::string& out, const Shape& shape, const map::Plane& plan
 }
 
 void write_properties(std::string& out, const Shape& shape) {
-  fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(shape.id.osm), shape.id.part, shape.kind);
+  fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(shape.id.osm),
+                 shape.id.part, shape.kind);
   if (!shape.tile.empty()) fmt::format_to(std::back_inserter(out), R"(,"tile":"{}")", shape.tile);
   if (shape.width_m > 0) fmt::format_to(std::back_inserter(out), R"(,"width_m":{})", shape.width_m);
   if (shape.bottom_m != 0) fmt::format_to(std::back_inserter(out), R"(,"bottom_m":{})", shape.bottom_m);
@@ -161,7 +174,8 @@ Result<Layer> layer_of(const map::Features& features, const std::string& name) {
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) { return layer_named(scene, name); }
 
 std::string geojson_of(const Layer& layer, const map::Plane& plane, const std::vector<std::string>& attributions) {
-  std::string out = R"({"type":"FeatureCollection","attribution":)" + nlohmann::json(attributions).dump() + ",\"features\":[";
+  std::string out =
+      R"({"type":"FeatureCollection","attribution":)" + nlohmann::json(attributions).dump() + ",\"features\":[";
   for (std::size_t i = 0; i < layer.size(); ++i) {
     out += i > 0 ? ",\n" : "\n";
     out += R"({"type":"Feature","properties":)";

@@ -18,7 +18,7 @@ enum class ShapeKind { kPoint, kLine, kPolygon };
 /// One feature of a layer.
 struct Shape {
   ObjectId id;
-  std::string kind;         ///< Its class, "Residential".
+  std::string kind;  ///< Its class, "Residential".
   ShapeKind geometry{};
   std::vector<Ring> parts;  ///< One point, one line, or one polygon's rings with the outer one first. Plane metres.
   std::string tile{};       ///< Of which chunk it is a piece; empty: whole.
@@ -26,8 +26,8 @@ struct Shape {
 };
 using Layer = std::vector<Shape>;
 
-/// The layer `name` (roads, areas, buildings, plants) of a map or of a manifest. Of a manifest, roads and areas are pieces, trimmed to their tiles.
-/// Errors: an unknown name, and layers of later versions (junctions).
+/// The layer `name` (roads, areas, buildings, plants) of a map or of a manifest. Of a manifest, roads and areas are
+/// pieces, trimmed to their tiles. Errors: an unknown name, and layers of later versions (junctions).
 Result<Layer> layer_of(const map::Features& features, const std::string& name);
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name);
 

@@ -23,20 +23,22 @@ struct Request {
   std::string path, layer, geojson_path;
 };
 
-// ---- what is in it -----------------------------------------------------------------------------------------------------------------------
+// ---- what is in it
+// -----------------------------------------------------------------------------------------------------------------------
 
 Json chunk_of(const scene::Chunk& chunk) {
-  return {{"tile", to_string(chunk.tile)},
-          {"heights", fmt::format("{} x {} every {} m", chunk.heights.columns, chunk.heights.rows, chunk.heights.step_m)},
-          {"surfaces", chunk.surfaces.size()},
-          {"roads", chunk.roads.size()},
-          {"bridges", chunk.bridges.size()},
-          {"tunnels", chunk.tunnels.size()},
-          {"buildings", chunk.buildings.size()},
-          {"trees", chunk.trees.size()},
-          {"woods", chunk.woods.size()},
-          {"barriers", chunk.barriers.size()},
-          {"lamps", chunk.lamps.size()}};
+  return {
+      {"tile", to_string(chunk.tile)},
+      {"heights", fmt::format("{} x {} every {} m", chunk.heights.columns, chunk.heights.rows, chunk.heights.step_m)},
+      {"surfaces", chunk.surfaces.size()},
+      {"roads", chunk.roads.size()},
+      {"bridges", chunk.bridges.size()},
+      {"tunnels", chunk.tunnels.size()},
+      {"buildings", chunk.buildings.size()},
+      {"trees", chunk.trees.size()},
+      {"woods", chunk.woods.size()},
+      {"barriers", chunk.barriers.size()},
+      {"lamps", chunk.lamps.size()}};
 }
 
 Json describe(const scene::Scene& scene) {
@@ -69,7 +71,8 @@ Json describe(const bake::BakedTile& tile) {
     json["materials"][std::string(materials::values_of(primitive.material).name)] = primitive.triangles.size();
   }
   json["instanced"] = Json::object();
-  for (const bake::Instanced& instanced : tile.instanced) json["instanced"][instanced.name] = instanced.translations.size();
+  for (const bake::Instanced& instanced : tile.instanced)
+    json["instanced"][instanced.name] = instanced.translations.size();
   return json;
 }
 
@@ -100,7 +103,8 @@ void say(const Json& json, const Console& console) {
   }
 }
 
-// ---- files and layers --------------------------------------------------------------------------------------------------------------------
+// ---- files and layers
+// --------------------------------------------------------------------------------------------------------------------
 
 Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
                          const std::vector<std::string>& attributions) {
@@ -134,7 +138,8 @@ Result<Json> inspect_map(const Request& request) {
     const source::LonLatBox box = map::choose_box(*osm, {});
     const map::Plane plane(map::default_origin(box));
     const map::Features features = map::locate(*osm, plane, box, {}, report);
-    const Result<Done> done = write_layer(request, layer_of(features, request.layer), plane, {"© OpenStreetMap contributors"});
+    const Result<Done> done =
+        write_layer(request, layer_of(features, request.layer), plane, {"© OpenStreetMap contributors"});
     if (!done) return done.error();
   }
   return describe(*osm, report);

@@ -38,7 +38,8 @@ struct Guest {
 Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined) {
   Guest guest{tile, tile.origin - joined.origin, {}};
   for (const OsmId feature : tile.features) {
-    guest.features.push_back(static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
+    guest.features.push_back(
+        static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
   }
   return guest;
 }
@@ -89,7 +90,9 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
     joined.error_m = std::max(joined.error_m, tile.error_m);
   }
   if (reach_m > kExactReach_m) {
-    return Error{"", fmt::format("{:.0f} km are too wide for one file, which is exact to 16 km: bake fewer tiles, or a folder", reach_m / 1000)};
+    return Error{
+        "", fmt::format("{:.0f} km are too wide for one file, which is exact to 16 km: bake fewer tiles, or a folder",
+                        reach_m / 1000)};
   }
   return joined;
 }

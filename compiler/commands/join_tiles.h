@@ -8,7 +8,8 @@
 
 namespace citykiln::commands {
 
-/// Guarantees: the same triangles and instances at the same places, exactly; one primitive a material; the largest error of all.
+/// Guarantees: the same triangles and instances at the same places, exactly; one primitive a material; the largest
+/// error of all.
 /// @param tiles  At least one. Named after the first; its origin is the lowest corner of all.
 /// Errors: tiles that lie farther apart than float32 is exact for (16 km). O(vertices).
 Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles);

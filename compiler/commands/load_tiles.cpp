@@ -22,11 +22,11 @@ Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_pr
   loaded.header = scene->header;
   Report report;
   const std::vector<double> ladder_m = {request.tolerance_m};
-  const Result<Done> fired =
-      fire(*scene, ladder_m, request.threads, report, on_progress, [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-        loaded.tiles.push_back(tile);
-        return Done{};
-      });
+  const Result<Done> fired = fire(*scene, ladder_m, request.threads, report, on_progress,
+                                  [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+                                    loaded.tiles.push_back(tile);
+                                    return Done{};
+                                  });
   if (!fired) return fired.error();
   return loaded;
 }
@@ -41,7 +41,8 @@ std::optional<scene::Header> header_beside(const fs::path& manifest_path, scene:
   return scene->header;
 }
 
-Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path, const OnProgress& on_progress) {
+Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path,
+                          const OnProgress& on_progress) {
   Loaded loaded;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     on_progress("read", static_cast<double>(i) / static_cast<double>(paths.size()));
@@ -74,7 +75,8 @@ Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progr
   const std::string& first = request.paths.front();
   std::error_code none;
   const bool is_manifest = first.ends_with(".kiln"), is_folder = fs::is_directory(first, none);
-  if ((is_manifest || is_folder) && request.paths.size() > 1) return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
+  if ((is_manifest || is_folder) && request.paths.size() > 1)
+    return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
   if (is_manifest) return fire_manifest(request, on_progress);
   if (is_folder) return read_folder(request, on_progress);
   // OUT/glb/0_0_L0.glb has its manifest at OUT/scene.kiln

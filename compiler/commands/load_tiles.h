@@ -14,10 +14,10 @@
 namespace citykiln::commands {
 
 struct LoadRequest {
-  std::vector<std::string> paths;     ///< One .kiln, or one folder of a run, or .glb files.
-  double tolerance_m = 0.1;           ///< Of what a manifest is fired at.
-  std::size_t level = 0;              ///< Of a folder's tiles.
-  std::vector<scene::TileKey> only;   ///< If not empty, only these tiles.
+  std::vector<std::string> paths;    ///< One .kiln, or one folder of a run, or .glb files.
+  double tolerance_m = 0.1;          ///< Of what a manifest is fired at.
+  std::size_t level = 0;             ///< Of a folder's tiles.
+  std::vector<scene::TileKey> only;  ///< If not empty, only these tiles.
   int threads = 0;
 };
 

@@ -59,16 +59,20 @@ void lower(Lattice& lattice, const Corners& t) {
   if (area <= 0) return;
   Box2 box;
   for (const Vec3& corner : t) box.grow(in_plan(corner));
-  const auto first = [&](double from, double origin) { return std::max(0, static_cast<int>(std::floor((from - origin) / lattice.step_m))); };
+  const auto first = [&](double from, double origin) {
+    return std::max(0, static_cast<int>(std::floor((from - origin) / lattice.step_m)));
+  };
   const int last_i = std::min(lattice.columns - 1, first(box.max.x, lattice.box.min.x));
   const int last_j = std::min(lattice.rows - 1, first(box.max.y, lattice.box.min.y));
   for (int j = first(box.min.y, lattice.box.min.y); j <= last_j; ++j) {
     for (int i = first(box.min.x, lattice.box.min.x); i <= last_i; ++i) {
       const Vec2 p = lattice.middle(i, j);
-      const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])), b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
+      const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
+                   b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
       const double c = area - a - b;
       if (a < 0 || b < 0 || c < 0) continue;
-      double& lowest = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) + static_cast<std::size_t>(i)];
+      double& lowest = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) +
+                                        static_cast<std::size_t>(i)];
       lowest = std::min(lowest, (a * t[0].z + b * t[1].z + c * t[2].z) / area);
     }
   }
@@ -76,7 +80,8 @@ void lower(Lattice& lattice, const Corners& t) {
 
 /// Edges whose both ends have the coordinate; a vertical triangle has none that the ground would miss.
 template <typename Coordinate>
-std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at, Coordinate coordinate) {
+std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at,
+                                     Coordinate coordinate) {
   std::vector<BorderEdge> edges;
   for_each_ground_triangle(tile, leaving, [&](const Corners& t) {
     if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
@@ -91,8 +96,8 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<cons
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const map::Heightfield& heights, const Box2& box,
-                            double step_m) {
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving,
+                            const map::Heightfield& heights, const Box2& box, double step_m) {
   Lattice lattice = lattice_of(box, step_m);
   for_each_ground_triangle(tile, leaving, [&](const Corners& corners) { lower(lattice, corners); });
 
@@ -100,7 +105,8 @@ GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> 
   samples.count = lattice.lowest_m.size();
   for (int j = 0; j < lattice.rows; ++j) {
     for (int i = 0; i < lattice.columns; ++i) {
-      const double z = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) + static_cast<std::size_t>(i)];
+      const double z = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) +
+                                        static_cast<std::size_t>(i)];
       if (std::isinf(z)) {
         ++samples.uncovered;
       } else {

@@ -48,7 +48,8 @@ OutputFolder::~OutputFolder() {
 Result<Done> OutputFolder::make_folder(const std::string& path) {
   std::vector<fs::path> missing;
   std::error_code problem;
-  for (fs::path p = fs::path(path).lexically_normal(); !p.empty() && !fs::exists(p, problem); p = p.parent_path()) missing.push_back(p);
+  for (fs::path p = fs::path(path).lexically_normal(); !p.empty() && !fs::exists(p, problem); p = p.parent_path())
+    missing.push_back(p);
   for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
     if (fs::create_directory(*folder, problem)) made_folders_.push_back(folder->string());
     if (problem) return Error{path, "cannot be made: " + problem.message()};

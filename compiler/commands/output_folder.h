@@ -14,8 +14,8 @@ namespace citykiln::commands {
 /// Files and folders that this made are gone again when it ends without commit().
 class OutputFolder {
  public:
-  /// Makes the folder where it is missing and takes away the report of an earlier run. Errors: a folder that cannot be made or written, found now and
-  /// not after an hour's work.
+  /// Makes the folder where it is missing and takes away the report of an earlier run. Errors: a folder that cannot be
+  /// made or written, found now and not after an hour's work.
   static Result<OutputFolder> open(const std::string& path);
   ~OutputFolder();
   OutputFolder(OutputFolder&& other) noexcept;

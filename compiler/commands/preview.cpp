@@ -66,7 +66,8 @@ Result<Done> take_positive(const std::string& text, double& number) {
 
 Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg) {
   const Result<double> given = parse_number(text);
-  if (!given || *given <= 0 || *given >= 180) return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
+  if (!given || *given <= 0 || *given >= 180)
+    return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
   fov_deg = *given;
   return Done{};
 }
@@ -94,7 +95,8 @@ Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) 
   if (!look_at) return look_at.error();
   if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look belong together"};
 
-  Result<preview::Camera> camera = eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
+  Result<preview::Camera> camera =
+      eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
   if (camera && request.fov_deg) camera->vertical_fov_deg = *request.fov_deg;
   return camera;
 }
@@ -122,11 +124,11 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<Done> written = preview::write_image(image, request.picture_path);
   if (!written) return written.error();
 
-  console.say(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width, image.height, options.samples,
-                          loaded->tiles.size()));
-  console.answer(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})", camera->eye.x, camera->eye.y,
-                             camera->eye.z, camera->look_at.x, camera->look_at.y, camera->look_at.z, camera->vertical_fov_deg,
-                             loaded->tiles.size()));
+  console.say(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width,
+                          image.height, options.samples, loaded->tiles.size()));
+  console.answer(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})",
+                             camera->eye.x, camera->eye.y, camera->eye.z, camera->look_at.x, camera->look_at.y,
+                             camera->look_at.z, camera->vertical_fov_deg, loaded->tiles.size()));
   return Exit::kDone;
 }
 
@@ -140,9 +142,12 @@ Result<Done> take_only(const std::string& text, std::vector<scene::TileKey>& onl
 std::vector<Option> tile_options(LoadRequest& load) {
   return {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to look at", true, onto(load.paths)},
-      {"--tolerance", "M", "what a manifest is fired at (0.1)", false, [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
-      {"--level", "N", "which of a folder's levels (0)", false, [&](const std::string& t) { return take_level(t, load.level); }},
-      {"--only", "X_Y", "look at these tiles alone", true, [&](const std::string& t) { return take_only(t, load.only); }},
+      {"--tolerance", "M", "what a manifest is fired at (0.1)", false,
+       [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
+      {"--level", "N", "which of a folder's levels (0)", false,
+       [&](const std::string& t) { return take_level(t, load.level); }},
+      {"--only", "X_Y", "look at these tiles alone", true,
+       [&](const std::string& t) { return take_only(t, load.only); }},
       {"--threads", "N", "0: as many as the machine has (0)", false, into_whole(load.threads, 0)},
   };
 }
@@ -154,16 +159,19 @@ std::vector<Option> camera_options(Request& request) {
       {"--look", "X,Y,Z", "where it looks", false, into_point(request.look_at)},
       {"--eye-lonlat", "LON,LAT,HEIGHT", "where the eye is, degrees and metres", false, into_point(request.eye_lonlat)},
       {"--look-lonlat", "LON,LAT,HEIGHT", "where it looks", false, into_point(request.look_lonlat)},
-      {"--fov", "DEG", "vertical field of view", false, [&](const std::string& t) { return take_fov(t, request.fov_deg); }},
+      {"--fov", "DEG", "vertical field of view", false,
+       [&](const std::string& t) { return take_fov(t, request.fov_deg); }},
   };
 }
 
 std::vector<Option> picture_options(Request& request) {
   return {
-      {"--size", "WxH", "pixels (1280x720)", false, [&](const std::string& t) { return take_size(t, request.options); }},
+      {"--size", "WxH", "pixels (1280x720)", false,
+       [&](const std::string& t) { return take_size(t, request.options); }},
       {"--spp", "N", "paths a pixel (64)", false, into_whole(request.options.samples, 1)},
       {"--bounces", "N", "of each path (3)", false, into_whole(request.options.bounces, 0)},
-      {"--exposure", "X", "brightness (1)", false, [&](const std::string& t) { return take_positive(t, request.options.exposure); }},
+      {"--exposure", "X", "brightness (1)", false,
+       [&](const std::string& t) { return take_positive(t, request.options.exposure); }},
       {"--time", "ISO", "of the sky, UTC; else the scene's", false, into(request.time)},
       {"-o,--out", "FILE.png|FILE.exr", "the picture", false, into(request.picture_path)},
   };
@@ -173,7 +181,8 @@ std::vector<Option> picture_options(Request& request) {
 
 Verb preview_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
+  Verb verb{
+      "preview", "renders a picture of a manifest, a run's folder or .glb files", tile_options(request->load), {}};
   for (Option& option : camera_options(*request)) verb.options.push_back(std::move(option));
   for (Option& option : picture_options(*request)) verb.options.push_back(std::move(option));
   verb.run = [request](const Console& console) { return run(*request, console); };

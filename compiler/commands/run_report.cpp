@@ -21,7 +21,11 @@ Json ledger_of(const Report& report) {
   for (const auto& [name, account] : report.ledger()) {
     Json dropped = Json::object();
     for (const auto& [code, count] : account.dropped) dropped[std::string(name_of(code))] = count;
-    ledger[name] = {{"in", account.in}, {"split", account.split}, {"out", account.out}, {"merged", account.merged}, {"dropped", dropped}};
+    ledger[name] = {{"in", account.in},
+                    {"split", account.split},
+                    {"out", account.out},
+                    {"merged", account.merged},
+                    {"dropped", dropped}};
   }
   return ledger;
 }
@@ -47,8 +51,11 @@ Json diagnoses_of(const Report& report) {
   for (const auto& [code, tally] : tallies) {
     Json objects = Json::array();
     for (const OsmId object : tally.objects) objects.push_back(to_string(object));
-    diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))}, {"what", text_of(code)}, {"count", tally.count},
-                                             {"largest", tally.largest}, {"objects", objects}};
+    diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))},
+                                             {"what", text_of(code)},
+                                             {"count", tally.count},
+                                             {"largest", tally.largest},
+                                             {"objects", objects}};
   }
   return diagnoses;
 }
@@ -86,7 +93,11 @@ Json levels_of(const Written& written, const Outputs& outputs) {
       triangles += tile.triangles;
       error_m = std::max(error_m, tile.error_m);
     }
-    levels.push_back({{"level", n}, {"tolerance_m", outputs.ladder_m[n]}, {"error_m", error_m}, {"triangles", triangles}, {"bytes", bytes}});
+    levels.push_back({{"level", n},
+                      {"tolerance_m", outputs.ladder_m[n]},
+                      {"error_m", error_m},
+                      {"triangles", triangles},
+                      {"bytes", bytes}});
   }
   return levels;
 }
@@ -100,9 +111,15 @@ Json files_of(const Written& written) {
 Json tiles_of(const Written& written) {
   Json tiles = Json::array();
   for (const WrittenTile& tile : written.tiles) {
-    tiles.push_back({{"file", tile.file.name}, {"bytes", tile.file.bytes}, {"x", tile.tile.x}, {"y", tile.tile.y},
-                     {"level", tile.level}, {"tolerance_m", tile.tolerance_m}, {"error_m", tile.error_m},
-                     {"triangles", tile.triangles}, {"instances", tile.instances}});
+    tiles.push_back({{"file", tile.file.name},
+                     {"bytes", tile.file.bytes},
+                     {"x", tile.tile.x},
+                     {"y", tile.tile.y},
+                     {"level", tile.level},
+                     {"tolerance_m", tile.tolerance_m},
+                     {"error_m", tile.error_m},
+                     {"triangles", tile.triangles},
+                     {"instances", tile.instances}});
   }
   return tiles;
 }
@@ -118,8 +135,13 @@ bool balances(const Json& account) {
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({{tile.at("file"), tile.at("bytes")}, {tile.at("x"), tile.at("y")}, tile.at("level"), tile.at("tolerance_m"),
-                            tile.at("error_m"), tile.at("triangles"), tile.at("instances")});
+    record.tiles.push_back({{tile.at("file"), tile.at("bytes")},
+                            {tile.at("x"), tile.at("y")},
+                            tile.at("level"),
+                            tile.at("tolerance_m"),
+                            tile.at("error_m"),
+                            tile.at("triangles"),
+                            tile.at("instances")});
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
@@ -138,8 +160,8 @@ std::uint64_t Written::bytes() const {
   return sum;
 }
 
-std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report, const Written& written,
-                        const Outputs& outputs) {
+std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
+                        const Written& written, const Outputs& outputs) {
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
@@ -175,7 +197,8 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
 }
 
 bool has_objections(const Report& report) {
-  return std::ranges::any_of(report.diagnoses(), [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
+  return std::ranges::any_of(report.diagnoses(),
+                             [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
 }
 
 Result<RunRecord> read_report(const std::string& folder) {

@@ -1,4 +1,5 @@
-// report.json: what a run took in, what became of it, and what it left; timing.json: what that took, apart, since it is never the same twice.
+// report.json: what a run took in, what became of it, and what it left; timing.json: what that took, apart, since it is
+// never the same twice.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +39,8 @@ struct Written {
 };
 
 /// The report as JSON. Same inputs, same bytes: no times, no folders, no thread counts in it.
-std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report, const Written& written,
-                        const Outputs& outputs);
+std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
+                        const Written& written, const Outputs& outputs);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// True where something was mended or dropped: what --strict objects to.

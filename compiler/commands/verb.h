@@ -1,4 +1,5 @@
-// A verb of the command line as a table: its options, and what it does. Only command_line.cpp knows the library that parses them.
+// A verb of the command line as a table: its options, and what it does. Only command_line.cpp knows the library that
+// parses them.
 #pragma once
 
 #include <functional>

@@ -30,8 +30,10 @@ std::string quoted(const std::string& text) {
 /// Every series is an inline data block, so that nothing but the picture is written.
 std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
   std::string script = fmt::format(
-      "set terminal svg size 900,560 font 'Helvetica,14' background '#ffffff'\nset output {}\nset title {}\nset xlabel {}\nset ylabel {}\n"
-      "set grid lc rgb '#dddddd'\nset key outside bottom center maxcols 2\nset border 3\nset tics nomirror\nset datafile separator ','\n",
+      "set terminal svg size 900,560 font 'Helvetica,14' background '#ffffff'\nset output {}\nset title {}\nset xlabel "
+      "{}\nset ylabel {}\n"
+      "set grid lc rgb '#dddddd'\nset key outside bottom center maxcols 2\nset border 3\nset tics nomirror\nset "
+      "datafile separator ','\n",
       quoted(svg_path), quoted(chart.title), quoted(chart.x.label), quoted(chart.y.label));
   if (chart.x.is_logarithmic) script += "set logscale x\n";
   if (chart.y.is_logarithmic) script += "set logscale y\nset format y '%g'\n";
@@ -42,8 +44,8 @@ std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const char* style = chart.series[i].is_reference ? "points pt 6 ps 1.2" : "linespoints pt 7 ps 0.6 lw 2";
-    fmt::format_to(std::back_inserter(script), "{} $s{} using 1:2 with {} title {} noenhanced", i == 0 ? "plot" : ",", i, style,
-                   quoted(chart.series[i].name));
+    fmt::format_to(std::back_inserter(script), "{} $s{} using 1:2 with {} title {} noenhanced", i == 0 ? "plot" : ",",
+                   i, style, quoted(chart.series[i].name));
   }
   return script + "\n";
 }

@@ -14,18 +14,20 @@ Result<WrittenFile> write(const std::string& name, const std::vector<std::byte>&
   return WrittenFile{name, bytes.size()};
 }
 
-Result<WrittenTile> write_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header, const Outputs& outputs,
-                              OutputFolder& folder) {
-  const auto instancing = outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  const Result<WrittenFile> file = write(glb_name(tile.tile, level), exporters::encode_glb(tile, header, instancing), folder);
+Result<WrittenTile> write_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
+                              const Outputs& outputs, OutputFolder& folder) {
+  const auto instancing =
+      outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+  const Result<WrittenFile> file =
+      write(glb_name(tile.tile, level), exporters::encode_glb(tile, header, instancing), folder);
   if (!file) return file.error();
   return WrittenTile{*file, tile.tile, level, tile.tolerance_m, tile.error_m, triangles_of(tile), instances_of(tile)};
 }
 
 }  // namespace
 
-Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder, Report& report,
-                              const OnProgress& on_progress) {
+Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder,
+                              Report& report, const OnProgress& on_progress) {
   Written written;
   if (outputs.manifest) {
     on_progress("write", 0);
@@ -37,7 +39,8 @@ Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs,
 
   const Result<Done> fired = fire(scene, outputs.ladder_m, threads, report, on_progress,
                                   [&](const bake::BakedTile& tile, std::size_t level) -> Result<Done> {
-                                    const Result<WrittenTile> file = write_glb(tile, level, scene.header, outputs, folder);
+                                    const Result<WrittenTile> file =
+                                        write_glb(tile, level, scene.header, outputs, folder);
                                     if (!file) return file.error();
                                     written.tiles.push_back(*file);
                                     return Done{};
@@ -46,13 +49,16 @@ Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs,
   return written;
 }
 
-std::string glb_name(scene::TileKey tile, std::size_t level) { return fmt::format("glb/{}_L{}.glb", to_string(tile), level); }
+std::string glb_name(scene::TileKey tile, std::size_t level) {
+  return fmt::format("glb/{}_L{}.glb", to_string(tile), level);
+}
 
 std::uint64_t triangles_of(const bake::BakedTile& tile) {
   std::uint64_t count = 0;
   for (const bake::Primitive& primitive : tile.primitives) count += primitive.triangles.size();
   for (const bake::Instanced& instanced : tile.instanced) {
-    for (const bake::Primitive& primitive : instanced.primitives) count += primitive.triangles.size() * instanced.translations.size();
+    for (const bake::Primitive& primitive : instanced.primitives)
+      count += primitive.triangles.size() * instanced.translations.size();
   }
   return count;
 }

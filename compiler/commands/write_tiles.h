@@ -13,8 +13,8 @@
 namespace citykiln::commands {
 
 /// Writes scene.kiln and glb/<x>_<y>_L<n>.glb, whichever the outputs ask for, one tile at a time.
-Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder, Report& report,
-                              const OnProgress& on_progress);
+Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder,
+                              Report& report, const OnProgress& on_progress);
 
 /// "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);

@@ -1,4 +1,5 @@
-// Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011, section 4.3 (Philox). Constants are the paper's.
+// Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011, section 4.3 (Philox). Constants
+// are the paper's.
 #include "compiler/contract/draw.h"
 
 namespace citykiln {

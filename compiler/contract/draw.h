@@ -1,5 +1,5 @@
-// Chance is a pure function of (seed, object, purpose, index): nothing is drawn in sequence, so an object throws the same dice in
-// any tile, thread or order.
+// Chance is a pure function of (seed, object, purpose, index): nothing is drawn in sequence, so an object throws the
+// same dice in any tile, thread or order.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 namespace citykiln {
 
 /// Philox4x32-10: 128 random bits for a counter and a key.
-/// Source: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011. Tested by the authors' known answers.
+/// Source: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011. Tested by the authors'
+/// known answers.
 std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
 /// The dice of one object for one purpose.

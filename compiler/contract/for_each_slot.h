@@ -1,4 +1,5 @@
-// Threads may change when a thing is computed, never where it is put: each index fills its own slot, and slots are joined in order.
+// Threads may change when a thing is computed, never where it is put: each index fills its own slot, and slots are
+// joined in order.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,8 @@
 
 namespace citykiln {
 
-/// Calls `work(i)` for i = 0 … count - 1 on at most `threads` threads (0: as many as the machine has). `work` must write only to the
-/// i-th slot of what it fills. Blocks until all are done.
+/// Calls `work(i)` for i = 0 … count - 1 on at most `threads` threads (0: as many as the machine has). `work` must
+/// write only to the i-th slot of what it fills. Blocks until all are done.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 /// The slots that `make(i)` filled, in order.

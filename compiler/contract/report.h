@@ -1,4 +1,5 @@
-// What was mended, approximated or dropped, by name, with the OSM id and a size; and the ledger in which in = out + dropped balances.
+// What was mended, approximated or dropped, by name, with the OSM id and a size; and the ledger in which in = out +
+// dropped balances.
 #pragma once
 
 #include <cstdint>
@@ -19,29 +20,32 @@ enum class Code : std::uint8_t {
 #undef CODE
 };
 
-std::string_view name_of(Code code);     ///< "MissingNode".
-std::string_view text_of(Code code);     ///< What happened, a clause without full stop.
+std::string_view name_of(Code code);  ///< "MissingNode".
+std::string_view text_of(Code code);  ///< What happened, a clause without full stop.
 Severity severity_of(Code code);
 std::string_view name_of(Severity severity);  ///< "note", "mended", "dropped".
 
 struct Diagnosis {
   Code code;
   OsmId object;
-  double size = 0;  ///< How much: metres, square metres, samples, as the code's text says. 0 where there is nothing to measure.
+  double size =
+      0;  ///< How much: metres, square metres, samples, as the code's text says. 0 where there is nothing to measure.
 };
 
-/// One line of the ledger: what became of the objects of one kind in one stage. Balances when in + split = out + merged + dropped.
+/// One line of the ledger: what became of the objects of one kind in one stage. Balances when in + split = out + merged
+/// + dropped.
 struct Account {
   std::uint64_t in = 0;
-  std::uint64_t split = 0;    ///< Objects gained because one became several.
+  std::uint64_t split = 0;  ///< Objects gained because one became several.
   std::uint64_t out = 0;
-  std::uint64_t merged = 0;   ///< Objects that went into another (a building's outline into its parts).
+  std::uint64_t merged = 0;  ///< Objects that went into another (a building's outline into its parts).
   std::map<Code, std::uint64_t> dropped;
 
   bool balances() const;
 };
 
-/// The diagnoses and the ledger of a run. A value: parallel work fills one Report a slot, and they are appended in order.
+/// The diagnoses and the ledger of a run. A value: parallel work fills one Report a slot, and they are appended in
+/// order.
 class Report {
  public:
   void add(Code code, OsmId object, double size = 0) { diagnoses_.push_back({code, object, size}); }

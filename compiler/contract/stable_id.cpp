@@ -3,7 +3,8 @@
 namespace citykiln {
 namespace {
 
-// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64 bits in which each input bit moves half of the output bits.
+// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64 bits in which each input bit moves half of
+// the output bits.
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -19,8 +19,8 @@ struct OsmId {
 /// "n123", "w123", "r123"; "-" for none.
 std::string to_string(OsmId id);
 
-/// One object made of an OSM element: the element and which of its pieces (polygon of a multipolygon, segment of a way).
-/// Ordinals are given before any clipping, so a clipped piece is named by its uncut parent.
+/// One object made of an OSM element: the element and which of its pieces (polygon of a multipolygon, segment of a
+/// way). Ordinals are given before any clipping, so a clipped piece is named by its uncut parent.
 struct ObjectId {
   OsmId osm;
   std::uint32_t part = 0;
@@ -33,7 +33,8 @@ enum class StableId : std::uint64_t {};
 /// The id of a root.
 StableId stable_id(ObjectId object);
 
-/// The id of what descends from `parent` in the role `role` (a short constant, e.g. "tree"), the `ordinal`-th of its kind.
+/// The id of what descends from `parent` in the role `role` (a short constant, e.g. "tree"), the `ordinal`-th of its
+/// kind.
 StableId stable_id(StableId parent, const char* role, std::uint64_t ordinal);
 
 }  // namespace citykiln

@@ -1,5 +1,5 @@
-// Hobby 1999: snap rounding. Where we differ: the cells' border lines are part of the arrangement, so that a cell can be computed alone; and
-// hot points are looked up in a grid of buckets instead of by a sweep.
+// Hobby 1999: snap rounding. Where we differ: the cells' border lines are part of the arrangement, so that a cell can
+// be computed alone; and hot points are looked up in a grid of buckets instead of by a sweep.
 #include "compiler/geometry/arrangement.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ Int rounded_quotient(Wide n, Wide d) {
   return static_cast<Int>(quotient);
 }
 
-// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart. Ends that touch count.
+// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart. Ends that touch
+// count.
 std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegment& t) {
   const GridPoint along = s.b - s.a, other = t.b - t.a, between = t.a - s.a;
   Int d = cross(along, other), n = cross(between, other), m = cross(between, along);
@@ -55,12 +56,16 @@ struct Stretch {
   bool has_from = true, has_to = true;
 
   void begin_at(Fraction f, bool inclusive) {
-    if (less(from, f)) from = f, has_from = inclusive;
-    else if (!less(f, from)) has_from = has_from && inclusive;
+    if (less(from, f))
+      from = f, has_from = inclusive;
+    else if (!less(f, from))
+      has_from = has_from && inclusive;
   }
   void end_at(Fraction f, bool inclusive) {
-    if (less(f, to)) to = f, has_to = inclusive;
-    else if (!less(to, f)) has_to = has_to && inclusive;
+    if (less(f, to))
+      to = f, has_to = inclusive;
+    else if (!less(to, f))
+      has_to = has_to && inclusive;
   }
   bool is_empty() const { return less(to, from) || (!less(from, to) && !(has_from && has_to)); }
 };
@@ -166,7 +171,8 @@ std::array<OwnedSegment, 4> border_of(const GridBox& cell) {
 }
 
 // Every end and every rounded crossing in the cell, sorted. The last four segments are the border.
-std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const GridBox& cell) {
+std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
+                                  const GridBox& cell) {
   std::vector<GridPoint> hot;
   const auto add = [&](GridPoint p) {
     if (cell.contains(p)) hot.push_back(p);
@@ -196,10 +202,12 @@ struct Piece {
 };
 
 // Bends every segment through the hot points it passes, in the order in which it passes them.
-std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot, const GridBox& cell) {
+std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot,
+                                const GridBox& cell) {
   const Buckets buckets(cell, hot.size());
   const Bucketed sorted = sort_into(buckets, [&](auto visit) {
-    for (std::uint32_t i = 0; i < hot.size(); ++i) visit(buckets.index(buckets.column(hot[i].x), buckets.row(hot[i].y)), i);
+    for (std::uint32_t i = 0; i < hot.size(); ++i)
+      visit(buckets.index(buckets.column(hot[i].x), buckets.row(hot[i].y)), i);
   });
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> passed;
@@ -211,7 +219,8 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
     });
     // the squares are disjoint and the walk is straight, so their centres follow each other along it
     const GridPoint along = s.b - s.a;
-    std::sort(passed.begin(), passed.end(), [&](auto p, auto q) { return dot(hot[p] - s.a, along) < dot(hot[q] - s.a, along); });
+    std::sort(passed.begin(), passed.end(),
+              [&](auto p, auto q) { return dot(hot[p] - s.a, along) < dot(hot[q] - s.a, along); });
     for (std::size_t i = 1; i < passed.size(); ++i) {
       const std::uint32_t a = passed[i - 1], b = passed[i];
       if (a < b) pieces.push_back({a, b, s.owner, s.winding});
@@ -223,13 +232,13 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
 
 // Joins the pieces that lie on each other; drops edges without steps, but for the border's.
 Arrangement join(std::vector<Piece> pieces, std::vector<GridPoint> hot, const GridBox& cell) {
-  std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
-    return std::tie(p.a, p.b, p.owner) < std::tie(q.a, q.b, q.owner);
-  });
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& p, const Piece& q) { return std::tie(p.a, p.b, p.owner) < std::tie(q.a, q.b, q.owner); });
   Arrangement arrangement{std::move(hot), {}, {}};
   const auto on_border = [&](const Piece& p) {
     const GridPoint a = arrangement.vertices[p.a], b = arrangement.vertices[p.b];
-    return (a.x == b.x && (a.x == cell.min.x || a.x == cell.max.x)) || (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
+    return (a.x == b.x && (a.x == cell.min.x || a.x == cell.max.x)) ||
+           (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
   };
   for (std::size_t i = 0; i < pieces.size();) {
     const Piece& edge = pieces[i];

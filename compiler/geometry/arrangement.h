@@ -32,7 +32,8 @@ struct OwnedSegment {
   std::int32_t winding = 1;
 };
 
-/// Crossing an edge from its right to its left (walking from a to b) adds `winding` to how often one is inside of `owner`.
+/// Crossing an edge from its right to its left (walking from a to b) adds `winding` to how often one is inside of
+/// `owner`.
 struct WindingStep {
   std::uint32_t owner = 0;
   std::int32_t winding = 0;
@@ -45,8 +46,9 @@ struct ArrangedEdge {
 
 struct Arrangement {
   std::vector<GridPoint> vertices;  ///< Sorted.
-  std::vector<ArrangedEdge> edges;  ///< Sorted by (a, b). No two cross, touch or overlap but at their ends. The cell's border is among them.
-  std::vector<WindingStep> steps;   ///< Per edge sorted by owner.
+  std::vector<ArrangedEdge>
+      edges;  ///< Sorted by (a, b). No two cross, touch or overlap but at their ends. The cell's border is among them.
+  std::vector<WindingStep> steps;  ///< Per edge sorted by owner.
 };
 
 /// The part in a closed cell of the snap-rounded arrangement of all segments and of all cells' border lines.
@@ -54,10 +56,11 @@ struct Arrangement {
 /// @param segments  Any that may touch the cell; none is clipped before.
 /// @param points    Further hot points; those outside the cell are ignored.
 /// @param cell      Corners on whole metres.
-/// Guarantees: no segment moves by more than 2^-11 m in x or in y; vertices on the cell's border depend only on segments and points within 2^-10 m of it, so two
-/// cells that share a border share its vertices; ring edges whose windings cancel are gone, vertices on the border stay.
-/// Cost: O(n log n + crossings) for segments spread over the cell.
-/// Source: Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999; all tests exact in 64 and 128 bits.
+/// Guarantees: no segment moves by more than 2^-11 m in x or in y; vertices on the cell's border depend only on
+/// segments and points within 2^-10 m of it, so two cells that share a border share its vertices; ring edges whose
+/// windings cancel are gone, vertices on the border stay. Cost: O(n log n + crossings) for segments spread over the
+/// cell. Source: Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999; all
+/// tests exact in 64 and 128 bits.
 Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell);
 
 }  // namespace citykiln

@@ -1,4 +1,5 @@
-// A constrained Delaunay triangulation that takes further points, seen as numbered faces. CGAL does the work; its headers stay in delaunay.cpp.
+// A constrained Delaunay triangulation that takes further points, seen as numbered faces. CGAL does the work; its
+// headers stay in delaunay.cpp.
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ struct DelaunayFace {
 class Delaunay {
  public:
   /// @param vertices  Different points.
-  /// @param edges     Pairs of vertices. They must not cross or touch but at their ends (arrange() sees to it), and their hull must be convex.
+  /// @param edges     Pairs of vertices. They must not cross or touch but at their ends (arrange() sees to it), and
+  /// their hull must be convex.
   Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges);
   ~Delaunay();
   Delaunay(Delaunay&&) noexcept;
@@ -34,11 +36,12 @@ class Delaunay {
   const std::vector<GridPoint>& vertices() const;
   const std::vector<DelaunayFace>& faces() const;
 
-  /// The face that a new point at p would split (one of two on an edge), searched from face `near`; kNoFace where p is a vertex already, lies on a
-  /// constrained edge, or outside.
+  /// The face that a new point at p would split (one of two on an edge), searched from face `near`; kNoFace where p is
+  /// a vertex already, lies on a constrained edge, or outside.
   std::uint32_t face_to_split(GridPoint p, std::uint32_t near) const;
 
-  /// Puts a point into the face that face_to_split found. Returns the faces that changed or are new, all about the new vertex (the last one).
+  /// Puts a point into the face that face_to_split found. Returns the faces that changed or are new, all about the new
+  /// vertex (the last one).
   std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t face);
 
  private:

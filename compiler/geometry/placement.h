@@ -10,7 +10,7 @@ struct Placement {
   Vec3 at;                          ///< Plane metres, snapped: the mesh's origin comes here.
   double cos_yaw = 1, sin_yaw = 0;  ///< Turn about z, counter-clockwise from above.
   double scale = 1;
-  OsmId feature;                    ///< Whose it is.
+  OsmId feature;  ///< Whose it is.
 };
 
 }  // namespace citykiln

@@ -66,16 +66,20 @@ Ring without_repeats(std::span<const Vec2> ring) {
   for (bool changed = true; changed && kept.size() >= 3;) {
     changed = true;
     const std::size_t n = kept.size();
-    if (kept.back() == kept.front() || folds(kept[n - 2], kept[n - 1], kept[0])) kept.pop_back();
-    else if (folds(kept[n - 1], kept[0], kept[1])) kept.erase(kept.begin());
-    else changed = false;
+    if (kept.back() == kept.front() || folds(kept[n - 2], kept[n - 1], kept[0]))
+      kept.pop_back();
+    else if (folds(kept[n - 1], kept[0], kept[1]))
+      kept.erase(kept.begin());
+    else
+      changed = false;
   }
   return kept;
 }
 
 Ring trimmed_to(std::span<const Vec2> ring, const Box2& box) {
   if (ring.empty() || !box_of(ring).touches(box)) return {};
-  // a vertex may go if it, its kept predecessor and its successor all lie beyond one same side: the path between them stays out there
+  // a vertex may go if it, its kept predecessor and its successor all lie beyond one same side: the path between them
+  // stays out there
   Ring kept = {ring[0]};
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const Vec2 before = kept.back();

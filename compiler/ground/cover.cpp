@@ -11,8 +11,9 @@ constexpr std::uint32_t kNoEdge = 0xffffffffu;
 
 std::uint32_t edge_between(const Arrangement& arrangement, std::uint32_t p, std::uint32_t q) {
   const auto ends = std::minmax(p, q);
-  const auto found = std::lower_bound(arrangement.edges.begin(), arrangement.edges.end(), ends,
-                                      [](const ArrangedEdge& e, const auto& key) { return std::pair(e.a, e.b) < std::pair(key.first, key.second); });
+  const auto found = std::lower_bound(
+      arrangement.edges.begin(), arrangement.edges.end(), ends,
+      [](const ArrangedEdge& e, const auto& key) { return std::pair(e.a, e.b) < std::pair(key.first, key.second); });
   const bool is_there = found != arrangement.edges.end() && found->a == ends.first && found->b == ends.second;
   return is_there ? static_cast<std::uint32_t>(found - arrangement.edges.begin()) : kNoEdge;
 }
@@ -101,7 +102,8 @@ WidestFace widest_face(const Delaunay& triangulation) {
       const GridPoint p = triangulation.vertices()[triangulation.faces()[f].vertices[i]];
       corner[i] = {static_cast<double>(p.x), static_cast<double>(p.y)};
     }
-    const double a = distance(corner[1], corner[2]), b = distance(corner[2], corner[0]), c = distance(corner[0], corner[1]);
+    const double a = distance(corner[1], corner[2]), b = distance(corner[2], corner[0]),
+                 c = distance(corner[0], corner[1]);
     const double around = a + b + c;
     const double radius = cross(corner[1] - corner[0], corner[2] - corner[0]) / around;
     if (radius <= largest_radius) continue;

@@ -21,8 +21,9 @@ struct KnownFace {
 /// For each face the owner of the lowest rank that it is inside of (a winding above zero), or kNoOwner.
 ///
 /// @param ranks  One an owner, all different; the lowest is on top.
-/// Method: walks from the known face over all others, adding the steps of every edge it crosses and taking them back on its way home, so that faces
-/// a rounding has made thin are labelled as consistently as wide ones. O(faces · log owners).
+/// Method: walks from the known face over all others, adding the steps of every edge it crosses and taking them back on
+/// its way home, so that faces a rounding has made thin are labelled as consistently as wide ones. O(faces · log
+/// owners).
 std::vector<std::uint32_t> cover(const Delaunay& triangulation, const Arrangement& arrangement, const KnownFace& known,
                                  std::span<const std::uint32_t> ranks);
 

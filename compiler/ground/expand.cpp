@@ -1,5 +1,6 @@
-// Garland and Heckbert, "Fast polygonal approximation of terrains and height fields", CMU-CS-95-181, 1995 (greedy insertion). Where we differ: the
-// triangulation is constrained by class borders, and the error is taken at every vertex of the overlay of mesh and field, not at samples alone.
+// Garland and Heckbert, "Fast polygonal approximation of terrains and height fields", CMU-CS-95-181, 1995 (greedy
+// insertion). Where we differ: the triangulation is constrained by class borders, and the error is taken at every
+// vertex of the overlay of mesh and field, not at samples alone.
 #include "compiler/ground/expand.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ using map::Heightfield;
 // How much finer than the tolerance borders are split at most.
 constexpr double kFinestBorders = 8;
 
-// One planar partition of the cell: its edges, its triangles, and what covers each of them (an index into the surfaces, or kNoSurface).
+// One planar partition of the cell: its edges, its triangles, and what covers each of them (an index into the surfaces,
+// or kNoSurface).
 struct Partition {
   Arrangement arrangement;
   Delaunay triangulation;
@@ -39,7 +41,8 @@ Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
   const Box2 reach = cell.widened(kQuantum_m);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     const auto& rings = surfaces[i].rings;
-    if (std::any_of(rings.begin(), rings.end(), [&](const Ring& ring) { return box_of(ring).touches(reach); })) layers.order.push_back(i);
+    if (std::any_of(rings.begin(), rings.end(), [&](const Ring& ring) { return box_of(ring).touches(reach); }))
+      layers.order.push_back(i);
   }
   std::sort(layers.order.begin(), layers.order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
   for (std::uint32_t i = 0; i < layers.order.size(); ++i) layers.ranks.push_back(i);
@@ -92,7 +95,8 @@ Partition partition_all(const Layers& layers, const Box2& cell) {
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
-// A border that is seen: what lies to its left and right. The cell's own border has nothing on one side, and is not between two surfaces.
+// A border that is seen: what lies to its left and right. The cell's own border has nothing on one side, and is not
+// between two surfaces.
 struct Border {
   GridPoint a, b;  // a < b
   std::uint32_t left, right;
@@ -106,11 +110,13 @@ std::vector<Border> seen_borders(const Partition& all) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = faces[f].neighbours[i];
       if (!faces[f].is_constrained[i]) continue;
-      const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]], b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
+      const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]],
+                      b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
       const std::uint32_t left = all.face_surface[f];
       if (beyond == kNoFace) borders.push_back({std::min(a, b), std::max(a, b), left, left, true});
       // an inner edge is met from both sides; the one that sees it from its lower end counts
-      else if (a < b && left != all.face_surface[beyond]) borders.push_back({a, b, left, all.face_surface[beyond], false});
+      else if (a < b && left != all.face_surface[beyond])
+        borders.push_back({a, b, left, all.face_surface[beyond], false});
     }
   return borders;
 }
@@ -129,7 +135,8 @@ std::uint32_t place_in(const std::vector<std::uint32_t>& sorted, std::uint32_t v
 
 Vec3 on_field(const Heightfield& heights, Vec2 p) { return at_height(p, snapped(map::height_m_at(heights, p))); }
 
-// Splits an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the edge and the field alone.
+// Splits an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the
+// edge and the field alone.
 void split_edge(const Heightfield& heights, Vec3 a, Vec3 b, double tolerance_m, std::vector<GridPoint>& points) {
   const WorstPoint worst = worst_on_edge(heights, a, b);
   if (worst.error_m <= tolerance_m) return;
@@ -140,14 +147,15 @@ void split_edge(const Heightfield& heights, Vec3 a, Vec3 b, double tolerance_m, 
   split_edge(heights, middle, b, tolerance_m, points);
 }
 
-// Step 3: the borders bent through the points they need to follow the field. Those of the cell stay straight and only need the points.
+// Step 3: the borders bent through the points they need to follow the field. Those of the cell stay straight and only
+// need the points.
 struct Bent {
   std::vector<OwnedSegment> segments;
   std::vector<GridPoint> points;
 };
 
-Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint32_t>& surfaces, const Heightfield& heights, double tolerance_m,
-                   double inner_tolerance_m) {
+Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint32_t>& surfaces,
+                   const Heightfield& heights, double tolerance_m, double inner_tolerance_m) {
   Bent bent;
   std::vector<GridPoint> path;
   for (const Border& border : borders) {
@@ -159,7 +167,9 @@ Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint3
       bent.points.insert(bent.points.end(), path.begin(), path.end());
       continue;
     }
-    const auto along = [&](GridPoint p) { return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y); };
+    const auto along = [&](GridPoint p) {
+      return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
+    };
     std::sort(path.begin(), path.end(), [&](GridPoint p, GridPoint q) { return along(p) < along(q); });
     for (std::size_t i = 1; i < path.size(); ++i) {
       bent.segments.push_back({path[i - 1], path[i], place_in(surfaces, border.left), 1});
@@ -170,8 +180,8 @@ Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint3
 }
 
 // Only the borders that are seen, split where the height asks for it.
-Partition partition_seen(const Partition& all, const Layers& layers, const Heightfield& heights, const Box2& cell, double tolerance_m,
-                         double inner_tolerance_m) {
+Partition partition_seen(const Partition& all, const Layers& layers, const Heightfield& heights, const Box2& cell,
+                         double tolerance_m, double inner_tolerance_m) {
   const std::vector<std::uint32_t> surfaces = seen_surfaces(all);
   const Bent bent = bend_to_field(seen_borders(all), surfaces, heights, tolerance_m, inner_tolerance_m);
   Arrangement arrangement = arrange(bent.segments, bent.points, cell);
@@ -185,7 +195,8 @@ Partition partition_seen(const Partition& all, const Layers& layers, const Heigh
   std::vector<std::uint32_t> ranks(surfaces.size());
   for (std::uint32_t i = 0; i < ranks.size(); ++i) ranks[i] = i;
   KnownFace known{seed.face, {}};
-  if (std::binary_search(surfaces.begin(), surfaces.end(), on_top)) known.windings.push_back({place_in(surfaces, on_top), 1});
+  if (std::binary_search(surfaces.begin(), surfaces.end(), on_top))
+    known.windings.push_back({place_in(surfaces, on_top), 1});
   std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks);
   for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoSurface : surfaces[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
@@ -207,7 +218,8 @@ struct Growing {
 
   void measure(std::uint32_t f) {
     const DelaunayFace& face = triangulation.faces()[f];
-    const std::array<Vec3, 3> corners = {vertices[face.vertices[0]], vertices[face.vertices[1]], vertices[face.vertices[2]]};
+    const std::array<Vec3, 3> corners = {vertices[face.vertices[0]], vertices[face.vertices[1]],
+                                         vertices[face.vertices[2]]};
     FaceError& error = errors[f];
     error = {0, worst_inside(heights, corners)};
     for (int i = 0; i < 3; ++i) {
@@ -230,7 +242,8 @@ struct Growing {
     const std::uint32_t surface = face_surface[split];
     const auto changed = triangulation.insert(grid_point(in_plan(p)), split);
     vertices.push_back(p);
-    // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that region
+    // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that
+    // region
     face_surface.resize(triangulation.faces().size(), surface);
     errors.resize(triangulation.faces().size());
     for (const std::uint32_t c : changed) face_surface[c] = surface;
@@ -272,16 +285,19 @@ GroundMesh finished(const Growing& growing) {
 
 }  // namespace
 
-GroundMesh expand_cell(std::span<const Surface> surfaces, const Heightfield& heights, const Box2& cell, double tolerance_m, Report& report) {
+GroundMesh expand_cell(std::span<const Surface> surfaces, const Heightfield& heights, const Box2& cell,
+                       double tolerance_m, Report& report) {
   const Layers layers = layers_near(surfaces, cell);
   const Partition all = partition_all(layers, cell);
   GroundMesh ground;
-  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further vertex: then the borders are split more
-  // finely. The cell's own border is not: its vertices are the neighbour's too.
+  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
+  // vertex: then the borders are split more finely. The cell's own border is not: its vertices are the neighbour's too.
   for (double inner_m = tolerance_m; inner_m >= tolerance_m / kFinestBorders; inner_m /= 2) {
     Partition seen = partition_seen(all, layers, heights, cell, tolerance_m, inner_m);
-    Growing growing{heights, seen.triangulation, seen.face_surface, {}, std::vector<FaceError>(seen.face_surface.size())};
-    for (const GridPoint p : seen.triangulation.vertices()) growing.vertices.push_back(on_field(heights, plane_point(p)));
+    Growing growing{
+        heights, seen.triangulation, seen.face_surface, {}, std::vector<FaceError>(seen.face_surface.size())};
+    for (const GridPoint p : seen.triangulation.vertices())
+      growing.vertices.push_back(on_field(heights, plane_point(p)));
     refine(growing, tolerance_m);
     ground = finished(growing);
     if (ground.error_m <= tolerance_m) return ground;

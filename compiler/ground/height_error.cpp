@@ -11,7 +11,8 @@ struct Lines {
   int first, last;
 };
 Lines lines_between(double low, double high, double start, double step) {
-  return {static_cast<int>(std::floor((low - start) / step)) + 1, static_cast<int>(std::ceil((high - start) / step)) - 1};
+  return {static_cast<int>(std::floor((low - start) / step)) + 1,
+          static_cast<int>(std::ceil((high - start) / step)) - 1};
 }
 
 void consider(WorstPoint& worst, double error_m, Vec2 at) {
@@ -19,8 +20,8 @@ void consider(WorstPoint& worst, double error_m, Vec2 at) {
 }
 
 // The crossings with one family of parallel lines, on which a function of the place takes the values start + k · step.
-void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a, Vec3 b, double value_a, double value_b, double start,
-                        Lines inside) {
+void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a, Vec3 b, double value_a,
+                        double value_b, double start, Lines inside) {
   if (value_a == value_b) return;
   const Lines lines = lines_between(std::min(value_a, value_b), std::max(value_a, value_b), start, field.step_m);
   for (int k = std::max(lines.first, inside.first); k <= std::min(lines.last, inside.last); ++k) {

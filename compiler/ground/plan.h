@@ -10,8 +10,8 @@
 
 namespace citykiln::ground {
 
-/// Areas as surfaces, sorted by id. Roads, streams and buildings cover the ground too, but their strips and footprints are made from their own
-/// recipes (surface_of). Ledger "ground/area". Total.
+/// Areas as surfaces, sorted by id. Roads, streams and buildings cover the ground too, but their strips and footprints
+/// are made from their own recipes (surface_of). Ledger "ground/area". Total.
 std::vector<Surface> plan(const map::Features& features, Report& report);
 
 /// Waterways at ground level as strips, like roads, sorted by id. Ledger "ground/waterway". Total.

@@ -10,11 +10,13 @@
 
 namespace citykiln::ground {
 
-/// A piece of the plane with one class, covered where the winding numbers of its rings add up to more than zero. Rings may overlap and cross.
+/// A piece of the plane with one class, covered where the winding numbers of its rings add up to more than zero. Rings
+/// may overlap and cross.
 struct Surface {
   ObjectId id;
   map::SurfaceClass surface{};
-  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; 0 for strips. Of two surfaces with one priority the smaller wins, then the lower id.
+  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; 0 for strips. Of two surfaces with one
+                              ///< priority the smaller wins, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   bool operator==(const Surface&) const = default;
 };

@@ -16,14 +16,18 @@ struct BucketRange {
   int first_column, last_column, first_row, last_row;
 };
 
-int bucket_index(double offset_m, int count) { return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0)); }
+int bucket_index(double offset_m, int count) {
+  return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0));
+}
 
 BucketRange buckets_of(const SurfaceMap& map, const Box2& box) {
   return {bucket_index(box.min.x - map.corner.x, map.columns), bucket_index(box.max.x - map.corner.x, map.columns),
           bucket_index(box.min.y - map.corner.y, map.rows), bucket_index(box.max.y - map.corner.y, map.rows)};
 }
 
-Vec2 corner_of(const SurfaceMap& map, int column, int row) { return map.corner + Vec2{column * kBucket_m, row * kBucket_m}; }
+Vec2 corner_of(const SurfaceMap& map, int column, int row) {
+  return map.corner + Vec2{column * kBucket_m, row * kBucket_m};
+}
 
 // The borders of one surface, by bucket of the range its box touches.
 struct Sorted {
@@ -42,7 +46,8 @@ Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box
       const BucketRange near = buckets_of(map, edge);
       for (int r = near.first_row; r <= near.last_row; ++r)
         for (int c = near.first_column; c <= near.last_column; ++c)
-          sorted.edges[static_cast<std::size_t>(r - sorted.range.first_row) * across + (c - sorted.range.first_column)].push_back({ring[j], ring[i]});
+          sorted.edges[static_cast<std::size_t>(r - sorted.range.first_row) * across + (c - sorted.range.first_column)]
+              .push_back({ring[j], ring[i]});
     }
   return sorted;
 }
@@ -74,7 +79,8 @@ void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& 
       if (edges.empty() && winding <= 0) continue;
       const auto first = static_cast<std::uint32_t>(map.edges.size());
       map.edges.insert(map.edges.end(), edges.begin(), edges.end());
-      found.push_back({static_cast<std::size_t>(r) * map.columns + c, {number, winding, first, static_cast<std::uint32_t>(edges.size())}});
+      found.push_back({static_cast<std::size_t>(r) * map.columns + c,
+                       {number, winding, first, static_cast<std::uint32_t>(edges.size())}});
     }
 }
 
@@ -82,7 +88,8 @@ std::span<const SurfaceMap::Edge> edges_of(const SurfaceMap& map, const BucketSu
   return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
 }
 
-// From the bucket's corner, whose winding is known, north to the height of p and then east to p, counting the borders on the way.
+// From the bucket's corner, whose winding is known, north to the height of p and then east to p, counting the borders
+// on the way.
 bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner, Vec2 p) {
   int winding = entry.winding;
   for (const auto& [a, b] : edges_of(map, entry)) {
@@ -111,7 +118,8 @@ double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec
 
 std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
   const std::size_t bucket = static_cast<std::size_t>(row) * map.columns + column;
-  return std::span(map.entries).subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
+  return std::span(map.entries)
+      .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
 }
 
 }  // namespace
@@ -143,13 +151,15 @@ std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) {
   double nearest_m = reach_m;
   const BucketRange range = buckets_of(map, {{p.x - reach_m, p.y - reach_m}, {p.x + reach_m, p.y + reach_m}});
-  const int own_column = bucket_index(p.x - map.corner.x, map.columns), own_row = bucket_index(p.y - map.corner.y, map.rows);
+  const int own_column = bucket_index(p.x - map.corner.x, map.columns),
+            own_row = bucket_index(p.y - map.corner.y, map.rows);
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column)
       for (const BucketSurface& entry : entries_at(map, column, row)) {
         // sorted from the top down: none of this priority can follow
         if (map::values_of(map.surfaces[entry.surface].surface).priority < priority) break;
-        if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p)) return 0;
+        if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p))
+          return 0;
         nearest_m = std::min(nearest_m, distance_to_border(map, entry, p));
       }
   return nearest_m;

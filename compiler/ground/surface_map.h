@@ -12,7 +12,8 @@ namespace citykiln::ground {
 
 inline constexpr std::uint32_t kNoSurface = 0xffffffffu;
 
-/// A surface in one bucket: how often the bucket's south-west corner is inside of it, and its borders that come near the bucket.
+/// A surface in one bucket: how often the bucket's south-west corner is inside of it, and its borders that come near
+/// the bucket.
 struct BucketSurface {
   std::uint32_t surface = 0;
   std::int32_t winding = 0;
@@ -26,9 +27,11 @@ struct SurfaceMap {
   };
   std::span<const Surface> surfaces;
   Box2 box;
-  Vec2 corner;                               ///< South-west corner of the first bucket, off the plane's grid, so that no vertex lies on a bucket's side.
+  Vec2 corner;  ///< South-west corner of the first bucket, off the plane's grid, so that no vertex lies on a bucket's
+                ///< side.
   int columns = 0, rows = 0;
-  std::vector<std::uint32_t> bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
+  std::vector<std::uint32_t>
+      bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
   std::vector<BucketSurface> entries;
   std::vector<Edge> edges;
 };
@@ -39,8 +42,9 @@ SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box);
 /// The index of the surface on top at p, or kNoSurface. p must lie in the map's box. O(edges in p's bucket).
 std::uint32_t surface_at(const SurfaceMap& map, Vec2 p);
 
-/// The distance from p to the nearest border of a surface whose class has at least this priority; at most `reach_m`, 0 where such a surface
-/// covers p. p must lie in the map's box; borders outside the box do not count. O(edges in the buckets within reach).
+/// The distance from p to the nearest border of a surface whose class has at least this priority; at most `reach_m`, 0
+/// where such a surface covers p. p must lie in the map's box; borders outside the box do not count. O(edges in the
+/// buckets within reach).
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

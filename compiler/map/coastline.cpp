@@ -81,14 +81,19 @@ std::optional<std::array<Vec2, 2>> clipped(Vec2 a, Vec2 b, const Box2& box) {
   const auto cut = [&](double step, double room) {
     if (step == 0) return room >= 0;
     const double t = room / step;
-    if (step < 0) from = std::max(from, t);
-    else to = std::min(to, t);
+    if (step < 0)
+      from = std::max(from, t);
+    else
+      to = std::min(to, t);
     return from <= to;
   };
-  if (!cut(-d.x, a.x - box.min.x) || !cut(d.x, box.max.x - a.x) || !cut(-d.y, a.y - box.min.y) || !cut(d.y, box.max.y - a.y)) return std::nullopt;
+  if (!cut(-d.x, a.x - box.min.x) || !cut(d.x, box.max.x - a.x) || !cut(-d.y, a.y - box.min.y) ||
+      !cut(d.y, box.max.y - a.y))
+    return std::nullopt;
   const auto on_side = [&](double t) {
     const Vec2 p = a + d * t, side = nearest_on_sides(box, p);
-    return snapped_to(kMapStep_m, Vec2{std::clamp(side.x, box.min.x, box.max.x), std::clamp(side.y, box.min.y, box.max.y)});
+    return snapped_to(kMapStep_m,
+                      Vec2{std::clamp(side.x, box.min.x, box.max.x), std::clamp(side.y, box.min.y, box.max.y)});
   };
   return std::array{from > 0 ? on_side(from) : a, to < 1 ? on_side(to) : b};
 }
@@ -125,7 +130,9 @@ Polyline opened(const Ring& ring, const Box2& box) {
   return line;
 }
 
-bool is_on_sides(const Box2& box, Vec2 p) { return p.x == box.min.x || p.x == box.max.x || p.y == box.min.y || p.y == box.max.y; }
+bool is_on_sides(const Box2& box, Vec2 p) {
+  return p.x == box.min.x || p.x == box.max.x || p.y == box.min.y || p.y == box.max.y;
+}
 
 // Leads a loose end on in the direction the coast has had lately, to the side of the box that lies there.
 Vec2 led_on(const Polyline& from_end, const Box2& box) {
@@ -157,7 +164,8 @@ void lead_out(Polyline& run, const Chain& chain, const Box2& box, Sea& sea) {
   }
 }
 
-// Follows pieces, and the sides clockwise from each exit to the next entry, until each ring closes. Water lies inside, on the right: clockwise rings.
+// Follows pieces, and the sides clockwise from each exit to the next entry, until each ring closes. Water lies inside,
+// on the right: clockwise rings.
 std::vector<Ring> close_along_sides(const std::vector<Piece>& pieces, const Box2& box) {
   std::vector<bool> used(pieces.size(), false);
   const auto next_entry = [&](double exit) {
@@ -187,7 +195,8 @@ std::vector<Ring> close_along_sides(const std::vector<Piece>& pieces, const Box2
 }
 
 void add_islands(Sea& sea, std::vector<Ring>&& islands, const Box2& box) {
-  if (sea.polygons.empty() && !islands.empty()) sea.polygons.push_back({{box.min, corner(box, 3), box.max, corner(box, 1)}, {}});
+  if (sea.polygons.empty() && !islands.empty())
+    sea.polygons.push_back({{box.min, corner(box, 3), box.max, corner(box, 1)}, {}});
   for (Ring& island : islands) {
     // a hole runs clockwise
     std::reverse(island.begin(), island.end());
@@ -210,8 +219,10 @@ Sea close_sea(std::vector<CoastWay> ways, const Box2& box) {
     const bool is_inside = std::all_of(chain.axis.begin(), chain.axis.end(), [&](Vec2 p) { return box.contains(p); });
     if (chain.is_closed && is_inside) {
       Ring ring = without_repeats(chain.axis);
-      if (signed_area_m2(ring) > 0) islands.push_back(std::move(ring));
-      else if (ring.size() >= 3) sea.polygons.push_back({Ring(ring.rbegin(), ring.rend()), {}});
+      if (signed_area_m2(ring) > 0)
+        islands.push_back(std::move(ring));
+      else if (ring.size() >= 3)
+        sea.polygons.push_back({Ring(ring.rbegin(), ring.rend()), {}});
       continue;
     }
     for (Polyline& run : runs_inside(chain.is_closed ? opened(chain.axis, box) : chain.axis, box)) {

@@ -26,7 +26,7 @@ struct Track {
   Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
   std::vector<std::int64_t> node_ids;  ///< OSM node of each axis point.
   SurfaceClass surface{};
-  double width_m = 0;                  ///< Kerb to kerb. > 0, a multiple of 2^-10.
+  double width_m = 0;  ///< Kerb to kerb. > 0, a multiple of 2^-10.
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
@@ -37,20 +37,20 @@ struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  bool has_parts = false;                ///< An outline that building:parts replace: not drawn.
-  double height_m = 0;                   ///< Above the ground, of the highest point; tags, else levels, else class. > min_height_m.
+  bool has_parts = false;  ///< An outline that building:parts replace: not drawn.
+  double height_m = 0;     ///< Above the ground, of the highest point; tags, else levels, else class. > min_height_m.
   double min_height_m = 0;
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
-  std::uint8_t building_class = 0;       ///< A BuildingClass of building_classes.h.
+  std::uint8_t building_class = 0;  ///< A BuildingClass of building_classes.h.
 };
 
 /// A piece of land or water with one class.
 struct AreaFeature {
   ObjectId id;
-  Polygon polygon;           ///< Trimmed to what is near the region.
+  Polygon polygon;  ///< Trimmed to what is near the region.
   SurfaceClass surface{};
-  double area_m2 = 0;        ///< Of the whole.
+  double area_m2 = 0;  ///< Of the whole.
 };
 
 /// A river, stream, canal or ditch as a line.
@@ -71,19 +71,31 @@ struct Barrier {
   double height_m = 0, width_m = 0;
 };
 
-enum class PointKind : std::uint8_t { kTree, kStreetLamp, kBench, kBollard, kPost, kFountain, kHydrant, kWasteBasket, kMast, kChimney, kFlagpole };
+enum class PointKind : std::uint8_t {
+  kTree,
+  kStreetLamp,
+  kBench,
+  kBollard,
+  kPost,
+  kFountain,
+  kHydrant,
+  kWasteBasket,
+  kMast,
+  kChimney,
+  kFlagpole
+};
 
 struct PointFeature {
   ObjectId id;
   Vec2 at;
   PointKind kind{};
-  double height_m = 0;          ///< 0: not tagged.
-  bool is_needleleaved = false; ///< Trees.
+  double height_m = 0;           ///< 0: not tagged.
+  bool is_needleleaved = false;  ///< Trees.
 };
 
 /// Everything citykiln draws, each vector sorted by id, all coordinates snapped to 2^-10 m.
 struct Features {
-  Box2 region;                     ///< What is compiled: whole cells of 128 m around the box asked for.
+  Box2 region;  ///< What is compiled: whole cells of 128 m around the box asked for.
   std::vector<Track> tracks;
   std::vector<Footprint> footprints;
   std::vector<AreaFeature> areas;  ///< Sea included, closed along the region.

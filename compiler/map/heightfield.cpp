@@ -23,8 +23,10 @@ InSquare square_at(const Heightfield& field, Vec2 p) {
 Vec3 slope_normal(const Heightfield& field, int i, int j) {
   const int west = std::max(i - 1, 0), east = std::min(i + 1, field.columns - 1);
   const int south = std::max(j - 1, 0), north = std::min(j + 1, field.rows - 1);
-  const double dx = (field.height_m_at_vertex(east, j) - field.height_m_at_vertex(west, j)) / ((east - west) * field.step_m);
-  const double dy = (field.height_m_at_vertex(i, north) - field.height_m_at_vertex(i, south)) / ((north - south) * field.step_m);
+  const double dx =
+      (field.height_m_at_vertex(east, j) - field.height_m_at_vertex(west, j)) / ((east - west) * field.step_m);
+  const double dy =
+      (field.height_m_at_vertex(i, north) - field.height_m_at_vertex(i, south)) / ((north - south) * field.step_m);
   return unit(Vec3{-dx, -dy, 1});
 }
 
@@ -58,7 +60,11 @@ Heightfield window_of(const Heightfield& field, const Box2& box) {
   const int i0 = first(box.min.x, field.min.x, field.columns), j0 = first(box.min.y, field.min.y, field.rows);
   const int i1 = std::max(i0 + 1, last(box.max.x, field.min.x, field.columns));
   const int j1 = std::max(j0 + 1, last(box.max.y, field.min.y, field.rows));
-  Heightfield window{{field.min.x + i0 * field.step_m, field.min.y + j0 * field.step_m}, field.step_m, i1 - i0 + 1, j1 - j0 + 1, {},
+  Heightfield window{{field.min.x + i0 * field.step_m, field.min.y + j0 * field.step_m},
+                     field.step_m,
+                     i1 - i0 + 1,
+                     j1 - j0 + 1,
+                     {},
                      field.resampling_error_m};
   for (int j = j0; j <= j1; ++j) {
     const auto row = field.heights.begin() + static_cast<std::ptrdiff_t>(j) * field.columns;

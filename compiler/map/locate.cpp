@@ -10,7 +10,8 @@ namespace {
 
 using source::LonLatBox;
 
-// A file without a box of its own takes that of its roads and buildings but for the outermost two in a hundred: long relations drag in far nodes.
+// A file without a box of its own takes that of its roads and buildings but for the outermost two in a hundred: long
+// relations drag in far nodes.
 constexpr double kLeftOutShare = 0.02;
 
 struct Coordinates {
@@ -21,7 +22,8 @@ Coordinates coordinates_of(const source::OsmData& osm, std::string_view key) {
   Coordinates places;
   for (const source::Way& way : osm.ways) {
     if (osm.value_of(way.tags, key).empty()) continue;
-    for (const source::NodeRef& node : osm.nodes_of(way)) places.lon.push_back(node.at.lon_e7), places.lat.push_back(node.at.lat_e7);
+    for (const source::NodeRef& node : osm.nodes_of(way))
+      places.lon.push_back(node.at.lon_e7), places.lat.push_back(node.at.lat_e7);
   }
   return places;
 }
@@ -34,7 +36,8 @@ double quantile_deg(std::vector<std::int32_t>& values, double share) {
 
 LonLatBox middle_of(Coordinates places) {
   const double cut = kLeftOutShare / 2;
-  return {quantile_deg(places.lon, cut), quantile_deg(places.lat, cut), quantile_deg(places.lon, 1 - cut), quantile_deg(places.lat, 1 - cut)};
+  return {quantile_deg(places.lon, cut), quantile_deg(places.lat, cut), quantile_deg(places.lon, 1 - cut),
+          quantile_deg(places.lat, 1 - cut)};
 }
 
 // Enough buildings to tell where the extract is.
@@ -48,10 +51,14 @@ Box2 region_of(const Plane& plane, const LonLatBox& box) {
   constexpr int kSteps = 8;
   Box2 around;
   for (int i = 0; i <= kSteps; ++i) {
-    const double lon = box.west + (box.east - box.west) * i / kSteps, lat = box.south + (box.north - box.south) * i / kSteps;
-    for (const LonLat p : {LonLat{lon, box.south}, LonLat{lon, box.north}, LonLat{box.west, lat}, LonLat{box.east, lat}}) around.grow(plane.forward(p));
+    const double lon = box.west + (box.east - box.west) * i / kSteps,
+                 lat = box.south + (box.north - box.south) * i / kSteps;
+    for (const LonLat p :
+         {LonLat{lon, box.south}, LonLat{lon, box.north}, LonLat{box.west, lat}, LonLat{box.east, lat}})
+      around.grow(plane.forward(p));
   }
-  Box2 region{{to_cell_down(around.min.x), to_cell_down(around.min.y)}, {to_cell_up(around.max.x), to_cell_up(around.max.y)}};
+  Box2 region{{to_cell_down(around.min.x), to_cell_down(around.min.y)},
+              {to_cell_up(around.max.x), to_cell_up(around.max.y)}};
   if (region.width() == 0) region.max.x += kCell_m;
   if (region.height() == 0) region.max.y += kCell_m;
   return region;

@@ -16,8 +16,9 @@ namespace citykiln::map {
 inline constexpr double kCell_m = 128;
 
 struct Options {
-  std::optional<source::LonLatBox> bbox;  ///< What to compile; else the extract's header box, else the box of its roads and buildings.
-  std::optional<LonLat> origin;           ///< Else the centre of the box, rounded to 0.01°.
+  std::optional<source::LonLatBox>
+      bbox;  ///< What to compile; else the extract's header box, else the box of its roads and buildings.
+  std::optional<LonLat> origin;  ///< Else the centre of the box, rounded to 0.01°.
   bool drive_on_left = false;
 };
 
@@ -28,13 +29,17 @@ source::LonLatBox choose_box(const source::OsmData& osm, const Options& options)
 LonLat default_origin(const source::LonLatBox& box);
 
 /// Puts every element into the plane and reads its tags, by the tables in surface_rules.inc and its neighbours.
-/// Total. Ledger "map/track", "map/footprint", "map/area", "map/waterway", "map/barrier", "map/point": what no row knows, what lies outside the
-/// region, and what has no extent is dropped and diagnosed. Cost: linear in nodes, but for coastlines (sorted by place along the region's border).
-Features locate(const source::OsmData& osm, const Plane& plane, const source::LonLatBox& box, const Options& options, Report& report);
+/// Total. Ledger "map/track", "map/footprint", "map/area", "map/waterway", "map/barrier", "map/point": what no row
+/// knows, what lies outside the region, and what has no extent is dropped and diagnosed. Cost: linear in nodes, but for
+/// coastlines (sorted by place along the region's border).
+Features locate(const source::OsmData& osm, const Plane& plane, const source::LonLatBox& box, const Options& options,
+                Report& report);
 
-/// Resamples the rasters (voids already filled, first raster wins where several cover a place) into one field over `region` and one step beyond.
-/// Without rasters the field is flat at 0. Places that no raster covers take the nearest height, diagnosed kNoHeight.
-/// The step is the largest power of two, in metres, that is not larger than the finest raster's spacing (at least 1, at most 64).
-Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& region, Report& report);
+/// Resamples the rasters (voids already filled, first raster wins where several cover a place) into one field over
+/// `region` and one step beyond. Without rasters the field is flat at 0. Places that no raster covers take the nearest
+/// height, diagnosed kNoHeight. The step is the largest power of two, in metres, that is not larger than the finest
+/// raster's spacing (at least 1, at most 64).
+Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& region,
+                             Report& report);
 
 }  // namespace citykiln::map

@@ -17,7 +17,8 @@ constexpr AreaRow kAreas[] = {
 #undef AREA
 };
 
-constexpr std::array<std::string_view, 9> kLandKeys = {"landuse", "natural", "leisure", "waterway", "amenity", "man_made", "aeroway", "golf", "place"};
+constexpr std::array<std::string_view, 9> kLandKeys = {"landuse",  "natural", "leisure", "waterway", "amenity",
+                                                       "man_made", "aeroway", "golf",    "place"};
 
 const AreaRow* row_of(const Reading& reading, source::Range tags) {
   for (const AreaRow& row : kAreas) {
@@ -51,17 +52,20 @@ SurfaceClass with_leaves(SurfaceClass surface, std::string_view leaf_type) {
 
 // What further tags tell about a class.
 SurfaceClass refined(const Reading& reading, source::Range tags, SurfaceClass surface) {
-  const std::string_view wetland = reading.tag(tags, "wetland"), water = reading.tag(tags, "water"), sport = reading.tag(tags, "sport");
+  const std::string_view wetland = reading.tag(tags, "wetland"), water = reading.tag(tags, "water"),
+                         sport = reading.tag(tags, "sport");
   if (surface == SurfaceClass::kWetland && wetland == "marsh") return SurfaceClass::kMarsh;
   if (surface == SurfaceClass::kWetland && wetland == "reedbed") return SurfaceClass::kReedbed;
-  if (surface == SurfaceClass::kLake && (water == "river" || water == "canal" || water == "stream")) return SurfaceClass::kRiver;
-  if (surface == SurfaceClass::kPitch && (sport == "tennis" || sport == "basketball" || sport == "skateboard")) return SurfaceClass::kHardCourt;
+  if (surface == SurfaceClass::kLake && (water == "river" || water == "canal" || water == "stream"))
+    return SurfaceClass::kRiver;
+  if (surface == SurfaceClass::kPitch && (sport == "tennis" || sport == "basketball" || sport == "skateboard"))
+    return SurfaceClass::kHardCourt;
   return with_leaves(surface, reading.tag(tags, "leaf_type"));
 }
 
 bool is_underground(const Reading& reading, source::Range tags) {
-  return reading.tag(tags, "location") == "underground" || reading.tag(tags, "parking") == "underground" || says_yes(reading.tag(tags, "tunnel")) ||
-         reading.tag(tags, "parking") == "multi-storey";
+  return reading.tag(tags, "location") == "underground" || reading.tag(tags, "parking") == "underground" ||
+         says_yes(reading.tag(tags, "tunnel")) || reading.tag(tags, "parking") == "multi-storey";
 }
 
 }  // namespace
@@ -71,7 +75,8 @@ std::vector<AreaFeature> locate_areas(const Reading& reading) {
   Account account;
   for (const source::Area& area : reading.osm.areas) {
     const AreaRow* row = row_of(reading, area.tags);
-    if ((row == nullptr && !carries_land_key(reading, area.tags)) || is_line(reading, area.tags, area.from.type)) continue;
+    if ((row == nullptr && !carries_land_key(reading, area.tags)) || is_line(reading, area.tags, area.from.type))
+      continue;
     ++account.in;
     if (row == nullptr || row->surface == SurfaceClass::kUnknown) {
       reading.report.drop(account, Code::kUnknownKind, area.from);
@@ -83,15 +88,18 @@ std::vector<AreaFeature> locate_areas(const Reading& reading) {
     }
     const std::vector<LocatedPolygon> polygons = located(reading, area);
     account.split += polygons.size();
-    if (polygons.empty()) reading.report.drop(account, Code::kDegenerateRing, area.from);
-    else --account.split;
+    if (polygons.empty())
+      reading.report.drop(account, Code::kDegenerateRing, area.from);
+    else
+      --account.split;
     for (const LocatedPolygon& polygon : polygons) {
       if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(reading.region)) {
         reading.report.drop(account, Code::kOutsideBounds, area.from);
         continue;
       }
       ++account.out;
-      areas.push_back({{area.from, polygon.part}, polygon.polygon, refined(reading, area.tags, row->surface), polygon.area_m2});
+      areas.push_back(
+          {{area.from, polygon.part}, polygon.polygon, refined(reading, area.tags, row->surface), polygon.area_m2});
     }
   }
   reading.report.account("map", "area") = account;

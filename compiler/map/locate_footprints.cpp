@@ -18,15 +18,28 @@ struct MaterialRow {
   std::string_view value;
   Material material;
 };
-constexpr MaterialRow kWalls[] = {{"brick", Material::kBrick}, {"bricks", Material::kBrick}, {"concrete", Material::kConcrete}, {"stone", Material::kStone},
-                                  {"sandstone", Material::kStone}, {"limestone", Material::kStone}, {"granite", Material::kStone},
-                                  {"wood", Material::kTimber}, {"timber_framing", Material::kPlaster}, {"plaster", Material::kPlaster},
-                                  {"cement_block", Material::kConcrete}, {"glass", Material::kGlassFacade}, {"mirror", Material::kGlassFacade},
-                                  {"metal", Material::kMetalCladding}, {"steel", Material::kMetalCladding}, {"metal_plates", Material::kMetalCladding}};
-constexpr MaterialRow kRoofs[] = {{"roof_tiles", Material::kRoofTile}, {"tile", Material::kRoofTile}, {"tiles", Material::kRoofTile},
-                                  {"slate", Material::kSlate}, {"metal", Material::kMetalRoof}, {"copper", Material::kMetalRoof},
-                                  {"zinc", Material::kMetalRoof}, {"concrete", Material::kFlatRoof}, {"tar_paper", Material::kFlatRoof},
-                                  {"gravel", Material::kFlatRoof}, {"eternit", Material::kSlate}, {"grass", Material::kGrass}, {"glass", Material::kGlassFacade}};
+constexpr MaterialRow kWalls[] = {{"brick", Material::kBrick},
+                                  {"bricks", Material::kBrick},
+                                  {"concrete", Material::kConcrete},
+                                  {"stone", Material::kStone},
+                                  {"sandstone", Material::kStone},
+                                  {"limestone", Material::kStone},
+                                  {"granite", Material::kStone},
+                                  {"wood", Material::kTimber},
+                                  {"timber_framing", Material::kPlaster},
+                                  {"plaster", Material::kPlaster},
+                                  {"cement_block", Material::kConcrete},
+                                  {"glass", Material::kGlassFacade},
+                                  {"mirror", Material::kGlassFacade},
+                                  {"metal", Material::kMetalCladding},
+                                  {"steel", Material::kMetalCladding},
+                                  {"metal_plates", Material::kMetalCladding}};
+constexpr MaterialRow kRoofs[] = {
+    {"roof_tiles", Material::kRoofTile}, {"tile", Material::kRoofTile},     {"tiles", Material::kRoofTile},
+    {"slate", Material::kSlate},         {"metal", Material::kMetalRoof},   {"copper", Material::kMetalRoof},
+    {"zinc", Material::kMetalRoof},      {"concrete", Material::kFlatRoof}, {"tar_paper", Material::kFlatRoof},
+    {"gravel", Material::kFlatRoof},     {"eternit", Material::kSlate},     {"grass", Material::kGrass},
+    {"glass", Material::kGlassFacade}};
 
 std::optional<Material> material_of(std::string_view value, std::span<const MaterialRow> rows) {
   for (const MaterialRow& row : rows)
@@ -35,7 +48,8 @@ std::optional<Material> material_of(std::string_view value, std::span<const Mate
 }
 
 // The first of the two keys that is tagged.
-std::optional<Srgb> tagged_colour(const Reading& reading, OsmId id, source::Range tags, std::string_view british, std::string_view american) {
+std::optional<Srgb> tagged_colour(const Reading& reading, OsmId id, source::Range tags, std::string_view british,
+                                  std::string_view american) {
   std::string_view text = reading.tag(tags, british);
   if (text.empty()) text = reading.tag(tags, american);
   if (text.empty()) return std::nullopt;
@@ -54,7 +68,9 @@ std::optional<double> tagged_number(const Reading& reading, OsmId id, source::Ra
 }
 
 // Untagged: sheds are low, houses have two storeys and a roof, town blocks four to five.
-double height_by_area_m(double area_m2) { return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13; }
+double height_by_area_m(double area_m2) {
+  return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13;
+}
 
 struct Heights {
   double height_m, min_height_m;
@@ -67,7 +83,9 @@ Heights heights_of(const Reading& reading, OsmId id, source::Range tags, Buildin
   const auto roof_m = tagged_length_m(reading, id, tags, "roof:height", 0, kHighest_m);
   auto height = tagged_length_m(reading, id, tags, "height", kLowest_m, kHighest_m);
   if (!height) height = tagged_length_m(reading, id, tags, "building:height", kLowest_m, kHighest_m);
-  if (!height && (levels || roof_levels)) height = std::max(1.0, levels.value_or(0) * values.level_m + roof_m.value_or(roof_levels.value_or(0) * values.level_m));
+  if (!height && (levels || roof_levels))
+    height =
+        std::max(1.0, levels.value_or(0) * values.level_m + roof_m.value_or(roof_levels.value_or(0) * values.level_m));
   if (!height) reading.report.add(Code::kNoBuildingHeight, id);
   if (!height) height = values.height_m > 0 ? values.height_m : height_by_area_m(area_m2);
   auto min_height = tagged_length_m(reading, id, tags, "min_height", 0, kHighest_m);
@@ -99,7 +117,8 @@ Footprint described(const Reading& reading, const source::Area& area, std::strin
 constexpr double kCoveringShare = 0.6;
 
 Vec2 inner_point(const Polygon& polygon) {
-  // the middle of the longest ear's diagonal would do too; a vertex drawn a little inside is enough to tell parts from neighbours
+  // the middle of the longest ear's diagonal would do too; a vertex drawn a little inside is enough to tell parts from
+  // neighbours
   const Vec2 centre = box_of(polygon.outer).centre();
   if (contains(polygon, centre)) return centre;
   for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
@@ -129,10 +148,12 @@ void mark_outlines(std::vector<Footprint>& footprints) {
     const auto begin = std::lower_bound(edges.begin(), edges.end(), p.x - widest);
     for (auto edge = begin; edge != end; ++edge) {
       const std::size_t i = outlines[static_cast<std::size_t>(edge - edges.begin())];
-      if (box_of(footprints[i].polygon.outer).contains(p) && contains(footprints[i].polygon, p)) covered[i] += area_m2(part.polygon);
+      if (box_of(footprints[i].polygon.outer).contains(p) && contains(footprints[i].polygon, p))
+        covered[i] += area_m2(part.polygon);
     }
   }
-  for (const std::size_t i : outlines) footprints[i].has_parts = covered[i] > kCoveringShare * area_m2(footprints[i].polygon);
+  for (const std::size_t i : outlines)
+    footprints[i].has_parts = covered[i] > kCoveringShare * area_m2(footprints[i].polygon);
 }
 
 }  // namespace
@@ -154,7 +175,8 @@ std::vector<Footprint> locate_footprints(const Reading& reading) {
       continue;
     }
     account.split += polygons.size() - 1;
-    Footprint footprint = described(reading, area, says_yes(part) && !says_yes(outline) ? part : outline, polygons.front().area_m2);
+    Footprint footprint =
+        described(reading, area, says_yes(part) && !says_yes(outline) ? part : outline, polygons.front().area_m2);
     footprint.is_part = says_yes(part) && !says_yes(outline);
     for (const LocatedPolygon& polygon : polygons) {
       if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(reading.region)) {

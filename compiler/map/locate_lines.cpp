@@ -11,27 +11,36 @@ struct WaterwayRow {
   std::string_view value;
   double width_m;
 };
-constexpr WaterwayRow kWaterways[] = {{"river", 12}, {"canal", 10}, {"stream", 2}, {"ditch", 1.25}, {"drain", 1.25}, {"tidal_channel", 6}, {"brook", 2}};
+constexpr WaterwayRow kWaterways[] = {{"river", 12},   {"canal", 10},        {"stream", 2}, {"ditch", 1.25},
+                                      {"drain", 1.25}, {"tidal_channel", 6}, {"brook", 2}};
 
 struct BarrierRow {
   std::string_view value;
   BarrierKind kind;
   double height_m, width_m;
 };
-constexpr BarrierRow kBarriers[] = {{"wall", BarrierKind::kWall, 1.8, 0.25}, {"fence", BarrierKind::kFence, 1.2, 0.0625},
-                                    {"hedge", BarrierKind::kHedge, 1.5, 0.75}, {"retaining_wall", BarrierKind::kRetainingWall, 1.5, 0.375},
-                                    {"guard_rail", BarrierKind::kGuardRail, 0.75, 0.125}, {"city_wall", BarrierKind::kCityWall, 7, 2},
+constexpr BarrierRow kBarriers[] = {{"wall", BarrierKind::kWall, 1.8, 0.25},
+                                    {"fence", BarrierKind::kFence, 1.2, 0.0625},
+                                    {"hedge", BarrierKind::kHedge, 1.5, 0.75},
+                                    {"retaining_wall", BarrierKind::kRetainingWall, 1.5, 0.375},
+                                    {"guard_rail", BarrierKind::kGuardRail, 0.75, 0.125},
+                                    {"city_wall", BarrierKind::kCityWall, 7, 2},
                                     {"handrail", BarrierKind::kGuardRail, 1, 0.0625}};
 
 struct PointRow {
   std::string_view key, value;
   PointKind kind;
 };
-constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree}, {"highway", "street_lamp", PointKind::kStreetLamp},
-                                {"amenity", "bench", PointKind::kBench}, {"barrier", "bollard", PointKind::kBollard},
-                                {"amenity", "post_box", PointKind::kPost}, {"amenity", "fountain", PointKind::kFountain},
-                                {"emergency", "fire_hydrant", PointKind::kHydrant}, {"amenity", "waste_basket", PointKind::kWasteBasket},
-                                {"man_made", "mast", PointKind::kMast}, {"man_made", "chimney", PointKind::kChimney},
+constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
+                                {"highway", "street_lamp", PointKind::kStreetLamp},
+                                {"amenity", "bench", PointKind::kBench},
+                                {"barrier", "bollard", PointKind::kBollard},
+                                {"amenity", "post_box", PointKind::kPost},
+                                {"amenity", "fountain", PointKind::kFountain},
+                                {"emergency", "fire_hydrant", PointKind::kHydrant},
+                                {"amenity", "waste_basket", PointKind::kWasteBasket},
+                                {"man_made", "mast", PointKind::kMast},
+                                {"man_made", "chimney", PointKind::kChimney},
                                 {"man_made", "flagpole", PointKind::kFlagpole}};
 
 template <typename Row, std::size_t n>
@@ -52,10 +61,14 @@ void for_each_line(const Reading& reading, std::string_view key, const Row (&row
     const OsmId id{OsmType::kWay, way.id};
     const Row* row = row_with(rows, value);
     LocatedLine line = located(reading, way);
-    if (row == nullptr) reading.report.drop(account, Code::kUnknownKind, id);
-    else if (line.axis.size() < 2) reading.report.drop(account, Code::kNoThickness, id);
-    else if (!is_near(reading, line.axis)) reading.report.drop(account, Code::kOutsideBounds, id);
-    else make(id, way.tags, *row, std::move(line.axis)), ++account.out;
+    if (row == nullptr)
+      reading.report.drop(account, Code::kUnknownKind, id);
+    else if (line.axis.size() < 2)
+      reading.report.drop(account, Code::kNoThickness, id);
+    else if (!is_near(reading, line.axis))
+      reading.report.drop(account, Code::kOutsideBounds, id);
+    else
+      make(id, way.tags, *row, std::move(line.axis)), ++account.out;
   }
   reading.report.account("map", kind) = account;
 }
@@ -72,19 +85,25 @@ constexpr double kTallest_m = 400;
 
 std::vector<Waterway> locate_waterways(const Reading& reading) {
   std::vector<Waterway> waterways;
-  for_each_line(reading, "waterway", kWaterways, "waterway", [&](OsmId id, source::Range tags, const WaterwayRow& row, Polyline&& axis) {
-    const double width = tagged_length_m(reading, id, tags, "width", 0.2, 500).value_or(row.width_m);
-    waterways.push_back({{id, 0}, std::move(axis), std::max(kQuantum_m, snapped(width)), tagged_layer(reading, id, tags), tagged_passage(reading, tags)});
-  });
+  for_each_line(reading, "waterway", kWaterways, "waterway",
+                [&](OsmId id, source::Range tags, const WaterwayRow& row, Polyline&& axis) {
+                  const double width = tagged_length_m(reading, id, tags, "width", 0.2, 500).value_or(row.width_m);
+                  waterways.push_back({{id, 0},
+                                       std::move(axis),
+                                       std::max(kQuantum_m, snapped(width)),
+                                       tagged_layer(reading, id, tags),
+                                       tagged_passage(reading, tags)});
+                });
   return waterways;
 }
 
 std::vector<Barrier> locate_barriers(const Reading& reading) {
   std::vector<Barrier> barriers;
-  for_each_line(reading, "barrier", kBarriers, "barrier", [&](OsmId id, source::Range tags, const BarrierRow& row, Polyline&& axis) {
-    const double height = tagged_length_m(reading, id, tags, "height", 0.1, 50).value_or(row.height_m);
-    barriers.push_back({{id, 0}, std::move(axis), row.kind, snapped(height), row.width_m});
-  });
+  for_each_line(reading, "barrier", kBarriers, "barrier",
+                [&](OsmId id, source::Range tags, const BarrierRow& row, Polyline&& axis) {
+                  const double height = tagged_length_m(reading, id, tags, "height", 0.1, 50).value_or(row.height_m);
+                  barriers.push_back({{id, 0}, std::move(axis), row.kind, snapped(height), row.width_m});
+                });
   return barriers;
 }
 

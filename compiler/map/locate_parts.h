@@ -11,9 +11,10 @@ namespace citykiln::map {
 std::vector<Track> locate_tracks(const Reading& reading);          ///< By track_rules.inc.
 std::vector<Footprint> locate_footprints(const Reading& reading);  ///< building=*, building:part=*.
 std::vector<AreaFeature> locate_areas(const Reading& reading);     ///< By area_rules.inc; without the sea.
-std::vector<AreaFeature> locate_sea(const Reading& reading);       ///< natural=coastline, closed along the region. Ledger "map/coastline".
-std::vector<Waterway> locate_waterways(const Reading& reading);    ///< waterway=* lines.
-std::vector<Barrier> locate_barriers(const Reading& reading);      ///< barrier=* lines.
-std::vector<PointFeature> locate_points(const Reading& reading);   ///< Trees, lamps and the like.
+std::vector<AreaFeature> locate_sea(
+    const Reading& reading);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
+std::vector<Waterway> locate_waterways(const Reading& reading);   ///< waterway=* lines.
+std::vector<Barrier> locate_barriers(const Reading& reading);     ///< barrier=* lines.
+std::vector<PointFeature> locate_points(const Reading& reading);  ///< Trees, lamps and the like.
 
 }  // namespace citykiln::map

@@ -33,7 +33,8 @@ std::vector<AreaFeature> locate_sea(const Reading& reading) {
     if (first.type == OsmType::kNone || way.id < first) first = way.id;
   Sea sea = close_sea(std::move(ways), reading.region.widened(kBeyond_m));
   for (const OsmId open : sea.open_ends) reading.report.add(Code::kCoastlineOpen, open);
-  std::sort(sea.polygons.begin(), sea.polygons.end(), [](const Polygon& a, const Polygon& b) { return a.outer < b.outer; });
+  std::sort(sea.polygons.begin(), sea.polygons.end(),
+            [](const Polygon& a, const Polygon& b) { return a.outer < b.outer; });
   std::vector<AreaFeature> areas;
   for (Polygon& polygon : sea.polygons) {
     const double area = area_m2(polygon);

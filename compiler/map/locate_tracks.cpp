@@ -1,8 +1,7 @@
-#include "compiler/map/locate_parts.h"
-
 #include <array>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/locate_parts.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -36,7 +35,8 @@ const TrackRow* row_of(const Reading& reading, const source::Way& way) {
 }
 
 bool is_unpaved(std::string_view surface) {
-  constexpr std::array<std::string_view, 9> kUnpaved = {"unpaved", "gravel", "ground", "dirt", "earth", "grass", "fine_gravel", "compacted", "sand"};
+  constexpr std::array<std::string_view, 9> kUnpaved = {"unpaved", "gravel",      "ground",    "dirt", "earth",
+                                                        "grass",   "fine_gravel", "compacted", "sand"};
   for (const std::string_view name : kUnpaved)
     if (surface == name) return true;
   return false;
@@ -46,7 +46,8 @@ bool is_unpaved(std::string_view surface) {
 SurfaceClass surfaced(SurfaceClass surface, std::string_view tagged) {
   if (surface == SurfaceClass::kPavedFootPath && is_unpaved(tagged)) return SurfaceClass::kFootPath;
   if (surface == SurfaceClass::kServiceRoad && is_unpaved(tagged)) return SurfaceClass::kUnpavedRoad;
-  if (surface == SurfaceClass::kFarmTrack && (tagged == "asphalt" || tagged == "paved" || tagged == "concrete")) return SurfaceClass::kServiceRoad;
+  if (surface == SurfaceClass::kFarmTrack && (tagged == "asphalt" || tagged == "paved" || tagged == "concrete"))
+    return SurfaceClass::kServiceRoad;
   return surface;
 }
 
@@ -60,8 +61,10 @@ double width_m(const Reading& reading, OsmId id, source::Range tags, const Track
   double lanes = row.lanes == 2 && says_yes(oneway) && row.surface != SurfaceClass::kMotorwayRoad ? 1 : row.lanes;
   if (const std::string_view text = reading.tag(tags, "lanes"); !text.empty()) {
     const auto tagged = number_of(text);
-    if (tagged && *tagged >= 1 && *tagged <= kMostLanes) lanes = *tagged;
-    else reading.report.add(Code::kBadTagValue, id);
+    if (tagged && *tagged >= 1 && *tagged <= kMostLanes)
+      lanes = *tagged;
+    else
+      reading.report.add(Code::kBadTagValue, id);
   }
   // a single lane is never narrower than a parked row and a lorry
   return std::max(lanes * row.width_m, 3.5);
@@ -92,10 +95,14 @@ std::vector<Track> locate_tracks(const Reading& reading) {
     const OsmId id{OsmType::kWay, way.id};
     const TrackRow* row = row_of(reading, way);
     LocatedLine line = located(reading, way);
-    if (row == nullptr) reading.report.drop(account, Code::kUnknownKind, id);
-    else if (line.axis.size() < 2) reading.report.drop(account, Code::kNoThickness, id);
-    else if (!is_near(reading, line.axis)) reading.report.drop(account, Code::kOutsideBounds, id);
-    else tracks.push_back(track_of(reading, way, *row, std::move(line))), ++account.out;
+    if (row == nullptr)
+      reading.report.drop(account, Code::kUnknownKind, id);
+    else if (line.axis.size() < 2)
+      reading.report.drop(account, Code::kNoThickness, id);
+    else if (!is_near(reading, line.axis))
+      reading.report.drop(account, Code::kOutsideBounds, id);
+    else
+      tracks.push_back(track_of(reading, way, *row, std::move(line))), ++account.out;
   }
   reading.report.account("map", "track") = account;
   return tracks;

@@ -11,8 +11,9 @@ namespace {
 
 // Rings that reach far out of the region (a lake, a national park) keep their vertices within this of it.
 constexpr double kKeptAround_m = 256;
-// And nothing reaches farther than this: a lake's edge that leads across half a continent is cut, a line's stray node is brought near. Longer than any
-// segment of a real line, and small beside the 524 km within which ground/ counts exactly.
+// And nothing reaches farther than this: a lake's edge that leads across half a continent is cut, a line's stray node
+// is brought near. Longer than any segment of a real line, and small beside the 524 km within which ground/ counts
+// exactly.
 constexpr double kFarthest_m = 65536;
 
 Ring located_ring(const Reading& reading, const source::AreaRing& ring) {
@@ -58,8 +59,10 @@ std::vector<LocatedPolygon> located(const Reading& reading, const source::Area& 
     Ring points = located_ring(reading, ring);
     if (ring.is_outer) lost = points.empty();
     if (points.empty() || lost) continue;
-    if (ring.is_outer) polygons.push_back({ring.part, {std::move(points), {}}, 0});
-    else if (!polygons.empty()) polygons.back().polygon.holes.push_back(std::move(points));
+    if (ring.is_outer)
+      polygons.push_back({ring.part, {std::move(points), {}}, 0});
+    else if (!polygons.empty())
+      polygons.back().polygon.holes.push_back(std::move(points));
   }
   for (LocatedPolygon& located : polygons) {
     located.area_m2 = area_m2(located.polygon);
@@ -68,7 +71,8 @@ std::vector<LocatedPolygon> located(const Reading& reading, const source::Area& 
   return polygons;
 }
 
-std::optional<double> tagged_length_m(const Reading& reading, OsmId id, source::Range tags, std::string_view key, double least_m, double most_m) {
+std::optional<double> tagged_length_m(const Reading& reading, OsmId id, source::Range tags, std::string_view key,
+                                      double least_m, double most_m) {
   const std::string_view text = reading.tag(tags, key);
   if (text.empty()) return std::nullopt;
   const auto length = length_m_of(text);
@@ -88,7 +92,8 @@ std::int8_t tagged_layer(const Reading& reading, OsmId id, source::Range tags) {
 
 Passage tagged_passage(const Reading& reading, source::Range tags) {
   const std::string_view tunnel = reading.tag(tags, "tunnel");
-  const bool is_inside = says_yes(reading.tag(tags, "indoor")) || reading.tag(tags, "location") == "underground" || reading.tag(tags, "highway") == "corridor";
+  const bool is_inside = says_yes(reading.tag(tags, "indoor")) || reading.tag(tags, "location") == "underground" ||
+                         reading.tag(tags, "highway") == "corridor";
   // a passage through a building runs on the ground below it
   if ((says_yes(tunnel) && tunnel != "building_passage") || is_inside) return Passage::kTunnel;
   return says_yes(reading.tag(tags, "bridge")) ? Passage::kBridge : Passage::kGround;

@@ -1,4 +1,5 @@
-// An element's tags and nodes, seen from the plane: what the readers of tracks, footprints, areas and points have in common.
+// An element's tags and nodes, seen from the plane: what the readers of tracks, footprints, areas and points have in
+// common.
 #pragma once
 
 #include <optional>
@@ -29,7 +30,8 @@ struct LocatedLine {
 };
 LocatedLine located(const Reading& reading, const source::Way& way);
 
-/// The polygons of an area, each with the number of its part: snapped, without repeats, oriented, trimmed to what is near the region. What lost its area is gone.
+/// The polygons of an area, each with the number of its part: snapped, without repeats, oriented, trimmed to what is
+/// near the region. What lost its area is gone.
 struct LocatedPolygon {
   std::uint32_t part = 0;
   Polygon polygon;
@@ -37,8 +39,10 @@ struct LocatedPolygon {
 };
 std::vector<LocatedPolygon> located(const Reading& reading, const source::Area& area);
 
-/// A length from a tag: nothing where it is absent; diagnosed kBadTagValue where it cannot be read or lies outside least … most.
-std::optional<double> tagged_length_m(const Reading& reading, OsmId id, source::Range tags, std::string_view key, double least_m, double most_m);
+/// A length from a tag: nothing where it is absent; diagnosed kBadTagValue where it cannot be read or lies outside
+/// least … most.
+std::optional<double> tagged_length_m(const Reading& reading, OsmId id, source::Range tags, std::string_view key,
+                                      double least_m, double most_m);
 
 /// layer=*, between -10 and 10; 0 where absent.
 std::int8_t tagged_layer(const Reading& reading, OsmId id, source::Range tags);

@@ -11,8 +11,9 @@
 namespace citykiln::map {
 namespace {
 
-// Of a step. Must be more than the double's whole error, so that beyond it every CPU is on the true side: that error reaches 4.2e-9 m (5.4e-7 step, measured
-// up to 78° N against long double; with and without FMA results differ by up to 1.9e-9 m).
+// Of a step. Must be more than the double's whole error, so that beyond it every CPU is on the true side: that error
+// reaches 4.2e-9 m (5.4e-7 step, measured up to 78° N against long double; with and without FMA results differ by up
+// to 1.9e-9 m).
 constexpr double kNearTie = 1e-5;
 
 bool is_near_tie(double v) {
@@ -37,7 +38,8 @@ double precisely_snapped(long double v) { return static_cast<double>(floorl(v / 
 
 struct Plane::Projection {
   LonLat origin;
-  GeographicLib::TransverseMercator mercator = GeographicLib::TransverseMercator(GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), 1);
+  GeographicLib::TransverseMercator mercator =
+      GeographicLib::TransverseMercator(GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), 1);
   double northing_m = 0;  // of the origin
 
   explicit Projection(LonLat o) : origin(o) {
@@ -62,7 +64,8 @@ Vec2 Plane::forward(LonLat place) const {
 
 LonLat Plane::backward(Vec2 p) const {
   LonLat place;
-  projection_->mercator.Reverse(projection_->origin.lon_deg, p.x, p.y + projection_->northing_m, place.lat_deg, place.lon_deg);
+  projection_->mercator.Reverse(projection_->origin.lon_deg, p.x, p.y + projection_->northing_m, place.lat_deg,
+                                place.lon_deg);
   return place;
 }
 

@@ -30,7 +30,8 @@ Series wgs84_series() {
 // Easting and northing from the central meridian and the equator, metres.
 PrecisePoint krueger(Real lat_deg, Real lon_deg, Real lon0_deg) {
   static const Series series = wgs84_series();
-  const Real e = sqrtl(kFlattening * (2 - kFlattening)), phi = lat_deg * kDegree, lambda = (lon_deg - lon0_deg) * kDegree;
+  const Real e = sqrtl(kFlattening * (2 - kFlattening)), phi = lat_deg * kDegree,
+             lambda = (lon_deg - lon0_deg) * kDegree;
   const Real t = sinhl(atanhl(sinl(phi)) - e * atanhl(e * sinl(phi)));
   const Real xi = atan2l(t, cosl(lambda)), eta = atanhl(sinl(lambda) / sqrtl(1 + t * t));
   PrecisePoint p{eta, xi};
@@ -44,13 +45,15 @@ PrecisePoint krueger(Real lat_deg, Real lon_deg, Real lon0_deg) {
 }  // namespace
 
 PrecisePoint precise_forward(LonLat origin, PreciseLonLat place) {
-  const PrecisePoint p = krueger(place.lat_deg, place.lon_deg, origin.lon_deg), zero = krueger(origin.lat_deg, origin.lon_deg, origin.lon_deg);
+  const PrecisePoint p = krueger(place.lat_deg, place.lon_deg, origin.lon_deg),
+                     zero = krueger(origin.lat_deg, origin.lon_deg, origin.lon_deg);
   return {p.x - zero.x, p.y - zero.y};
 }
 
 PreciseLonLat precise_backward(LonLat origin, Vec2 p, LonLat near) {
   PreciseLonLat place{near.lon_deg, near.lat_deg};
-  // each step leaves a hundredth of the error or less: the sphere's metres a degree are within half a percent, the meridians' convergence is small
+  // each step leaves a hundredth of the error or less: the sphere's metres a degree are within half a percent, the
+  // meridians' convergence is small
   for (int i = 0; i < 12; ++i) {
     const PrecisePoint here = precise_forward(origin, place);
     place.lat_deg += (p.y - here.y) / (kA_m * kDegree);

@@ -16,7 +16,8 @@ using source::Raster;
 
 // Finer steps than 1 m model no more than noise; coarser ones than 64 m make cells of two triangles.
 constexpr double kFinestStep_m = 1, kCoarsestStep_m = 64;
-// Of a grain. Places are off by 1.6e-9 m at most (measured against long double), so on a slope of 100 to 1 a height is by a hundred thousandth of a quantum.
+// Of a grain. Places are off by 1.6e-9 m at most (measured against long double), so on a slope of 100 to 1 a height is
+// by a hundred thousandth of a quantum.
 constexpr double kNearTie = 1e-5;
 
 // What is neither a void nor a height: no number, or beyond what quanta in 32 bits hold with room to subtract.
@@ -52,7 +53,9 @@ struct Sampler {
   double determinant;
 
   explicit Sampler(const Raster& r, source::ToRasterSystem t)
-      : raster(r), to_system(std::move(t)), determinant(r.from_grid[1] * r.from_grid[5] - r.from_grid[2] * r.from_grid[4]) {}
+      : raster(r),
+        to_system(std::move(t)),
+        determinant(r.from_grid[1] * r.from_grid[5] - r.from_grid[2] * r.from_grid[4]) {}
 
   // The bilinear height at a place, nothing outside the samples. Real is double, or long double near a tie.
   template <typename Real>
@@ -71,12 +74,15 @@ struct Sampler {
   template <typename Real>
   std::optional<Real> bilinear(Real column, Real row) const {
     // half a sample beyond the outermost still belongs to them
-    if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5)) return std::nullopt;
+    if (!(column >= -0.5 && row >= -0.5 && column <= raster.columns - 0.5 && row <= raster.rows - 0.5))
+      return std::nullopt;
     column = std::clamp<Real>(column, 0, raster.columns - 1), row = std::clamp<Real>(row, 0, raster.rows - 1);
-    const int c = std::min(static_cast<int>(column), std::max(0, raster.columns - 2)), r = std::min(static_cast<int>(row), std::max(0, raster.rows - 2));
+    const int c = std::min(static_cast<int>(column), std::max(0, raster.columns - 2)),
+              r = std::min(static_cast<int>(row), std::max(0, raster.rows - 2));
     const int east = std::min(c + 1, raster.columns - 1), south = std::min(r + 1, raster.rows - 1);
     const Real u = column - c, v = row - r;
-    const Real north_m = raster.at(c, r) * (1 - u) + raster.at(east, r) * u, south_m = raster.at(c, south) * (1 - u) + raster.at(east, south) * u;
+    const Real north_m = raster.at(c, r) * (1 - u) + raster.at(east, r) * u,
+               south_m = raster.at(c, south) * (1 - u) + raster.at(east, south) * u;
     const Real height = north_m * (1 - v) + south_m * v;
     if (!is_height(height)) return std::nullopt;
     return height;
@@ -90,12 +96,15 @@ std::optional<Real> first_height_m(std::span<const Sampler> samplers, Real lon_d
   return std::nullopt;
 }
 
-// Heights are whole multiples of so many quanta: a 512th of the step, so that no slope is off by more than 0.2 % and coarse fields, which are off by metres
-// themselves, take few bytes.
-std::int32_t grain_for(double step_m) { return std::max(1, static_cast<std::int32_t>(step_m / 512 / kHeightQuantum_m)); }
+// Heights are whole multiples of so many quanta: a 512th of the step, so that no slope is off by more than 0.2 % and
+// coarse fields, which are off by metres themselves, take few bytes.
+std::int32_t grain_for(double step_m) {
+  return std::max(1, static_cast<std::int32_t>(step_m / 512 / kHeightQuantum_m));
+}
 
 // In quanta; recomputed in long double where the last bits of a double would decide.
-std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p, std::int32_t grain) {
+std::optional<std::int32_t> quantised_height(std::span<const Sampler> samplers, const Plane& plane, Vec2 p,
+                                             std::int32_t grain) {
   const double grain_m = grain * kHeightQuantum_m;
   const LonLat place = plane.backward(p);
   const auto height = first_height_m<double>(samplers, place.lon_deg, place.lat_deg);
@@ -118,17 +127,26 @@ std::size_t fill_missing(Heightfield& field, const std::vector<bool>& known) {
       ++missing;
       for (int d = 1; d < field.columns; ++d) {
         const int west = i - d, east = i + d;
-        if (west >= 0 && known[index(west, j)]) { field.heights[index(i, j)] = field.heights[index(west, j)]; break; }
-        if (east < field.columns && known[index(east, j)]) { field.heights[index(i, j)] = field.heights[index(east, j)]; break; }
+        if (west >= 0 && known[index(west, j)]) {
+          field.heights[index(i, j)] = field.heights[index(west, j)];
+          break;
+        }
+        if (east < field.columns && known[index(east, j)]) {
+          field.heights[index(i, j)] = field.heights[index(east, j)];
+          break;
+        }
       }
     }
-  for (int j = 0; j < field.rows; ++j) row_known[j] = std::find(known.begin() + index(0, j), known.begin() + index(0, j) + field.columns, true) != known.begin() + index(0, j) + field.columns;
+  for (int j = 0; j < field.rows; ++j)
+    row_known[j] = std::find(known.begin() + index(0, j), known.begin() + index(0, j) + field.columns, true) !=
+                   known.begin() + index(0, j) + field.columns;
   for (int j = 0; j < field.rows; ++j) {
     if (row_known[j]) continue;
     for (int d = 1; d < field.rows; ++d) {
       const int from = j - d >= 0 && row_known[j - d] ? j - d : j + d < field.rows && row_known[j + d] ? j + d : -1;
       if (from < 0) continue;
-      std::copy_n(field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, from)), field.columns, field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, j)));
+      std::copy_n(field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, from)), field.columns,
+                  field.heights.begin() + static_cast<std::ptrdiff_t>(index(0, j)));
       break;
     }
   }
@@ -144,7 +162,8 @@ double resampling_error_m(const Heightfield& field, const Raster& raster, const 
     for (int c = 0; c < raster.columns; ++c) {
       const auto& g = raster.from_grid;
       const Vec2 p = plane.forward({g[0] + g[1] * c + g[2] * r, g[3] + g[4] * c + g[5] * r});
-      if (box.contains(p) && is_height(raster.at(c, r))) largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
+      if (box.contains(p) && is_height(raster.at(c, r)))
+        largest = std::max(largest, std::abs(height_m_at(field, p) - raster.at(c, r)));
     }
   // upwards to the next quantum: a figure to state, not to compute with
   return std::ceil(largest / kHeightQuantum_m) * kHeightQuantum_m;
@@ -154,9 +173,11 @@ Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const 
   const LonLat centre = plane.backward(region.centre());
   const Raster& first = rasters.front();
   const auto& g = first.from_grid;
-  return {first.file_name, fmt::format("expected heights for the map about {:.3f}, {:.3f} (longitude, latitude), found samples from {:.3f}, {:.3f} to {:.3f}, {:.3f}{}",
-                                       centre.lon_deg, centre.lat_deg, g[0], g[3] + g[5] * (first.rows - 1), g[0] + g[1] * (first.columns - 1), g[3],
-                                       first.system_wkt.empty() ? "" : " of its own system")};
+  return {first.file_name,
+          fmt::format("expected heights for the map about {:.3f}, {:.3f} (longitude, latitude), found samples from "
+                      "{:.3f}, {:.3f} to {:.3f}, {:.3f}{}",
+                      centre.lon_deg, centre.lat_deg, g[0], g[3] + g[5] * (first.rows - 1),
+                      g[0] + g[1] * (first.columns - 1), g[3], first.system_wkt.empty() ? "" : " of its own system")};
 }
 
 }  // namespace
@@ -176,13 +197,15 @@ Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
-      const auto height = quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m}, grain);
+      const auto height =
+          quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m}, grain);
       if (height) field.heights[at] = *height, known[at] = true;
     }
   if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);
   const std::size_t missing = fill_missing(field, known);
   if (missing > 0) report.add(Code::kNoHeight, {}, static_cast<double>(missing) / static_cast<double>(known.size()));
-  for (const Raster& raster : rasters) field.resampling_error_m = std::max(field.resampling_error_m, resampling_error_m(field, raster, plane));
+  for (const Raster& raster : rasters)
+    field.resampling_error_m = std::max(field.resampling_error_m, resampling_error_m(field, raster, plane));
   return field;
 }
 

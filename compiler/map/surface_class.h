@@ -18,14 +18,30 @@ enum class SurfaceClass : std::uint8_t {
 
 /// The groups of WORKS.md E and the ones that roads and buildings add.
 enum class SurfaceGroup : std::uint8_t {
-  kUnknown, kForest, kGrassland, kFarm, kGarden, kScrubland, kWetland, kWater, kBare, kTown, kIndustry, kSport, kPaved,
-  kRoad, kPath, kRail, kBuilding
+  kUnknown,
+  kForest,
+  kGrassland,
+  kFarm,
+  kGarden,
+  kScrubland,
+  kWetland,
+  kWater,
+  kBare,
+  kTown,
+  kIndustry,
+  kSport,
+  kPaved,
+  kRoad,
+  kPath,
+  kRail,
+  kBuilding
 };
 
 struct SurfaceValues {
-  std::string_view name;          ///< "ConiferousForest".
+  std::string_view name;  ///< "ConiferousForest".
   SurfaceGroup group;
-  std::uint8_t priority;          ///< Where surfaces overlap the higher one wins; among equals the smaller area, then the lower id.
+  std::uint8_t
+      priority;  ///< Where surfaces overlap the higher one wins; among equals the smaller area, then the lower id.
   materials::Material material;
 };
 

@@ -8,7 +8,8 @@
 
 namespace citykiln::map {
 
-/// "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; of "2;3" the first. Nothing for what is not a finite number or not below 10 km.
+/// "12", "12.5 m", "12,5", "40 ft", "5'10\"", "0.3 km" in metres; of "2;3" the first. Nothing for what is not a finite
+/// number or not below 10 km.
 std::optional<double> length_m_of(std::string_view value);
 /// A number without a unit; of "2;3" the first.
 std::optional<double> number_of(std::string_view value);

@@ -6,7 +6,8 @@ namespace citykiln::materials {
 namespace {
 
 constexpr MaterialValues kTable[] = {
-#define MATERIAL(name, r, g, b, roughness, metallic, variation) {std::string_view(#name).substr(1), {r, g, b}, roughness, metallic, variation},
+#define MATERIAL(name, r, g, b, roughness, metallic, variation) \
+  {std::string_view(#name).substr(1), {r, g, b}, roughness, metallic, variation},
 #include "compiler/materials/material_table.inc"
 #undef MATERIAL
 };
@@ -21,7 +22,8 @@ float linear_of_srgb(std::uint8_t value) {
   if (c <= 0.04045) return static_cast<float>(c / 12.92);
   const double base = (c + 0.055) / 1.055;
   double fifth = 1;  // base^(1/5)
-  for (int i = 0; i < 30; ++i) fifth -= (fifth * fifth * fifth * fifth * fifth - base) / (5 * fifth * fifth * fifth * fifth);
+  for (int i = 0; i < 30; ++i)
+    fifth -= (fifth * fifth * fifth * fifth * fifth - base) / (5 * fifth * fifth * fifth * fifth);
   return static_cast<float>(base * base * fifth * fifth);
 }
 

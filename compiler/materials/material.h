@@ -17,11 +17,11 @@ enum class Material : std::uint8_t {
 };
 
 struct MaterialValues {
-  std::string_view name;                ///< "Asphalt".
-  std::array<float, 3> base_colour;     ///< Linear RGB reflectance.
+  std::string_view name;             ///< "Asphalt".
+  std::array<float, 3> base_colour;  ///< Linear RGB reflectance.
   float roughness;
   float metallic;
-  float variation;                      ///< Largest relative change of brightness from object to object.
+  float variation;  ///< Largest relative change of brightness from object to object.
 };
 
 const MaterialValues& values_of(Material material);

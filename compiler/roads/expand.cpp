@@ -10,8 +10,22 @@ namespace {
 
 // cos and sin of k · 22.5°, written out so that every CPU agrees.
 constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
-constexpr std::array<Vec2, 16> kCircle = {{{1, 0}, {kC1, kC3}, {kC2, kC2}, {kC3, kC1}, {0, 1}, {-kC3, kC1}, {-kC2, kC2}, {-kC1, kC3},
-                                           {-1, 0}, {-kC1, -kC3}, {-kC2, -kC2}, {-kC3, -kC1}, {0, -1}, {kC3, -kC1}, {kC2, -kC2}, {kC1, -kC3}}};
+constexpr std::array<Vec2, 16> kCircle = {{{1, 0},
+                                           {kC1, kC3},
+                                           {kC2, kC2},
+                                           {kC3, kC1},
+                                           {0, 1},
+                                           {-kC3, kC1},
+                                           {-kC2, kC2},
+                                           {-kC1, kC3},
+                                           {-1, 0},
+                                           {-kC1, -kC3},
+                                           {-kC2, -kC2},
+                                           {-kC3, -kC1},
+                                           {0, -1},
+                                           {kC3, -kC1},
+                                           {kC2, -kC2},
+                                           {kC1, -kC3}}};
 
 Ring disk(Vec2 centre, double radius_m) {
   Ring ring;
@@ -19,7 +33,8 @@ Ring disk(Vec2 centre, double radius_m) {
   return ring;
 }
 
-// The corner that a bend opens between two quads, filled to the mitre: p, the two outer corners and the point where the outer edges meet.
+// The corner that a bend opens between two quads, filled to the mitre: p, the two outer corners and the point where the
+// outer edges meet.
 Ring mitre(Vec2 p, Vec2 before, Vec2 after, double half_m) {
   const double side = cross(before, after) > 0 ? -1 : 1;  // a left bend opens on the right
   const Vec2 a = left_of(before) * (side * half_m), b = left_of(after) * (side * half_m);

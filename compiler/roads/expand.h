@@ -7,9 +7,10 @@
 
 namespace citykiln::roads {
 
-/// The strip as overlapping counter-clockwise rings: one quad a segment, a wedge or a disk at each bend, a disk at rounded ends. Their union (where
-/// the sum of winding numbers is not zero) is the strip; it needs no union to be computed and has no case that fails.
-/// Vertices are snapped to 2^-10 m; disks are 16-gons about the circle (border error under 2 % of the half width). O(n).
+/// The strip as overlapping counter-clockwise rings: one quad a segment, a wedge or a disk at each bend, a disk at
+/// rounded ends. Their union (where the sum of winding numbers is not zero) is the strip; it needs no union to be
+/// computed and has no case that fails. Vertices are snapped to 2^-10 m; disks are 16-gons about the circle (border
+/// error under 2 % of the half width). O(n).
 std::vector<Ring> stroke(const Road& road);
 
 }  // namespace citykiln::roads

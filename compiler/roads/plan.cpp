@@ -6,8 +6,8 @@
 namespace citykiln::roads {
 namespace {
 
-// The node ids that at least two track ends or one end and a track's middle share, sorted. Where a way passes through its own node twice
-// that counts as well.
+// The node ids that at least two track ends or one end and a track's middle share, sorted. Where a way passes through
+// its own node twice that counts as well.
 std::vector<std::int64_t> shared_nodes(std::span<const map::Track> tracks) {
   std::vector<std::int64_t> nodes;
   for (const map::Track& track : tracks) nodes.insert(nodes.end(), track.node_ids.begin(), track.node_ids.end());
@@ -33,7 +33,8 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
       continue;
     }
     ++account.out;
-    roads.push_back({track.id, track.axis, track.surface, track.width_m, meets(track.node_ids.front()), meets(track.node_ids.back())});
+    roads.push_back({track.id, track.axis, track.surface, track.width_m, meets(track.node_ids.front()),
+                     meets(track.node_ids.back())});
   }
   report.account("roads", "track") = account;
   return roads;

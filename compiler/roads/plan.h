@@ -9,7 +9,8 @@
 
 namespace citykiln::roads {
 
-/// All tracks of the ground, sorted by id. Ledger "roads/track": what leaves the ground counts as merged (into structures/). Total.
+/// All tracks of the ground, sorted by id. Ledger "roads/track": what leaves the ground counts as merged (into
+/// structures/). Total.
 std::vector<Road> plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::roads

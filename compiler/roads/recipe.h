@@ -12,10 +12,11 @@ namespace citykiln::roads {
 
 struct Road {
   ObjectId id;
-  Polyline axis;               ///< Plane metres, snapped, at least two points.
+  Polyline axis;  ///< Plane metres, snapped, at least two points.
   map::SurfaceClass surface{};
-  double width_m = 0;          ///< A multiple of 2^-10, > 0.
-  bool rounds_start = false, rounds_end = false;  ///< Ends that meet another road are round, so that no wedge is missing between them.
+  double width_m = 0;  ///< A multiple of 2^-10, > 0.
+  bool rounds_start = false,
+       rounds_end = false;  ///< Ends that meet another road are round, so that no wedge is missing between them.
   bool operator==(const Road&) const = default;
 };
 

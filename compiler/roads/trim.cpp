@@ -11,7 +11,8 @@ std::vector<Road> trimmed_to(const Road& road, const Box2& box) {
   bool continues = false;
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const bool touches = box_of(std::array{road.axis[i], road.axis[i + 1]}).touches(reach);
-    if (touches && !continues) runs.push_back({road.id, {road.axis[i]}, road.surface, road.width_m, i == 0 && road.rounds_start, false});
+    if (touches && !continues)
+      runs.push_back({road.id, {road.axis[i]}, road.surface, road.width_m, i == 0 && road.rounds_start, false});
     if (touches) {
       runs.back().axis.push_back(road.axis[i + 1]);
       runs.back().rounds_end = i + 2 == road.axis.size() && road.rounds_end;

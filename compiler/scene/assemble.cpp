@@ -20,11 +20,16 @@ struct TileGrid {
   std::int32_t columns, rows;
 
   explicit TileGrid(const Header& h)
-      : header(h), tiles(tiles_of(h)), columns(tiles.back().x - tiles.front().x + 1), rows(tiles.back().y - tiles.front().y + 1) {}
+      : header(h),
+        tiles(tiles_of(h)),
+        columns(tiles.back().x - tiles.front().x + 1),
+        rows(tiles.back().y - tiles.front().y + 1) {}
 
   std::int32_t column(double x) const { return clamped(x, tiles.front().x, columns); }
   std::int32_t row(double y) const { return clamped(y, tiles.front().y, rows); }
-  std::size_t index(std::int32_t column, std::int32_t row) const { return static_cast<std::size_t>(column) * rows + row; }
+  std::size_t index(std::int32_t column, std::int32_t row) const {
+    return static_cast<std::size_t>(column) * rows + row;
+  }
 
   // Of the tile that an object anchored here belongs to; anchors outside the region go to the nearest tile.
   std::size_t owner(Vec2 anchor) const { return index(column(anchor.x), row(anchor.y)); }
@@ -79,7 +84,8 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes) {
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
           by_touch(grid, std::span(recipes.roads), box_of_strip),
           by_touch(grid, std::span(recipes.streams), box_of_strip),
-          by_touch(grid, std::span(recipes.buildings), [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
+          by_touch(grid, std::span(recipes.buildings),
+                   [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
           by_anchor(grid, std::span(recipes.buildings), anchor_of),
           by_anchor(grid, std::span(recipes.structures.bridges), span_anchor),
           by_anchor(grid, std::span(recipes.structures.tunnels), span_anchor),
@@ -96,7 +102,8 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
 }
 
 // Areas, and the footprints of buildings that belong to other tiles, trimmed.
-std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, std::size_t t, const Box2& reach) {
+std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, std::size_t t,
+                                          const Box2& reach) {
   std::vector<ground::Surface> surfaces;
   const auto add = [&](const ground::Surface& whole) {
     ground::Surface trimmed = ground::trimmed_to(whole, reach);
@@ -105,22 +112,26 @@ std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& 
   for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
   const std::vector<std::uint32_t>& own = sorted.buildings[t];
   for (const std::uint32_t i : sorted.near_buildings[t])
-    if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i)) add(footprint_surface(recipes.buildings[i]));
+    if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i))
+      add(footprint_surface(recipes.buildings[i]));
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return surfaces;
 }
 
-std::vector<roads::Road> strips_for(const std::vector<roads::Road>& strips, const std::vector<std::uint32_t>& numbers, const Box2& reach) {
+std::vector<roads::Road> strips_for(const std::vector<roads::Road>& strips, const std::vector<std::uint32_t>& numbers,
+                                    const Box2& reach) {
   std::vector<roads::Road> runs;
   for (const std::uint32_t i : numbers)
     for (roads::Road& run : roads::trimmed_to(strips[i], reach)) runs.push_back(std::move(run));
   return runs;
 }
 
-std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods, const std::vector<ground::Surface>& surfaces) {
+std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
+                                   const std::vector<ground::Surface>& surfaces) {
   std::vector<plants::Wood> here;
   for (const plants::Wood& wood : woods) {
-    const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), wood.surface, [](const auto& s, ObjectId id) { return s.id < id; });
+    const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), wood.surface,
+                                        [](const auto& s, ObjectId id) { return s.id < id; });
     if (found != surfaces.end() && found->id == wood.surface) here.push_back(wood);
   }
   return here;
@@ -152,7 +163,8 @@ Scene assemble(const Recipes& recipes, const Header& header, std::span<const Til
   std::vector<std::size_t> wanted;
   for (std::size_t t = 0; t < grid.tiles.size(); ++t)
     if (only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) wanted.push_back(t);
-  return {header, for_each_slot<Chunk>(wanted.size(), threads, [&](std::size_t i) { return chunk_of(recipes, sorted, grid, wanted[i]); })};
+  return {header, for_each_slot<Chunk>(wanted.size(), threads,
+                                       [&](std::size_t i) { return chunk_of(recipes, sorted, grid, wanted[i]); })};
 }
 
 }  // namespace citykiln::scene

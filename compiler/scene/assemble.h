@@ -22,7 +22,8 @@ struct Recipes {
 };
 
 /// @param only  If not empty, only these tiles become chunks.
-/// A chunk depends on nothing that does not touch its tile widened by kHalo_m. Total. Cost: linear in vertices times tiles touched.
+/// A chunk depends on nothing that does not touch its tile widened by kHalo_m. Total. Cost: linear in vertices times
+/// tiles touched.
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads);
 
 }  // namespace citykiln::scene

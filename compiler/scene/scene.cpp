@@ -41,7 +41,9 @@ std::vector<TileKey> tiles_of(const Header& header) {
 }
 
 ground::Surface footprint_surface(const buildings::Building& building) {
-  ground::Surface surface{building.id, map::SurfaceClass::kBuilding, static_cast<std::uint32_t>(std::min(area_m2(building.footprint), 4.0e9)),
+  ground::Surface surface{building.id,
+                          map::SurfaceClass::kBuilding,
+                          static_cast<std::uint32_t>(std::min(area_m2(building.footprint), 4.0e9)),
                           {building.footprint.outer}};
   surface.rings.insert(surface.rings.end(), building.footprint.holes.begin(), building.footprint.holes.end());
   return surface;

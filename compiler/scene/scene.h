@@ -24,28 +24,30 @@ struct TileKey {
   auto operator<=>(const TileKey&) const = default;
 };
 
-/// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of metres.
+/// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of
+/// metres.
 inline constexpr double kHalo_m = 48;
 
 struct Header {
-  map::LonLat origin;                     ///< Of the plane.
-  Box2 region;                            ///< What was compiled, whole cells of map::kCell_m.
-  double tile_m = 1024;                   ///< A whole multiple of map::kCell_m.
+  map::LonLat origin;    ///< Of the plane.
+  Box2 region;           ///< What was compiled, whole cells of map::kCell_m.
+  double tile_m = 1024;  ///< A whole multiple of map::kCell_m.
   std::uint64_t seed = 0;
-  double resampling_error_m = 0;          ///< Of the heightfield against its sources.
+  double resampling_error_m = 0;  ///< Of the heightfield against its sources.
   sky::Sky sky;
   std::vector<std::string> sources;       ///< File names of map and heightmaps, without folders.
   std::vector<std::string> attributions;  ///< "© OpenStreetMap contributors", then the heightmaps' credits.
   bool operator==(const Header&) const = default;
 };
 
-/// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces, roads and footprints are in every
-/// chunk they touch (widened by kHalo_m), trimmed; everything else is in the chunk of its anchor alone.
+/// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
+/// roads and footprints are in every chunk they touch (widened by kHalo_m), trimmed; everything else is in the chunk of
+/// its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  std::vector<ground::Surface> surfaces;       ///< Areas, and footprints of buildings that are anchored in other tiles.
-  std::vector<roads::Road> roads, streams;      ///< Strips of road and of water.
+  std::vector<ground::Surface> surfaces;    ///< Areas, and footprints of buildings that are anchored in other tiles.
+  std::vector<roads::Road> roads, streams;  ///< Strips of road and of water.
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;
@@ -67,7 +69,8 @@ Box2 box_of(const Header& header, TileKey tile);
 std::vector<TileKey> tiles_of(const Header& header);
 /// The ground that a building covers.
 ground::Surface footprint_surface(const buildings::Building& building);
-/// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand on the ground. Sorted by id, then class.
+/// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand
+/// on the ground. Sorted by id, then class.
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
 
 }  // namespace citykiln::scene

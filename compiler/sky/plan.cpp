@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <optional>
+
+#include "compiler/geometry/trig.h"
 
 namespace citykiln::sky {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kUnixEpoch = 2440587.5, kJ2000 = 2451545.0;  // Julian dates
 
 // Where nothing is said: an afternoon in which shadows are long enough to see and nothing lies in the dark.
@@ -54,24 +54,28 @@ std::string default_time(map::LonLat place) {
   return text;
 }
 
+// In turns, so that no libm is asked: its last bit differs between CPUs.
+Vec2 direction_of_deg(double deg) { return direction_of(deg / 360); }
+
+// `v` as an observer sees it whose x axis is turned by `turn` about z.
+Vec2 seen_turned(Vec2 v, Vec2 turn) { return {v.x * turn.x + v.y * turn.y, v.y * turn.x - v.x * turn.y}; }
+
 // Unit vector to the sun from a place: east, north, up. Airless.
 Vec3 to_sun(map::LonLat place, double days) {
-  const double anomaly = (357.529 + 0.98560028 * days) * kRadians;
-  const double longitude =
-      (280.459 + 0.98564736 * days + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly)) * kRadians;
-  const double obliquity = (23.439 - 0.00000036 * days) * kRadians;
-  const double ascension = std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude));
-  const double sin_declination = std::sin(obliquity) * std::sin(longitude);
-  const double cos_declination = std::sqrt(1 - sin_declination * sin_declination);
+  const double anomaly_deg = 357.529 + 0.98560028 * days;
+  const double centre_deg = 1.915 * direction_of_deg(anomaly_deg).y + 0.020 * direction_of_deg(2 * anomaly_deg).y;
+  const Vec2 ecliptic = direction_of_deg(280.459 + 0.98564736 * days + centre_deg);
+  const Vec2 obliquity = direction_of_deg(23.439 - 0.00000036 * days);
+  const double to_pole = obliquity.y * ecliptic.y;
   const double sidereal_deg = 15 * (18.697374558 + 24.06570982441908 * days);
-  const double hour_angle = std::remainder(sidereal_deg + place.lon_deg, 360) * kRadians - ascension;
-  const double latitude = place.lat_deg * kRadians;
-  return {-cos_declination * std::sin(hour_angle),
-          std::cos(latitude) * sin_declination - std::sin(latitude) * cos_declination * std::cos(hour_angle),
-          std::sin(latitude) * sin_declination + std::cos(latitude) * cos_declination * std::cos(hour_angle)};
+  // x to the meridian, y to the east
+  const Vec2 level =
+      seen_turned({ecliptic.x, obliquity.x * ecliptic.y}, direction_of_deg(sidereal_deg + place.lon_deg));
+  const Vec2 latitude = direction_of_deg(place.lat_deg);
+  return {level.y, latitude.x * to_pole - latitude.y * level.x, latitude.y * to_pole + latitude.x * level.x};
 }
 
-// libm differs between CPUs by 1e-16; steps of 1e-6, a fifth of a second of arc, hide that.
+// Six digits are enough, and take less room.
 double quantised(double v) { return std::floor(v * 0x1p20 + 0.5) * 0x1p-20; }
 
 }  // namespace

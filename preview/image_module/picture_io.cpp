@@ -4,7 +4,8 @@
 
 #include <cstdio>
 
-extern "C" int citykiln_write_picture(const char* path, int width, int height, const void* pixels, int is_float, char* error, int error_size) {
+extern "C" int citykiln_write_picture(const char* path, int width, int height, const void* pixels, int is_float,
+                                      char* error, int error_size) {
   const auto fail = [&](const std::string& message) {
     std::snprintf(error, static_cast<std::size_t>(error_size), "%s", message.c_str());
     return 1;

@@ -3,6 +3,8 @@
 
 extern "C" {
 
-/// Writes `channels` 8 bit or float samples a pixel. Returns 0, or 1 with a message in `error` (at most error_size bytes with the final zero).
-int citykiln_write_picture(const char* path, int width, int height, const void* pixels, int is_float, char* error, int error_size);
+/// Writes `channels` 8 bit or float samples a pixel. Returns 0, or 1 with a message in `error` (at most error_size
+/// bytes with the final zero).
+int citykiln_write_picture(const char* path, int width, int height, const void* pixels, int is_float, char* error,
+                           int error_size);
 }

@@ -25,7 +25,8 @@ std::string objection(std::string_view name, std::string_view text) {
 /// A file that is gone at the end of the test.
 class SpecFile {
  public:
-  explicit SpecFile(const std::string& text) : path_(std::filesystem::temp_directory_path() / "citykiln_spec_test.json") {
+  explicit SpecFile(const std::string& text)
+      : path_(std::filesystem::temp_directory_path() / "citykiln_spec_test.json") {
     std::ofstream(path_) << text;
   }
   ~SpecFile() { std::filesystem::remove(path_); }
@@ -44,23 +45,37 @@ TEST(Spec, DefaultsToTheLadderOfTheContract) {
 }
 
 TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
-  const std::pair<const char*, const char*> rows[] = {
-      {"map", "a.osm"},      {"dem", "a.png,bounds=1/2/3/4"}, {"bbox", "-3,1,-2,2.5"}, {"origin", "-3.5,42"}, {"tile", "256"},
-      {"only", "-1_2,3_-4"}, {"out", "o"},                    {"emit", "glb,kiln"},    {"lods", "0.1,2"},     {"world", "plane"},
-      {"compress", "none"},  {"instancing", "nodes"},         {"drive-on", "left"},    {"seed", "18446744073709551615"},
-      {"threads", "2"},      {"strict", "true"},              {"time", "2026-06-21T15:00"}};
+  const std::pair<const char*, const char*> rows[] = {{"map", "a.osm"},
+                                                      {"dem", "a.png,bounds=1/2/3/4"},
+                                                      {"bbox", "-3,1,-2,2.5"},
+                                                      {"origin", "-3.5,42"},
+                                                      {"tile", "256"},
+                                                      {"only", "-1_2,3_-4"},
+                                                      {"out", "o"},
+                                                      {"emit", "glb,kiln"},
+                                                      {"lods", "0.1,2"},
+                                                      {"world", "plane"},
+                                                      {"compress", "none"},
+                                                      {"instancing", "nodes"},
+                                                      {"drive-on", "left"},
+                                                      {"seed", "18446744073709551615"},
+                                                      {"threads", "2"},
+                                                      {"strict", "true"},
+                                                      {"time", "2026-06-21T15:00"}};
   for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
   EXPECT_EQ(std::size(rows), settings().size()) << "a setting without a row here";
 }
 
 TEST(Spec, ObjectionsNameTheSettingAndWhatItTakes) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"},   {"bbox", "3,1,2,2"},   {"bbox", "1,2,x,4"}, {"origin", "1"},     {"tile", "100"},    {"tile", "0"},
-      {"only", "1-2"},     {"emit", "obj"},       {"lods", "1,1"},     {"lods", "0,1"},     {"lods", ""},       {"world", "torus"},
-      {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"}, {"seed", "-1"},      {"threads", "-1"},  {"threads", "1.5"},
-      {"strict", "yes"},   {"dem", "a,bound=1"},  {"time", "noon"}};
+      {"bbox", "1,2,3"}, {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"}, {"origin", "1"},       {"tile", "100"},
+      {"tile", "0"},     {"only", "1-2"},     {"emit", "obj"},     {"lods", "1,1"},       {"lods", "0,1"},
+      {"lods", ""},      {"world", "torus"},  {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"},
+      {"seed", "-1"},    {"threads", "-1"},   {"threads", "1.5"},  {"strict", "yes"},     {"dem", "a,bound=1"},
+      {"time", "noon"}};
   for (const auto& [name, text] : rows) {
-    EXPECT_TRUE(objection(name, text).starts_with("--" + std::string(name) + ": ")) << name << " " << text << ": " << objection(name, text);
+    EXPECT_TRUE(objection(name, text).starts_with("--" + std::string(name) + ": "))
+        << name << " " << text << ": " << objection(name, text);
   }
 }
 
@@ -86,16 +101,19 @@ TEST(Spec, KeepsTilesSortedAndOnce) {
 }
 
 TEST(Spec, TilesReadBackAsTheyAreWritten) {
-  for (const scene::TileKey tile : {scene::TileKey{0, 0}, scene::TileKey{-3, 12}, scene::TileKey{2147483647, -2147483647}}) {
+  for (const scene::TileKey tile :
+       {scene::TileKey{0, 0}, scene::TileKey{-3, 12}, scene::TileKey{2147483647, -2147483647}}) {
     const Result<scene::TileKey> back = parse_tile(to_string(tile));
     ASSERT_TRUE(back);
     EXPECT_EQ(*back, tile);
   }
-  for (const char* text : {"", "_", "1_", "_1", "1", "1_2_3", "a_b", "1_2 ", "99999999999_0"}) EXPECT_FALSE(parse_tile(text)) << text;
+  for (const char* text : {"", "_", "1_", "_1", "1", "1_2_3", "a_b", "1_2 ", "99999999999_0"})
+    EXPECT_FALSE(parse_tile(text)) << text;
 }
 
 TEST(SpecFile, SaysTheSameAsTheCommandLine) {
-  const SpecFile file(R"({"map": "a.osm", "dem": ["x.tif", "y.tif"], "bbox": [1, 2, 3, 4], "tile": 512, "lods": [0.5, 4], "strict": true})");
+  const SpecFile file(
+      R"({"map": "a.osm", "dem": ["x.tif", "y.tif"], "bbox": [1, 2, 3, 4], "tile": 512, "lods": [0.5, 4], "strict": true})");
   const Result<CompileSpec> spec = read_spec(file.path());
   ASSERT_TRUE(spec) << to_string(spec.error());
   EXPECT_EQ(spec->map_path, "a.osm");

@@ -86,8 +86,7 @@ class SameBytesOfTown(SameBytes, ProgramTest):
     def inputs(self):
         if not (TOWN / "town.osm").exists():
             self.skipTest("examples/town is not there")
-        # a corner of it: the whole is the demo's and golden's
-        return TOWN / "town.osm", town_dem() + ["--only", "0_0,-1_0,0_-1"]
+        return TOWN / "town.osm", town_dem()
 
 
 class SameBytesOfAVillageReal(SameBytes, ProgramTest):

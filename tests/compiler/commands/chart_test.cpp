@@ -17,12 +17,17 @@ std::string text_of(const std::filesystem::path& path) {
 
 TEST(Chart, IsATableAndAPictureWithEverySeries) {
   const auto folder = std::filesystem::temp_directory_path() / "citykiln_chart_test";
-  const Chart chart{"chart", "It's a title", {"x (m)", true}, {"y (m)", true}, {{"ours", {{1, 2}, {10, 20}}}, {"theirs", {{3, 4}}, true}}};
+  const Chart chart{"chart",
+                    "It's a title",
+                    {"x (m)", true},
+                    {"y (m)", true},
+                    {{"ours", {{1, 2}, {10, 20}}}, {"theirs", {{3, 4}}, true}}};
   const Result<Done> done = write_chart(chart, folder.string());
   EXPECT_EQ(text_of(folder / "chart.csv"), "series,x (m),y (m)\nours,1,2\nours,10,20\ntheirs,3,4\n");
   if (done) {
     const std::string svg = text_of(folder / "chart.svg");
-    for (const char* word : {"<svg", "It's a title", "ours", "theirs"}) EXPECT_NE(svg.find(word), std::string::npos) << word;
+    for (const char* word : {"<svg", "It's a title", "ours", "theirs"})
+      EXPECT_NE(svg.find(word), std::string::npos) << word;
   }
   std::filesystem::remove_all(folder);
   if (!done) GTEST_SKIP() << to_string(done.error());
@@ -33,10 +38,13 @@ TEST(ChartOfThePlane, KeepsThePromiseOfThePlane) {
   const Result<std::vector<Chart>> charts = chart_plane({});
   ASSERT_TRUE(charts);
   for (const auto& [distance_km, error_ppm] : charts->front().series.front().points) {
-    if (distance_km <= 25) EXPECT_LT(error_ppm, 8) << distance_km;
+    if (distance_km <= 25) {
+      EXPECT_LT(error_ppm, 8) << distance_km;
+    }
   }
   // angles are true: what is left is the step's own length
-  for (const auto& [distance_km, error_deg] : charts->back().series.front().points) EXPECT_LT(error_deg, 1e-4) << distance_km;
+  for (const auto& [distance_km, error_deg] : charts->back().series.front().points)
+    EXPECT_LT(error_deg, 1e-4) << distance_km;
 }
 
 TEST(ChartOfTerrain, AsksForAHeightmap) {

@@ -29,7 +29,8 @@ Verb listening_verb(Heard& heard) {
           [&heard](const Console& console) -> Result<Exit> {
             heard.has_run = true;
             heard.was_quiet = console.is_quiet;
-            if (!heard.files.empty() && heard.files.front() == "absent") return Error{"absent", "cannot be read,\nnor seen"};
+            if (!heard.files.empty() && heard.files.front() == "absent")
+              return Error{"absent", "cannot be read,\nnor seen"};
             return heard.is_strict ? Exit::kObjects : Exit::kDone;
           }};
 }

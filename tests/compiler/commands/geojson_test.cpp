@@ -26,7 +26,8 @@ TEST(GeoJson, LinesAreInLongitudeAndLatitudeWithTheirIds) {
   const std::string text = geojson_of(*layer, map::Plane({10, 48}), {"© \"us\""});
   EXPECT_NE(text.find(R"("id":"w7","part":0)"), std::string::npos) << text;
   EXPECT_NE(text.find(R"("width_m":5.5)"), std::string::npos) << text;
-  EXPECT_NE(text.find(R"({"type":"LineString","coordinates":[[10.00000000,48.00000000],[10.00134)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"({"type":"LineString","coordinates":[[10.00000000,48.00000000],[10.00134)"), std::string::npos)
+      << text;
   EXPECT_NE(text.find(R"("attribution":["© \"us\""])"), std::string::npos) << text;
 }
 

@@ -9,7 +9,12 @@ OsmId way(std::int64_t id) { return {OsmType::kWay, id}; }
 
 /// One triangle of one feature, and one instance, at the tile's origin.
 bake::BakedTile tile_at(Vec3 origin, OsmId feature, double error_m) {
-  bake::Primitive primitive{materials::Material{}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {}, {1, 1, 1}, {{0, 1, 2}}};
+  bake::Primitive primitive{materials::Material{},
+                            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f}},
+                            {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                            {},
+                            {1, 1, 1},
+                            {{0, 1, 2}}};
   primitive.colours.assign(3, materials::kNoTint);
   bake::Primitive shared = primitive;
   shared.features.clear();
@@ -45,7 +50,8 @@ TEST(JoinTiles, KeepsWhoseEverythingIs) {
 }
 
 TEST(JoinTiles, SharesMeshesThatAreTheSame) {
-  std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0), tile_at({2048, 0, 0}, way(4), 0)};
+  std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
+                       tile_at({2048, 0, 0}, way(4), 0)};
   tiles[2].instanced[0].primitives[0].triangles.clear();
   const Result<bake::BakedTile> joined = join_tiles(tiles);
   ASSERT_TRUE(joined);

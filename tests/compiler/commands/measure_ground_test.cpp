@@ -18,7 +18,8 @@ map::Heightfield flat() {
   return field;
 }
 
-/// A square of ground about the tile's origin (0, 0, 10), with its last corner lifted; and a deck of the bridge over it.
+/// A square of ground about the tile's origin (0, 0, 10), with its last corner lifted; and a deck of the bridge over
+/// it.
 bake::BakedTile square(float lifted_m, bool has_second_half) {
   bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kLawn, kBridge}, {}, {}};
   bake::Primitive ground;

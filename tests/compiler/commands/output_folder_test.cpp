@@ -12,7 +12,9 @@ namespace fs = std::filesystem;
 
 class OutputFolderOfARun : public testing::Test {
  protected:
-  OutputFolderOfARun() : root_(fs::temp_directory_path() / "citykiln_output_folder_test") { fs::create_directory(root_); }
+  OutputFolderOfARun() : root_(fs::temp_directory_path() / "citykiln_output_folder_test") {
+    fs::create_directory(root_);
+  }
   ~OutputFolderOfARun() override { fs::remove_all(root_); }
 
   std::string at(const char* name) const { return (root_ / name).string(); }

@@ -11,7 +11,9 @@ namespace {
 /// A folder that is gone at the end of the test.
 class RunFolder {
  public:
-  RunFolder() : path_(std::filesystem::temp_directory_path() / "citykiln_run_report_test") { std::filesystem::create_directory(path_); }
+  RunFolder() : path_(std::filesystem::temp_directory_path() / "citykiln_run_report_test") {
+    std::filesystem::create_directory(path_);
+  }
   ~RunFolder() { std::filesystem::remove_all(path_); }
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -25,7 +27,8 @@ class RunFolder {
 Written two_tiles() {
   Written written;
   written.files = {{"scene.kiln", 100}};
-  written.tiles = {{{"glb/0_0_L0.glb", 1000}, {0, 0}, 0, 0.1, 0.09, 12, 3}, {{"glb/-1_2_L0.glb", 500}, {-1, 2}, 0, 0.1, 0.08, 6, 0}};
+  written.tiles = {{{"glb/0_0_L0.glb", 1000}, {0, 0}, 0, 0.1, 0.09, 12, 3},
+                   {{"glb/-1_2_L0.glb", 500}, {-1, 2}, 0, 0.1, 0.08, 6, 0}};
   return written;
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr Box2 kCell{{0, 0}, {128, 128}};
 
-// Random closed triangles, some far larger than the cell, with corners crowded onto a coarse lattice so that many coincide.
+// Random closed triangles, some far larger than the cell, with corners crowded onto a coarse lattice so that many
+// coincide.
 std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double reach_m, int lattice) {
   const Draw draw(seed, StableId{1}, "triangles");
   std::vector<OwnedSegment> segments;
@@ -20,7 +21,9 @@ std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double
     GridPoint corner[3];
     for (int i = 0; i < 3; ++i) {
       const auto coordinate = [&](int k) {
-        return static_cast<std::int64_t>(draw.between(-reach_m, 128 + reach_m, static_cast<std::uint32_t>(t * 6 + i * 2 + k)) * 1024) / lattice * lattice;
+        return static_cast<std::int64_t>(
+                   draw.between(-reach_m, 128 + reach_m, static_cast<std::uint32_t>(t * 6 + i * 2 + k)) * 1024) /
+               lattice * lattice;
       };
       corner[i] = {coordinate(0), coordinate(1)};
     }
@@ -29,11 +32,14 @@ std::vector<OwnedSegment> random_triangles(std::uint64_t seed, int count, double
   return segments;
 }
 
-std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 int sign(std::int64_t v) { return (v > 0) - (v < 0); }
 
 bool on_segment(GridPoint a, GridPoint b, GridPoint p) {
-  return turn(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+  return turn(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
 }
 
 // Do two edges meet elsewhere than at a common end?
@@ -56,7 +62,8 @@ int conflicts(const Arrangement& r) {
 TEST(Arrangement, EdgesMeetOnlyAtTheirEnds) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const int lattice = seed % 3 == 0 ? 1 : seed % 3 == 1 ? 1024 : 8192;
-    EXPECT_EQ(conflicts(arrange(random_triangles(seed, 25, seed % 2 ? 400 : 0, lattice), {}, kCell)), 0) << "seed " << seed;
+    EXPECT_EQ(conflicts(arrange(random_triangles(seed, 25, seed % 2 ? 400 : 0, lattice), {}, kCell)), 0)
+        << "seed " << seed;
   }
 }
 

@@ -17,26 +17,31 @@ using map::SurfaceClass;
 constexpr Box2 kCell{{0, 0}, {128, 128}};
 
 Heightfield rough_field(double step_m, double height_m) {
-  Heightfield field{{-256, -256}, step_m, static_cast<int>(768 / step_m) + 1, static_cast<int>(768 / step_m) + 1, {}, 0};
+  Heightfield field{{-256, -256}, step_m, static_cast<int>(768 / step_m) + 1, static_cast<int>(768 / step_m) + 1,
+                    {},           0};
   const Draw draw(1, StableId{2}, "heights");
   for (int i = 0; i < field.columns * field.rows; ++i)
-    field.heights.push_back(static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * height_m / map::kHeightQuantum_m));
+    field.heights.push_back(
+        static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * height_m / map::kHeightQuantum_m));
   return field;
 }
 
 // Crossing and overlapping triangles and quads of several classes.
 std::vector<Surface> crossing_surfaces(std::uint64_t seed, int count) {
-  constexpr SurfaceClass kClasses[] = {SurfaceClass::kMeadow, SurfaceClass::kForest, SurfaceClass::kLake, SurfaceClass::kResidentialRoad, SurfaceClass::kBuilding};
+  constexpr SurfaceClass kClasses[] = {SurfaceClass::kMeadow, SurfaceClass::kForest, SurfaceClass::kLake,
+                                       SurfaceClass::kResidentialRoad, SurfaceClass::kBuilding};
   std::vector<Surface> surfaces;
   const Draw draw(seed, StableId{3}, "surfaces");
   for (int s = 0; s < count; ++s) {
     Ring ring;
     for (int i = 0; i < 3; ++i) {
       const auto index = static_cast<std::uint32_t>(s * 6 + i * 2);
-      ring.push_back({std::floor(draw.between(-60, 316, index) * 1024) / 1024, std::floor(draw.between(-60, 190, index + 1) * 1024) / 1024});
+      ring.push_back({std::floor(draw.between(-60, 316, index) * 1024) / 1024,
+                      std::floor(draw.between(-60, 190, index + 1) * 1024) / 1024});
     }
     if (signed_area_m2(ring) < 0) std::reverse(ring.begin(), ring.end());
-    surfaces.push_back({{{OsmType::kWay, s + 1}, 0}, kClasses[s % 5], static_cast<std::uint32_t>(signed_area_m2(ring)), {ring}});
+    surfaces.push_back(
+        {{{OsmType::kWay, s + 1}, 0}, kClasses[s % 5], static_cast<std::uint32_t>(signed_area_m2(ring)), {ring}});
   }
   return surfaces;
 }
@@ -82,7 +87,8 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
     double wrong_m2 = 0;
     for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
       const Triangle& t = g.mesh.triangles[f];
-      const Vec2 a = in_plan(g.mesh.positions[t[0]]), b = in_plan(g.mesh.positions[t[1]]), c = in_plan(g.mesh.positions[t[2]]);
+      const Vec2 a = in_plan(g.mesh.positions[t[0]]), b = in_plan(g.mesh.positions[t[1]]),
+                 c = in_plan(g.mesh.positions[t[2]]);
       const Vec2 centre = (a + b + c) * (1.0 / 3);
       if (surface_at(map, centre) != g.face_surface[f]) wrong_m2 += cross(b - a, c - a) / 2;
     }

@@ -1,0 +1,56 @@
+// Chance in the renderer: a pure function of (seed, pixel, sample, dimension), spread evenly within a pixel and between
+// neighbouring ones.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace citykiln::preview {
+
+/// A point of the unit square, each coordinate in [0, 1).
+struct UnitPair {
+  double u = 0, v = 0;
+};
+
+/// The size of what is sampled, which the order of samples depends on.
+struct SampleGrid {
+  int log2_side = 0;     ///< Of the square of pixels that holds the picture.
+  int log2_samples = 0;  ///< Of the samples a pixel, rounded up.
+};
+
+/// The smallest grid for a picture. Sizes and samples below 1 count as 1.
+SampleGrid grid_of(int width, int height, int samples);
+
+/// All samples of one pixel. Cost to make: one hash a dimension and bit of the side.
+///
+/// Method: Owen-scrambled Sobol points in the order of a shuffled Morton curve, so that every aligned square of pixels,
+/// too, has well spread points: what error is left looks like fine grain, not clumps.
+/// Source: Ahmed, Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of
+/// Pixels", SIGGRAPH Asia 2020; scrambling by hash as in Laine, Karras 2011 and Vegdahl 2021.
+class PixelSamples {
+ public:
+  PixelSamples(std::uint64_t seed, std::uint32_t x, std::uint32_t y, SampleGrid grid);
+
+  /// The point of a sample in a dimension (a pair of Sobol's).
+  UnitPair pair(std::uint32_t sample, std::uint32_t dimension) const;
+
+ private:
+  // more dimensions than this are drawn without order: by then a path carries little light
+  static constexpr std::uint32_t kOrdered = 20;
+  std::uint64_t seed_, morton_;
+  SampleGrid grid_;
+  std::array<std::uint64_t, kOrdered> places_{};
+};
+
+/// The points of one path, taken in order.
+class PathDraw {
+ public:
+  PathDraw(const PixelSamples& pixel, std::uint32_t sample) : pixel_(&pixel), sample_(sample) {}
+  UnitPair next() { return pixel_->pair(sample_, dimension_++); }
+
+ private:
+  const PixelSamples* pixel_;
+  std::uint32_t sample_, dimension_ = 0;
+};
+
+}  // namespace citykiln::preview
