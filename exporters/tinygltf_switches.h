@@ -10,7 +10,8 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-// clang-format off: the second uses what the first declares
+// the second uses what the first declares
+// clang-format off
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 // clang-format on
