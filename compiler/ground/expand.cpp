@@ -20,6 +20,10 @@ using map::Heightfield;
 // How much finer than the tolerance borders are split at most.
 constexpr double kFinestBorders = 8;
 
+// The cell's own border is split at this share of the tolerance. A vertex close to a border that is off by a, where the
+// border is off by b, leaves an edge between them that is off by at most a + b: two halves are the tolerance.
+constexpr double kCellBorderShare = 0.5;
+
 // One planar partition of the cell: its edges, its triangles, and what covers each of them (an index into the surfaces,
 // or kNoSurface).
 struct Partition {
@@ -162,7 +166,7 @@ Bent bend_to_field(std::span<const Border> borders, const std::vector<std::uint3
     // from the lower end, so that both cells of a common border split it alike
     path = {border.a, border.b};
     split_edge(heights, on_field(heights, plane_point(border.a)), on_field(heights, plane_point(border.b)),
-               border.is_cell_border ? tolerance_m : inner_tolerance_m, path);
+               border.is_cell_border ? kCellBorderShare * tolerance_m : inner_tolerance_m, path);
     if (border.is_cell_border) {
       bent.points.insert(bent.points.end(), path.begin(), path.end());
       continue;
