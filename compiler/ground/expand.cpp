@@ -237,11 +237,39 @@ struct Growing {
     error.error_m = std::max(error.error_m, error.mendable.error_m);
   }
 
-  // Puts the face's worst point in; the faces that changed. None where the point is there already.
-  std::span<const std::uint32_t> insert_worst(std::uint32_t f) {
-    const Vec3 p = on_field(heights, snapped(errors[f].mendable.at));
-    // rounding may have carried the point into a neighbour, and that one's region
-    const std::uint32_t split = triangulation.face_to_split(grid_point(in_plan(p)), f);
+  // How far a face is off a point of the field.
+  double error_at(std::uint32_t f, Vec3 p) const {
+    const DelaunayFace& face = triangulation.faces()[f];
+    const Vec3 a = vertices[face.vertices[0]], u = vertices[face.vertices[1]] - a, v = vertices[face.vertices[2]] - a;
+    const double area = cross(in_plan(u), in_plan(v));
+    const double s = cross(in_plan(p - a), in_plan(v)) / area, t = cross(in_plan(u), in_plan(p - a)) / area;
+    return std::abs(a.z + s * u.z + t * v.z - p.z);
+  }
+
+  // A point to put in, and the face it splits: kNoFace where it is a vertex already, or on a border.
+  struct Insertion {
+    Vec3 point;
+    std::uint32_t face;
+  };
+
+  // Rounding, or the search for a better point, may have carried it out of the face `near`, and out of its region.
+  Insertion insertion_at(Vec2 at, std::uint32_t near) const {
+    const Vec3 point = on_field(heights, snapped(at));
+    return {point, triangulation.face_to_split(grid_point(in_plan(point)), near)};
+  }
+
+  // Where a face is off most. Close by, one of the field's own vertices may be off too far as well: that one mends all
+  // edges about it, a point between two of them only one. (A quarter fewer triangles where the tolerance is small.)
+  Insertion best_insertion(std::uint32_t f, double tolerance_m) const {
+    const Vec2 worst = errors[f].mendable.at;
+    const Insertion sample = insertion_at(map::nearest_vertex(heights, worst), f);
+    const bool mends = sample.face != kNoFace && error_at(sample.face, sample.point) >= tolerance_m;
+    return mends ? sample : insertion_at(worst, f);
+  }
+
+  // Puts a point in that mends the face's worst error, or one nearby; the faces that changed. None where nothing can.
+  std::span<const std::uint32_t> mend(std::uint32_t f, double tolerance_m) {
+    const auto [p, split] = best_insertion(f, tolerance_m);
     if (split == kNoFace) return {};
     const std::uint32_t surface = face_surface[split];
     const auto changed = triangulation.insert(grid_point(in_plan(p)), split);
@@ -273,7 +301,10 @@ void refine(Growing& growing, double tolerance_m) {
     waiting.pop();
     // stale: the face has been measured again since
     if (growing.errors[worst.face].mendable.error_m != worst.error_m) continue;
-    for (const std::uint32_t f : growing.insert_worst(worst.face)) measure(f);
+    const auto changed = growing.mend(worst.face, tolerance_m);
+    for (const std::uint32_t f : changed) measure(f);
+    // mended beside it: its own turn comes again
+    if (!changed.empty() && std::ranges::find(changed, worst.face) == changed.end()) waiting.push(worst);
   }
 }
 

@@ -43,6 +43,13 @@ double height_m_at(const Heightfield& field, Vec2 p) {
   return sw + (nw - sw) * v + (ne - nw) * u;
 }
 
+Vec2 nearest_vertex(const Heightfield& field, Vec2 p) {
+  const auto nearest = [&](double v, double start) {
+    return start + std::floor((v - start) / field.step_m + 0.5) * field.step_m;
+  };
+  return {nearest(p.x, field.min.x), nearest(p.y, field.min.y)};
+}
+
 Vec3 normal_at(const Heightfield& field, Vec2 p) {
   const auto [i, j, u, v] = square_at(field, p);
   return unit(slope_normal(field, i, j) * ((1 - u) * (1 - v)) + slope_normal(field, i + 1, j) * (u * (1 - v)) +

@@ -32,6 +32,8 @@ struct Heightfield {
 
 /// Exact piecewise-linear height; outside the box, that of the nearest point in it. O(1).
 double height_m_at(const Heightfield& field, Vec2 p);
+/// The vertex nearest to a point, in plan; may lie outside the field where the point does.
+Vec2 nearest_vertex(const Heightfield& field, Vec2 p);
 /// The surface's normal at a point, smoothed: the normals of the vertices' centred differences, interpolated; a
 /// function of the place alone.
 Vec3 normal_at(const Heightfield& field, Vec2 p);
