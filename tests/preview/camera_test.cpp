@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "preview/preview.h"
+#include "preview/world.h"
+#include "tests/preview/solids.h"
+
+namespace citykiln::preview {
+namespace {
+
+using materials::Material;
+
+constexpr const char* kViews[] = {"overview", "street", "top", "north", "south", "east", "west", "low"};
+
+// The ground has corners every 50 m, as fired ground does.
+bake::Primitive meadow() {
+  bake::Primitive grass{Material::kGrass, {}, {}, {}, {}, {}};
+  for (double y = -500; y < 500; y += 50)
+    for (double x = -500; x < 500; x += 50)
+      add_quad(grass, {x, y, 0}, {x + 50, y, 0}, {x + 50, y + 50, 0}, {x, y + 50, 0});
+  return grass;
+}
+
+// A street to the north between two closed rows of houses, in the middle of a square kilometre of grass.
+bake::BakedTile village(Vec3 origin) {
+  bake::Primitive street{Material::kAsphalt, {}, {}, {}, {}, {}};
+  for (double y = -200; y < 200; y += 10)
+    add_quad(street, {-4, y, 0.1}, {4, y, 0.1}, {4, y + 10, 0.1}, {-4, y + 10, 0.1});
+  bake::Primitive houses = box({-18, -190, 0}, {-8, 190, 9}, Material::kPlaster);
+  const bake::Primitive east = box({8, -190, 0}, {18, 190, 9}, Material::kBrick);
+  return tile(origin, {meadow(), street, houses, east});
+}
+
+// Of 9 by 9 rays through a picture, how many meet something.
+int rays_that_hit(std::span<const bake::BakedTile> tiles, const Camera& camera) {
+  const World world(tiles, camera.eye);
+  const Vec3 forward = unit(camera.look_at - camera.eye);
+  const Vec3 right = unit(cross(forward, std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}));
+  const Vec3 up = cross(right, forward);
+  const double slope = std::tan(camera.vertical_fov_deg * std::numbers::pi / 360);
+  int hits = 0;
+  for (int y = -4; y <= 4; ++y)
+    for (int x = -4; x <= 4; ++x) {
+      const Vec3 ray = unit(forward + right * (slope * 16 / 9 * x / 4.5) + up * (slope * y / 4.5));
+      hits += world.first_hit(camera.eye - world.origin(), ray) ? 1 : 0;
+    }
+  return hits;
+}
+
+bool is_finite(const Camera& c) {
+  return std::isfinite(length(c.eye)) && std::isfinite(length(c.look_at)) && c.vertical_fov_deg > 0;
+}
+
+TEST(NamedView, TheMiddleOfEveryViewShowsTheScene) {
+  for (const Vec3 origin : {Vec3{0, 0, 0}, Vec3{20480, -40960, 1200}}) {
+    const std::vector tiles = {village(origin)};
+    for (const char* name : kViews) {
+      const Result<Camera> camera = named_view(tiles, name);
+      ASSERT_TRUE(camera) << name;
+      const World world(tiles, camera->eye);
+      const auto hit = world.first_hit(camera->eye - world.origin(), unit(camera->look_at - camera->eye));
+      // along a street one may look into the sky
+      ASSERT_TRUE(hit || name == std::string("street")) << name;
+      EXPECT_GT(rays_that_hit(tiles, *camera), 27) << name;
+      // seen from above the ground, not from below it or from inside a house
+      EXPECT_GT(camera->eye.z, origin.z + 1) << name;
+      EXPECT_TRUE(!hit || hit->distance_m > 5) << name;
+    }
+  }
+}
+
+TEST(NamedView, OutsideViewsHoldAllButALittleOfTheScene) {
+  const std::vector tiles = {village({3000, 1000, 50})};
+  for (const char* name : {"overview", "top", "north", "south", "east", "west"}) {
+    const Result<Camera> camera = named_view(tiles, name);
+    ASSERT_TRUE(camera) << name;
+    const Vec3 forward = unit(camera->look_at - camera->eye);
+    const Vec3 pole = std::abs(forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    const Vec3 right = unit(cross(forward, pole)), up = cross(right, forward);
+    const double slope = std::tan(camera->vertical_fov_deg * std::numbers::pi / 360);
+    int outside = 0, all = 0;
+    for (double x = 2500; x <= 3500; x += 50)
+      for (double y = 500; y <= 1500; y += 50, ++all) {
+        const Vec3 to = Vec3{x, y, 50} - camera->eye;
+        const double reach = slope * dot(to, forward);
+        outside += std::abs(dot(to, up)) > reach || std::abs(dot(to, right)) > reach * 16 / 9 ? 1 : 0;
+      }
+    EXPECT_LE(outside, all / 50) << name;
+  }
+}
+
+TEST(NamedView, ViewsAreNamedByWhereTheEyeIs) {
+  const std::vector tiles = {village({0, 0, 0})};
+  const auto eye = [&](const char* name) { return named_view(tiles, name)->eye; };
+  EXPECT_GT(eye("north").y, 500);
+  EXPECT_LT(eye("south").y, -500);
+  EXPECT_GT(eye("east").x, 500);
+  EXPECT_LT(eye("west").x, -500);
+  EXPECT_GT(eye("overview").x, 0);
+  EXPECT_LT(eye("overview").y, 0);
+  EXPECT_NEAR(eye("top").x, 0, 10);
+}
+
+TEST(NamedView, StreetStandsInAStreetAtEyeHeight) {
+  const std::vector tiles = {village({100, 200, 30})};
+  const Camera camera = *named_view(tiles, "street");
+  EXPECT_NEAR(camera.eye.z, 30.1 + 2.4, 0.3);
+  EXPECT_LE(std::abs(camera.eye.x - 100), 4.1);
+  // along it, not at a wall
+  const Vec3 sight = unit(camera.look_at - camera.eye);
+  EXPECT_GT(std::abs(sight.y), 0.9);
+}
+
+TEST(NamedView, AnUnknownNameListsTheKnownOnes) {
+  const std::vector tiles = {village({0, 0, 0})};
+  for (const char* unknown : {"nowhere", "", "Overview"}) {
+    const Result<Camera> camera = named_view(tiles, unknown);
+    ASSERT_FALSE(camera);
+    EXPECT_EQ(camera.error().where, std::string("--view ") + unknown);
+    for (const char* name : kViews) EXPECT_NE(camera.error().message.find(name), std::string::npos) << name;
+  }
+}
+
+TEST(NamedView, NothingAtAllStillHasViews) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::vector<bake::BakedTile>> scenes = {
+      {}, {tile({0, 0, 0}, {})}, {tile({0, 0, 0}, {floor({nan, 0, 0}, {1, nan, 0}, Material::kAsphalt)})}};
+  for (const auto& tiles : scenes)
+    for (const char* name : kViews) {
+      const Result<Camera> camera = named_view(tiles, name);
+      ASSERT_TRUE(camera) << name;
+      EXPECT_TRUE(is_finite(*camera)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace citykiln::preview
