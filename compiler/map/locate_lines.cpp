@@ -1,8 +1,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/locate_parts.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/each_line.h"
 
 namespace citykiln::map {
 namespace {
@@ -43,34 +42,13 @@ constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
                                 {"man_made", "chimney", PointKind::kChimney},
                                 {"man_made", "flagpole", PointKind::kFlagpole}};
 
-template <typename Row, std::size_t n>
-const Row* row_with(const Row (&rows)[n], std::string_view value) {
-  for (const Row& row : rows)
-    if (row.value == value) return &row;
-  return nullptr;
-}
-
-// The walk that waterways and barriers share: every way with the key, its row, its line, what is dropped and why.
+// Ways that carry a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
-void for_each_line(const Reading& reading, std::string_view key, const Row (&rows)[n], const char* kind, Make make) {
-  Account account;
-  for (const source::Way& way : reading.osm.ways) {
-    const std::string_view value = reading.tag(way.tags, key);
-    if (value.empty() || says_yes(reading.tag(way.tags, "area"))) continue;
-    ++account.in;
-    const OsmId id{OsmType::kWay, way.id};
-    const Row* row = row_with(rows, value);
-    LocatedLine line = located(reading, way);
-    if (row == nullptr)
-      reading.report.drop(account, Code::kUnknownKind, id);
-    else if (line.axis.size() < 2)
-      reading.report.drop(account, Code::kNoThickness, id);
-    else if (!is_near(reading, line.axis))
-      reading.report.drop(account, Code::kOutsideBounds, id);
-    else
-      make(id, way.tags, *row, std::move(line.axis)), ++account.out;
-  }
-  reading.report.account("map", kind) = account;
+void for_each_with_key(const Reading& reading, std::string_view key, const Row (&rows)[n], Make make) {
+  const auto value = [&](const source::Way& way) { return reading.tag(way.tags, key); };
+  for_each_line(
+      reading, std::string(key).c_str(), [&](const source::Way& way) { return !value(way).empty(); },
+      [&](const source::Way& way) { return row_with(rows, value(way)); }, make);
 }
 
 const PointRow* point_row(const Reading& reading, source::Range tags) {
@@ -85,25 +63,29 @@ constexpr double kTallest_m = 400;
 
 std::vector<Waterway> locate_waterways(const Reading& reading) {
   std::vector<Waterway> waterways;
-  for_each_line(reading, "waterway", kWaterways, "waterway",
-                [&](OsmId id, source::Range tags, const WaterwayRow& row, Polyline&& axis) {
-                  const double width = tagged_length_m(reading, id, tags, "width", 0.2, 500).value_or(row.width_m);
-                  waterways.push_back({{id, 0},
-                                       std::move(axis),
-                                       std::max(kQuantum_m, snapped(width)),
-                                       tagged_layer(reading, id, tags),
-                                       tagged_passage(reading, tags)});
-                });
+  for_each_with_key(reading, "waterway", kWaterways,
+                    [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
+                      const OsmId id{OsmType::kWay, way.id};
+                      const auto tagged = tagged_length_m(reading, id, way.tags, "width", 0.2, 500);
+                      const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
+                      waterways.push_back({{id, 0},
+                                           std::move(line.axis),
+                                           width,
+                                           tagged_layer(reading, id, way.tags),
+                                           tagged_passage(reading, way.tags)});
+                    });
   return waterways;
 }
 
 std::vector<Barrier> locate_barriers(const Reading& reading) {
   std::vector<Barrier> barriers;
-  for_each_line(reading, "barrier", kBarriers, "barrier",
-                [&](OsmId id, source::Range tags, const BarrierRow& row, Polyline&& axis) {
-                  const double height = tagged_length_m(reading, id, tags, "height", 0.1, 50).value_or(row.height_m);
-                  barriers.push_back({{id, 0}, std::move(axis), row.kind, snapped(height), row.width_m});
-                });
+  for_each_with_key(reading, "barrier", kBarriers,
+                    [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
+                      const OsmId id{OsmType::kWay, way.id};
+                      const auto tagged = tagged_length_m(reading, id, way.tags, "height", 0.1, 50);
+                      const double height = snapped(tagged.value_or(row.height_m));
+                      barriers.push_back({{id, 0}, std::move(line.axis), row.kind, height, row.width_m});
+                    });
   return barriers;
 }
 

@@ -1,8 +1,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/locate_parts.h"
-#include "compiler/map/tag_values.h"
+#include "compiler/map/each_line.h"
 
 namespace citykiln::map {
 namespace {
@@ -87,24 +86,12 @@ Track track_of(const Reading& reading, const source::Way& way, const TrackRow& r
 
 std::vector<Track> locate_tracks(const Reading& reading) {
   std::vector<Track> tracks;
-  Account account;
-  for (const source::Way& way : reading.osm.ways) {
-    // an area with the tags of a road is in areas
-    if (!carries_track_key(reading, way) || says_yes(reading.tag(way.tags, "area"))) continue;
-    ++account.in;
-    const OsmId id{OsmType::kWay, way.id};
-    const TrackRow* row = row_of(reading, way);
-    LocatedLine line = located(reading, way);
-    if (row == nullptr)
-      reading.report.drop(account, Code::kUnknownKind, id);
-    else if (line.axis.size() < 2)
-      reading.report.drop(account, Code::kNoThickness, id);
-    else if (!is_near(reading, line.axis))
-      reading.report.drop(account, Code::kOutsideBounds, id);
-    else
-      tracks.push_back(track_of(reading, way, *row, std::move(line))), ++account.out;
-  }
-  reading.report.account("map", "track") = account;
+  for_each_line(
+      reading, "track", [&](const source::Way& way) { return carries_track_key(reading, way); },
+      [&](const source::Way& way) { return row_of(reading, way); },
+      [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
+        tracks.push_back(track_of(reading, way, row, std::move(line)));
+      });
   return tracks;
 }
 
