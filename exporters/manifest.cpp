@@ -177,11 +177,11 @@ std::optional<Streams> streams_of(const fbs::Chunk& chunk) {
   return at == all.size() ? std::optional(std::move(streams)) : std::nullopt;
 }
 
-// The bytes of one chunk, unpacked and checked.
+// The bytes of one chunk, unpacked and checked; check_index has found them inside the body.
 Result<scene::Chunk> chunk_of(ByteSpan body, const fbs::ChunkEntry& entry, const std::string& name) {
   const std::string where = fmt::format("{}, tile {}_{}", name, entry.x(), entry.y());
-  if (entry.offset() > body.size() || entry.size() > body.size() - entry.offset() || entry.raw_size() > kMostRawBytes)
-    return Error{where, "expected its bytes, found the end of the file"};
+  if (entry.raw_size() > kMostRawBytes)
+    return Error{where, fmt::format("expected at most {} bytes unpacked, found {}", kMostRawBytes, entry.raw_size())};
   const ByteSpan packed = body.subspan(entry.offset(), entry.size());
   if (checksum(packed) != entry.checksum())
     return Error{where, "expected the checksum that the header states, found another: the file is damaged"};
@@ -199,6 +199,27 @@ Result<scene::Chunk> chunk_of(ByteSpan body, const fbs::ChunkEntry& entry, const
   auto chunk = decode_chunk(*streams, {entry.x(), entry.y()}, wrong);
   if (!chunk) return Error{where, "expected sound values in \"" + wrong + "\""};
   return std::move(*chunk);
+}
+
+// The index as a whole: every tile once, in order, inside the region, its bytes right behind those of the tile before,
+// and nothing behind the last.
+Result<Done> check_index(const fbs::Header& h, const scene::Header& header, std::size_t body_size,
+                         const std::string& name) {
+  std::optional<scene::TileKey> last;
+  std::uint64_t end = 0;
+  for (const auto* entry : *h.chunks()) {
+    const scene::TileKey tile{entry->x(), entry->y()};
+    const std::string where = fmt::format("{}, tile {}_{}", name, tile.x, tile.y);
+    if (last && tile <= *last) return Error{where, "expected each tile once, in the order of x, then y"};
+    const Box2 box = scene::box_of(header, tile);
+    if (box.is_empty() || box.width() == 0 || box.height() == 0)
+      return Error{where, "expected tiles inside the region"};
+    if (entry->offset() != end) return Error{where, "expected its bytes right behind those of the tile before"};
+    if (entry->size() > body_size - end) return Error{where, "expected its bytes, found the end of the file"};
+    last = tile, end += entry->size();
+  }
+  if (end != body_size) return Error{name, "expected the end of the file behind the last tile"};
+  return Done{};
 }
 
 bool is_wanted(std::span<const scene::TileKey> only, scene::TileKey tile) {
@@ -242,11 +263,11 @@ Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, st
   if (!header) return header.error();
   scene::Scene scene{*header, {}};
   const ByteSpan body = bytes.subspan(kPreamble + header_size);
+  if (const auto index = check_index(h, *header, body.size(), name); !index) return index.error();
   for (const auto* entry : *h.chunks()) {
     if (!is_wanted(only, {entry->x(), entry->y()})) continue;
     auto chunk = chunk_of(body, *entry, name);
     if (!chunk) return chunk.error();
-    if (scene::box_of(scene.header, chunk->tile).is_empty()) return Error{name, "expected tiles inside the region"};
     scene.chunks.push_back(std::move(*chunk));
   }
   for (const scene::TileKey tile : only)

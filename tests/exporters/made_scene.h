@@ -1,0 +1,114 @@
+// Small scenes of invented objects, as varied as the clay allows, for tests of what writes and reads them.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "compiler/scene/scene.h"
+
+namespace citykiln::exporters {
+
+/// Throws the dice for a scene; every seed another scene, the same on every machine.
+class SceneMaker {
+ public:
+  explicit SceneMaker(std::uint64_t seed) : dice_(seed) {}
+
+  /// @param finest_m  Step of the points' coordinates.
+  scene::Chunk chunk(scene::TileKey tile, double finest_m) {
+    finest_m_ = finest_m;
+    scene::Chunk c{tile, field(), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    for (auto i = below(4); i > 0; --i) c.surfaces.push_back({id(), surface(), number(90000), {ring(), ring()}});
+    for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
+    for (auto i = below(2); i > 0; --i) c.streams.push_back(road());
+    for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
+    for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
+    for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
+    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), pick(plants::Archetype::kCount)});
+    for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), 1.0 + below(9), below(256) / 255.0, 5.3 + below(20)});
+    for (auto i = below(3); i > 0; --i)
+      c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
+    for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9)});
+    return c;
+  }
+
+  /// Two tiles side by side, one of coarse points, one of fine ones.
+  scene::Scene scene() {
+    scene::Header h;
+    h.origin = {7.25, 43.5}, h.region = {{-128, 0}, {128, 128}}, h.tile_m = 128, h.seed = dice_();
+    h.resampling_error_m = 0.125;
+    h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
+    h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
+    h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
+    return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};
+  }
+
+ private:
+  static constexpr double kQuantum_m = 0x1p-10;
+
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(dice_() % count); }
+  std::uint32_t number(std::uint32_t most) { return below(most); }
+  template <typename Enum>
+  Enum pick(Enum count) {
+    return static_cast<Enum>(below(static_cast<std::uint32_t>(count)));
+  }
+  map::SurfaceClass surface() { return pick(map::SurfaceClass::kCount); }
+  double metres(std::uint32_t most) { return (1 + below(most * 1024)) * kQuantum_m; }
+  double coordinate() { return (static_cast<double>(below(1u << 20)) - (1 << 19)) * finest_m_; }
+  // a third of all points were there before, as shared borders are
+  Vec2 point() {
+    if (!points_.empty() && below(3) == 0) return points_[below(static_cast<std::uint32_t>(points_.size()))];
+    return points_.emplace_back(Vec2{coordinate(), coordinate()});
+  }
+  ObjectId id() {
+    const auto number = static_cast<std::int64_t>(dice_() >> below(64));
+    return {{static_cast<OsmType>(below(4)), below(2) == 0 ? number : -1 - number}, below(3)};
+  }
+  std::vector<Vec2> line() {
+    std::vector<Vec2> points;
+    for (auto i = 2 + below(4); i > 0; --i) points.push_back(point());
+    return points;
+  }
+  Ring ring() {
+    Ring r = line();
+    r.push_back(point());
+    return r;
+  }
+  std::vector<Vec3> space_line() {
+    std::vector<Vec3> points;
+    for (const Vec2 p : line()) points.push_back(at_height(p, coordinate()));
+    return points;
+  }
+  roads::Road road() { return {id(), line(), surface(), metres(20), below(2) == 0, below(2) == 0}; }
+  std::optional<map::Srgb> colour() {
+    if (below(2) == 0) return std::nullopt;
+    return map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};
+  }
+  buildings::Building building() {
+    const double bottom = metres(100);
+    std::vector<Ring> holes;
+    for (auto i = below(3); i > 0; --i) holes.push_back(ring());
+    return {id(),
+            {ring(), holes},
+            bottom,
+            bottom + metres(40),
+            below(2) == 0,
+            pick(materials::Material::kCount),
+            pick(materials::Material::kCount),
+            colour(),
+            colour()};
+  }
+  map::Heightfield field() {
+    map::Heightfield h{{-64, -64}, 64, 3, 4, {}, below(9) * kQuantum_m};
+    const std::uint32_t grain = below(5);
+    for (int i = 0; i < 12; ++i) h.heights.push_back(static_cast<std::int32_t>(below(9000) << grain) - 30000 * 64);
+    return h;
+  }
+
+  std::mt19937_64 dice_;
+  double finest_m_ = kQuantum_m;
+  std::vector<Vec2> points_;
+};
+
+}  // namespace citykiln::exporters
