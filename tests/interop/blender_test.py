@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Blender imports the town as it is: upright, in metres, in its place; copies share their mesh; materials and tints arrive. What Blender holds is
+compared with the .glb's own JSON chunk and with what `citykiln inspect` says."""
+import json
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
+from citykiln_program import TOWN, ProgramTest, run  # noqa: E402
+
+BLENDER = shutil.which("blender")
+SCRIPT = Path(__file__).resolve().parent / "import_blender.py"
+
+# Places on a grid of 2^-10 m, passed through Blender's single precision, 1 km from the plane's origin.
+NEAR_M = 2e-4
+
+
+def gltf_of(path):
+    data = path.read_bytes()
+    return json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])
+
+
+def z_up(v):
+    return [v[0], -v[2], v[1]]
+
+
+def box_of(gltf, mesh):
+    """What the accessors of a mesh say: its box in Blender's axes, from the mesh's own origin."""
+    accessors = [gltf["accessors"][p["attributes"]["POSITION"]] for p in mesh["primitives"]]
+    corners = [z_up(a[end]) for a in accessors for end in ("min", "max")]
+    return [min(c[i] for c in corners) for i in range(3)], [max(c[i] for c in corners) for i in range(3)]
+
+
+class BlenderImport(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.keeper = ProgramTest()
+        cls.keeper.setUp()
+        cls.addClassCleanup(cls.keeper.doCleanups)
+        out = cls.keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--instancing", "nodes")
+        cls.paths = sorted((out / "glb").glob("*.glb"))
+        facts = cls.keeper.folder / "facts.json"
+        cls.done = subprocess.run([BLENDER, "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P", SCRIPT, "--", facts, *cls.paths],
+                                  capture_output=True, text=True, check=False,
+                                  # it looks for its Python's library beside the first python3 on the PATH
+                                  env={**os.environ, "PATH": "/usr/bin:/bin"})
+        if cls.done.returncode != 0:
+            raise AssertionError(cls.done.stdout[-2000:] + cls.done.stderr[-2000:])
+        cls.tiles = list(zip(cls.paths, map(gltf_of, cls.paths), json.loads(facts.read_text())))
+
+    def assert_near(self, a, b, near=NEAR_M):
+        for x, y in zip(a, b, strict=True):
+            self.assertLess(abs(x - y), near, (a, b))
+
+    def test_nothing_is_complained_about(self):
+        self.assertGreater(len(self.tiles), 1)
+        for word in ("error", "traceback", "unknown", "not supported"):
+            self.assertNotIn(word, (self.done.stdout + self.done.stderr).lower())
+
+    def test_tiles_lie_in_metres_where_they_belong(self):
+        for _, gltf, facts in self.tiles:
+            root = gltf["nodes"][0]
+            low, high = box_of(gltf, gltf["meshes"][root["mesh"]])
+            at = z_up(root["translation"])
+            self.assert_near(at, root["extras"]["origin_m"])
+            self.assertEqual(facts["unit_m"], 1)
+            self.assert_near(facts["tile"]["low_m"], [a + b for a, b in zip(at, low)])
+            self.assert_near(facts["tile"]["high_m"], [a + b for a, b in zip(at, high)])
+
+    def test_the_ground_is_seen_from_above(self):
+        for _, _, facts in self.tiles:
+            size = [high - low for low, high in zip(facts["tile"]["low_m"], facts["tile"]["high_m"])]
+            # roofs that reach out over the edge count in the box alone
+            self.assertGreater(facts["tile"]["area_seen_from_above_m2"], 0.8 * size[0] * size[1])
+            self.assertLess(size[2], 0.3 * min(size[:2]))
+
+    def test_buildings_stand_as_high_as_they_are(self):
+        roofs = 0
+        for _, gltf, facts in self.tiles:
+            base = gltf["nodes"][0]["translation"][1]
+            for primitive in gltf["meshes"][gltf["nodes"][0]["mesh"]]["primitives"]:
+                name = gltf["materials"][primitive["material"]]["name"]
+                accessor = gltf["accessors"][primitive["attributes"]["POSITION"]]
+                found = facts["tile"]["materials"][name]
+                self.assert_near(found["z_m"], [base + accessor["min"][1], base + accessor["max"][1]])
+                roofs += name in ("RoofTile", "Slate", "FlatRoof", "MetalRoof") and found["z_m"][1] > base + 5
+        self.assertGreater(roofs, 0)
+
+    def test_no_triangle_is_lost(self):
+        for path, _, facts in self.tiles:
+            said = json.loads(run("inspect", path, "--json").stdout)
+            self.assertEqual({name: row["triangles"] for name, row in facts["tile"]["materials"].items()}, said["materials"])
+            copies = {name: len(row["places"]) for name, row in facts["copies"].items()}
+            self.assertEqual(copies, said["instanced"])
+            triangles = sum(row["triangles"] for row in facts["tile"]["materials"].values())
+            triangles += sum(row["triangles"] * len(row["places"]) for row in facts["copies"].values())
+            self.assertEqual(triangles, said["triangles"])
+
+    def test_copies_share_their_mesh(self):
+        shared = 0
+        for _, gltf, facts in self.tiles:
+            # one for the tile
+            self.assertEqual(facts["meshes"], 1 + len(facts["copies"]))
+            self.assertEqual(facts["meshes"], len(gltf["meshes"]))
+            for row in facts["copies"].values():
+                self.assertEqual(row["users"], len(row["places"]))
+                shared += row["users"] > 1
+        self.assertGreater(shared, 0)
+
+    def test_copies_stand_upright_where_they_belong(self):
+        for _, gltf, facts in self.tiles:
+            root = z_up(gltf["nodes"][0]["translation"])
+            for name, row in facts["copies"].items():
+                nodes = [node for node in gltf["nodes"][1:] if node["name"] == name]
+                wanted = sorted([a + b for a, b in zip(root, z_up(node["translation"]))] for node in nodes)
+                for at, place in zip(wanted, sorted(place["at_m"] for place in row["places"]), strict=True):
+                    self.assert_near(at, place)
+                for place in row["places"]:
+                    self.assert_near(place["up"], [0, 0, 1], 1e-5)
+                    self.assert_near(place["scale"], [place["scale"][0]] * 3, 1e-4)
+                    self.assertIsInstance(place["feature"], int)
+                # rooted on the ground, taller than wide
+                low, high = row["local_low_m"], row["local_high_m"]
+                self.assertLess(abs(low[2]), 0.1)
+                self.assertGreater(high[2], high[0] - low[0])
+
+    def test_materials_arrive_with_their_values(self):
+        for _, gltf, facts in self.tiles:
+            self.assertEqual(sorted(facts["materials"]), sorted(material["name"] for material in gltf["materials"]))
+            for material in gltf["materials"]:
+                values, found = material["pbrMetallicRoughness"], facts["materials"][material["name"]]
+                self.assert_near(found["colour"], values["baseColorFactor"][:3], 1e-5)
+                self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
+
+    def test_the_tile_says_what_it_is(self):
+        for _, gltf, facts in self.tiles:
+            self.assertEqual(facts["extras"], sorted(gltf["nodes"][0]["extras"]))
+            self.assertEqual(facts["root"], gltf["nodes"][0]["name"])
+
+
+if __name__ == "__main__":
+    if not BLENDER:
+        print("blender is not there (apt-get install blender python3-numpy): skipped")
+        sys.exit(77)
+    unittest.main(verbosity=2)

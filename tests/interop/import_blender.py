@@ -1,0 +1,83 @@
+"""Inside Blender: imports .glb files, each into an empty scene, and writes what it finds as JSON.
+
+blender -b --factory-startup -noaudio --python-exit-code 3 -P import_blender.py -- FACTS.json FILE.glb...
+"""
+import json
+import sys
+
+import bpy
+import mathutils
+import numpy
+
+# the importer of Blender 3.4 uses a name that newer NumPy has dropped
+numpy.bool = bool
+
+
+def material_name(mesh, polygon):
+    return mesh.materials[polygon.material_index].name
+
+
+def facts_of_ground_and_buildings(tile):
+    """The tile's own mesh, in Blender's world: metres, z up."""
+    mesh, world = tile.data, tile.matrix_world
+    corners = [world @ vertex.co for vertex in mesh.vertices]
+    by_material = {}
+    up_m2 = 0.0
+    for polygon in mesh.polygons:
+        row = by_material.setdefault(material_name(mesh, polygon), {"triangles": 0, "z_m": [1e9, -1e9]})
+        row["triangles"] += len(polygon.vertices) - 2
+        heights = [corners[i].z for i in polygon.vertices]
+        row["z_m"] = [min(row["z_m"][0], *heights), max(row["z_m"][1], *heights)]
+        up_m2 += polygon.area * polygon.normal.z
+    return {
+        "materials": by_material,
+        "low_m": [min(c[axis] for c in corners) for axis in range(3)],
+        "high_m": [max(c[axis] for c in corners) for axis in range(3)],
+        "area_seen_from_above_m2": up_m2,
+    }
+
+
+def base_colour(material):
+    """What the colours of the corners are multiplied by on the way into the shader."""
+    shader = material.node_tree.nodes["Principled BSDF"]
+    link = shader.inputs["Base Color"].links[0].from_node
+    constants = [tuple(i.default_value) for i in link.inputs if i.type == "RGBA" and not i.is_linked]
+    if len(constants) != 1:
+        raise RuntimeError(f"{material.name}: expected one constant colour, found {constants}")
+    return {"colour": constants[0][:3], "roughness": shader.inputs["Roughness"].default_value}
+
+
+def facts_of_copies(objects):
+    """By mesh: how many objects share it, where they stand, how they are turned."""
+    by_mesh = {}
+    for thing in objects:
+        mesh = thing.data
+        row = by_mesh.setdefault(mesh.name, {"users": mesh.users, "triangles": len(mesh.polygons), "places": []})
+        row["materials"] = [material.name for material in mesh.materials]
+        row["local_low_m"] = [min(v.co[axis] for v in mesh.vertices) for axis in range(3)]
+        row["local_high_m"] = [max(v.co[axis] for v in mesh.vertices) for axis in range(3)]
+        turned_up = (thing.matrix_world.to_3x3() @ mathutils.Vector((0, 0, 1))).normalized()
+        row["places"].append({"at_m": list(thing.matrix_world.translation), "scale": list(thing.matrix_world.to_scale()),
+                              "up": list(turned_up), "feature": thing.get("feature")})
+    return by_mesh
+
+
+def facts_of(path):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    answer = bpy.ops.import_scene.gltf(filepath=path)
+    if answer != {"FINISHED"}:
+        raise RuntimeError(f"{path}: the import answers {answer}")
+    bpy.context.view_layer.update()
+    tiles = [thing for thing in bpy.data.objects if thing.parent is None]
+    if len(tiles) != 1 or tiles[0].type != "MESH":
+        raise RuntimeError(f"{path}: expected one root with a mesh, found {[thing.name for thing in tiles]}")
+    return {"root": tiles[0].name, "unit_m": bpy.context.scene.unit_settings.scale_length,
+            "extras": sorted(key for key in tiles[0].keys()), "meshes": len(bpy.data.meshes),
+            "materials": {name: base_colour(material) for name, material in bpy.data.materials.items()},
+            "tile": facts_of_ground_and_buildings(tiles[0]),
+            "copies": facts_of_copies(thing for thing in bpy.data.objects if thing.parent is not None)}
+
+
+facts_path, *glb_paths = sys.argv[sys.argv.index("--") + 1:]
+with open(facts_path, "w", encoding="utf-8") as out:
+    json.dump([facts_of(path) for path in glb_paths], out)

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""A manifest and the tiles that were fired from it show the same picture: what is written down is the scene, and firing it again later gives what
+lies in the .glb files, to the last bit that light can see."""
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
+from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
+
+LEVELS = ["0.1", "2.5"]
+
+# Small, and few paths: equal inputs make equal pictures at any size.
+PICTURE = ["--size", "480x270", "--spp", "4"]
+VIEWS = ["overview", "street"]
+
+
+class SamePictures(ProgramTest):
+    """The claim about one map."""
+
+    def picture(self, name, *arguments):
+        path = self.folder / name
+        done = run("preview", *arguments, *PICTURE, "-o", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return sha256(path)
+
+    def both_show_the_same(self, *arguments):
+        out = self.compiled("out", *arguments, "--lods", ",".join(LEVELS))
+        shown = set()
+        for level, tolerance_m in enumerate(LEVELS):
+            for view in VIEWS:
+                with self.subTest(level=level, view=view):
+                    clay = self.picture("clay.png", out / "scene.kiln", "--tolerance", tolerance_m, "--view", view)
+                    fired = self.picture("fired.png", out, "--level", level, "--view", view)
+                    self.assertEqual(clay, fired)
+                    shown.add(clay)
+        # or all of them are nothing but sky
+        self.assertGreater(len(shown), len(VIEWS))
+
+
+class SamePicturesOfTheTown(SamePictures):
+    def test_the_town(self):
+        self.both_show_the_same("--spec", TOWN / "spec.json")
+
+    def test_the_town_with_a_node_a_copy(self):
+        self.both_show_the_same("--spec", TOWN / "spec.json", "--instancing", "nodes")
+
+    def test_the_town_in_many_tiles(self):
+        self.both_show_the_same("--spec", TOWN / "spec.json", "--tile", "256")
+
+
+class SamePicturesReal(SamePictures):
+    def test_andorra_la_vella(self):
+        self.both_show_the_same(self.data("andorra/cut-andorra-la-vella.osm.pbf"), "--dem", self.data("andorra/N42E001.hgt"))
+
+    def test_monaco(self):
+        self.both_show_the_same(self.data("monaco/monaco-2023.osm.pbf"), "--dem", self.data("monaco/N43E007.hgt"))
+
+    def test_chicago_loop(self):
+        self.both_show_the_same(self.data("chicago-loop/chicago_loop.osm.pbf"))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Khronos' glTF validator finds nothing to say about the town's tiles, at any level and either way of placing copies."""
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "properties"))
+from citykiln_program import TOWN, ProgramTest  # noqa: E402
+
+
+def validated(*paths):
+    return subprocess.run(["node", HERE / "validate_glb.mjs", *paths], capture_output=True, text=True, cwd=HERE, check=False)
+
+
+class Validator(ProgramTest):
+    def tiles(self, *arguments):
+        out = self.compiled("out", "--spec", TOWN / "spec.json", *arguments)
+        tiles = sorted((out / "glb").glob("*.glb"))
+        self.assertGreater(len(tiles), 1)
+        return tiles
+
+    def assert_valid(self, tiles):
+        done = validated(*tiles)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:] + done.stderr[-2000:])
+        self.assertIn(f"{len(tiles)} files: 0 errors, 0 warnings", done.stdout)
+
+    def test_every_level_is_valid(self):
+        self.assert_valid(self.tiles())
+
+    def test_a_node_a_copy_is_valid(self):
+        self.assert_valid(self.tiles("--lods", "0.1,12.5", "--instancing", "nodes"))
+
+    def test_a_broken_tile_is_noticed(self):
+        tile = self.tiles("--lods", "12.5")[0]
+        data = tile.read_bytes()
+        self.assertIn(b'"POSITION"', data)
+        tile.write_bytes(data.replace(b'"POSITION"', b'"POSITIOM"'))
+        self.assertEqual(validated(tile).returncode, 1)
+
+
+if __name__ == "__main__":
+    if not shutil.which("node") or not (HERE / "node_modules" / "gltf-validator").exists():
+        print("the glTF validator is not there (npm ci --prefix tests/interop): skipped")
+        sys.exit(77)
+    unittest.main(verbosity=2)
