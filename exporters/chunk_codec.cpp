@@ -1,5 +1,6 @@
 #include "exporters/chunk_codec.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <type_traits>
@@ -65,6 +66,9 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "lamp height"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
+constexpr std::size_t kMostAtOnce = 1u << 12;
+// The plane reaches 80 degrees of longitude from its origin: 16 000 km.
+constexpr double kFarthest_m = 0x1p25;
 
 // Points that several rings and lines share are written once. A point is a step along the list of those that came
 // before (a shared border is followed forwards or backwards), a jump to one of them, or new.
@@ -118,43 +122,58 @@ struct Reader {
   double point_step_m = kQuantum_m;
 
   void point(Vec2& p) {
-    const std::uint64_t code = of("points").get();
+    const std::uint64_t code = whole("points");
     if (code == kNewPoint) {
-      p.x = static_cast<double>(of("x").get_delta()) * point_step_m,
-      p.y = static_cast<double>(of("y").get_delta()) * point_step_m;
+      p.x = place("x", point_step_m), p.y = place("y", point_step_m);
       last = static_cast<std::int64_t>(known.size());
       known.push_back(p);
       return;
     }
-    const std::int64_t step = code == kNextPoint ? 1 : code == kPreviousPoint ? -1 : of("point jumps").get_signed();
-    const auto place = static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(step);
-    if (code > kFirstJump || place >= known.size()) return fail("points");
-    last = static_cast<std::int64_t>(place);
-    p = known[place];
+    if (code > kFirstJump) return fail("points");
+    const std::int64_t step = code == kNextPoint ? 1 : code == kPreviousPoint ? -1 : jump();
+    const auto found = static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(step);
+    if (found >= known.size()) return fail("points");
+    last = static_cast<std::int64_t>(found);
+    p = known[found];
   }
 
   StreamReader& of(const char* name) {
     const auto found = streams.find(name);
-    if (found == streams.end()) wrong = name;
+    if (found == streams.end()) fail(name);
     return found == streams.end() ? streams[name] : found->second;
+  }
+  // what a stream gives; where it has run out, zero, and the chunk is wrong
+  template <typename T>
+  T checked(const char* name, T (StreamReader::*get)()) {
+    StreamReader& stream = of(name);
+    const T value = (stream.*get)();
+    if (!stream.good()) fail(name);
+    return value;
+  }
+  std::uint64_t whole(const char* name) { return checked<std::uint64_t>(name, &StreamReader::get); }
+  std::int64_t jump() { return checked("point jumps", &StreamReader::get_signed); }
+  double place(const char* name, double step_m) {
+    const double value = static_cast<double>(checked(name, &StreamReader::get_delta)) * step_m;
+    if (std::abs(value) <= kFarthest_m) return value;
+    fail(name);
+    return 0;
   }
   void number(const char* name, auto& value) {
     using T = std::remove_reference_t<decltype(value)>;
-    value = static_cast<T>(of(name).get());
+    const std::uint64_t read = whole(name);
+    value = static_cast<T>(read);
+    if (static_cast<std::uint64_t>(value) != read) fail(name);
   }
-  void delta(const char* name, auto& value) {
-    using T = std::remove_reference_t<decltype(value)>;
-    value = static_cast<T>(of(name).get_delta());
-  }
-  void metres(const char* name, double& value) { value = static_cast<double>(of(name).get_delta()) * kQuantum_m; }
+  void delta(const char* name, std::int64_t& value) { value = checked(name, &StreamReader::get_delta); }
+  void metres(const char* name, double& value) { value = place(name, kQuantum_m); }
   void real(const char* name, double& value) {
-    value = of(name).get_double();
+    value = checked(name, &StreamReader::get_double);
     if (!std::isfinite(value)) fail(name);
   }
   // no more things than the whole chunk has bytes: a thing takes at least one byte of some stream
   std::size_t total_bytes = 0;
   std::size_t count(const char* name, std::size_t) {
-    const std::uint64_t size = of(name).get();
+    const std::uint64_t size = whole(name);
     if (size <= total_bytes) return static_cast<std::size_t>(size);
     fail(name);
     return 0;
@@ -179,18 +198,19 @@ void list(Io& io, const char* name, std::vector<Object>& objects, std::size_t le
   const std::size_t size = io.count(name, objects.size());
   if constexpr (Io::kReads) {
     if (size < least) return io.fail(name);
-    objects.resize(size);
-  }
-  for (Object& object : objects) {
-    each(object);
-    if constexpr (Io::kReads)
-      if (!io.wrong.empty()) return;
+    // room grows with what is there, not with what the count says
+    objects.reserve(std::min(size, kMostAtOnce));
+    for (std::size_t i = 0; i < size && io.wrong.empty(); ++i) each(objects.emplace_back());
+  } else {
+    for (Object& object : objects) each(object);
   }
 }
 
 void flag(auto& io, const char* name, bool& value) {
   std::uint8_t number = value ? 1 : 0;
   io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number > 1) io.fail(name);
   value = number != 0;
 }
 
@@ -286,6 +306,13 @@ std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
   return i < across ? west : west + south - h.heights[i - across - 1];
 }
 
+// Corners on whole metres, a power of two apart.
+bool is_on_grid(const map::Heightfield& h) {
+  int exponent = 0;
+  return std::floor(h.min.x) == h.min.x && std::floor(h.min.y) == h.min.y && h.step_m >= 1 &&
+         std::frexp(h.step_m, &exponent) == 0.5;
+}
+
 int common_zeros(const map::Heightfield& h) {
   std::uint32_t all = 1u << 20;
   for (const std::int32_t height : h.heights) all |= static_cast<std::uint32_t>(height);
@@ -299,7 +326,7 @@ void heights(Io& io, map::Heightfield& h) {
   io.metres("field", h.resampling_error_m);
   const std::size_t size = io.count("field", h.heights.size());
   if constexpr (Io::kReads) {
-    const bool fits = h.columns >= 2 && h.rows >= 2 && h.step_m >= 1 &&
+    const bool fits = h.columns >= 2 && h.rows >= 2 && is_on_grid(h) && h.resampling_error_m >= 0 &&
                       static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size &&
                       size < kMostPerFile;
     if (!fits) return io.fail("field");
@@ -314,9 +341,12 @@ void heights(Io& io, map::Heightfield& h) {
     std::int64_t off = (h.heights[i] - foretold(h, i)) >> shift;
     std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
     io.number("heights", zigzag);
-    if constexpr (Io::kReads)
-      h.heights[i] = static_cast<std::int32_t>(static_cast<std::uint64_t>(foretold(h, i)) +
-                                               ((zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift));
+    if constexpr (Io::kReads) {
+      const std::uint64_t undone = (zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift;
+      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(foretold(h, i)) + undone);
+      h.heights[i] = static_cast<std::int32_t>(height);
+      if (h.heights[i] != height) return io.fail("heights");
+    }
   }
 }
 
@@ -324,6 +354,8 @@ template <typename Io>
 void describe(Io& io, Chunk& c) {
   std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
   io.number("point step", is_coarse);
+  if constexpr (Io::kReads)
+    if (is_coarse > 1) io.fail("point step");
   io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
   heights(io, c.heights);
   list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });

@@ -31,7 +31,7 @@ constexpr int kZstdLevel = 17;
 // magic, size of the header, checksum of the header
 constexpr std::size_t kPreamble = 8 + 8 + 8;
 // No tile of a city comes near this; a file that asks for more is not believed.
-constexpr std::uint64_t kMostRawBytes = 1u << 30;
+constexpr std::uint64_t kMostRawBytes = 1u << 28;
 constexpr std::size_t kMostHeaderBytes = 1u << 28;
 
 // FNV-1a, 64 bits: against rot, not against malice.
@@ -212,8 +212,7 @@ Result<Done> check_index(const fbs::Header& h, const scene::Header& header, std:
     const std::string where = fmt::format("{}, tile {}_{}", name, tile.x, tile.y);
     if (last && tile <= *last) return Error{where, "expected each tile once, in the order of x, then y"};
     const Box2 box = scene::box_of(header, tile);
-    if (box.is_empty() || box.width() == 0 || box.height() == 0)
-      return Error{where, "expected tiles inside the region"};
+    if (box.width() <= 0 || box.height() <= 0) return Error{where, "expected tiles inside the region"};
     if (entry->offset() != end) return Error{where, "expected its bytes right behind those of the tile before"};
     if (entry->size() > body_size - end) return Error{where, "expected its bytes, found the end of the file"};
     last = tile, end += entry->size();

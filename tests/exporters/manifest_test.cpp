@@ -152,8 +152,10 @@ TEST(ManifestIndex, IsCheckedAsAWholeWhenOneTileIsRead) {
 }
 
 TEST(ManifestIndex, SizesBeyondBeliefAreRefused) {
-  EXPECT_NE(index_refusal([](fbs::HeaderT& h) { h.chunks[1]->size = ~std::uint64_t{0}; }), "accepted");
-  EXPECT_NE(index_refusal([](fbs::HeaderT& h) { h.chunks[1]->raw_size = ~std::uint64_t{0}; }), "accepted");
+  EXPECT_EQ(index_refusal([](fbs::HeaderT& h) { h.chunks[1]->size = ~std::uint64_t{0}; }),
+            "town.kiln, tile 0_0: expected its bytes, found the end of the file");
+  EXPECT_EQ(index_refusal([](fbs::HeaderT& h) { h.chunks[1]->raw_size = std::uint64_t{1} << 40; }),
+            "town.kiln, tile 0_0: expected at most 268435456 bytes unpacked, found 1099511627776");
 }
 
 }  // namespace
