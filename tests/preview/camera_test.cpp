@@ -125,6 +125,24 @@ TEST(NamedView, AnUnknownNameListsTheKnownOnes) {
   }
 }
 
+TEST(NamedView, PlacesThatAreNotFiniteChangeNoView) {
+  const std::vector plain = {village({0, 0, 0})};
+  std::vector spoilt = plain;
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kFar = std::numeric_limits<float>::infinity();
+  for (const bake::Float3& bad : {bake::Float3{0, 0, kFar}, {0, 0, -kFar}, {kNan, 0, 5000}, {0, kFar, -5000}}) {
+    bake::Primitive& ground = spoilt[0].primitives[0];
+    ground.positions.push_back(bad);
+    ground.normals.push_back({0, 0, 1});
+    ground.colours.push_back(materials::kNoTint);
+    ground.features.push_back(0);
+  }
+  for (const char* name : kViews) {
+    const Camera a = *named_view(plain, name), b = *named_view(spoilt, name);
+    EXPECT_EQ(a.eye, b.eye) << name;
+    EXPECT_EQ(a.look_at, b.look_at) << name;
+  }
+}
+
 TEST(NamedView, NothingAtAllStillHasViews) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::vector<bake::BakedTile>> scenes = {

@@ -51,8 +51,11 @@ TEST(Tone, NotFiniteOrNegativeIsBlack) {
 }
 
 TEST(Tone, OneBadChannelSpoilsNoOther) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(toned(nan, 0.5f, 0.5f), toned(0, 0.5f, 0.5f));
+  const float nan = std::numeric_limits<float>::quiet_NaN(), far = std::numeric_limits<float>::infinity();
+  for (const float bad : {nan, far, -far, -1.0f}) {
+    EXPECT_EQ(toned(bad, 0.5f, 0.5f), toned(0, 0.5f, 0.5f)) << bad;
+    EXPECT_EQ(toned(0.5f, 0.5f, bad), toned(0.5f, 0.5f, 0)) << bad;
+  }
 }
 
 }  // namespace
