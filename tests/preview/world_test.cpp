@@ -76,6 +76,27 @@ TEST(World, ARayThatLeavesASurfaceDoesNotMeetItAgain) {
   }
 }
 
+// Small triangles are planes to a hair; far from the world's origin, places on them are not.
+TEST(World, ARayThatLeavesASmallTriangleFarAwayDoesNotMeetItAgain) {
+  bake::Primitive slope{Material::kRock, {}, {}, {}, {}, {}};
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 30; ++x) {
+      const auto at = [](int i, int j) { return Vec3{1.0 * i, 1.0 * j, (300.0 * i + 500.0 * j) / 1024}; };
+      add_quad(slope, at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1));
+    }
+  const std::vector tiles = {tile({14000, -15000, 700}, {slope})};
+  const World world(tiles, {0, 0, 0});
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 below{14000 + std::fmod(0.7137 * i, 30), -15000 + std::fmod(0.3191 * i, 30), 690};
+    const auto hit = world.first_hit(below, {0, 0, 1});
+    ASSERT_TRUE(hit);
+    met += world.is_blocked(leave(*hit, hit->geometric_normal), hit->geometric_normal) ? 1 : 0;
+    EXPECT_LT(length(leave(*hit, hit->geometric_normal) - hit->position), 0.005);
+  }
+  EXPECT_EQ(met, 0);
+}
+
 TEST(World, AHitSaysWhereWhatAndHowFar) {
   bake::Primitive ground = floor({-10, -10, 2}, {10, 10, 2}, Material::kBrick);
   for (materials::Tint& tint : ground.colours) tint = {51, 102, 255, 255};
