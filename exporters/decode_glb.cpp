@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
+#include <exception>
+#include <limits>
 
 #include "exporters/file.h"
 #include "exporters/glb.h"
@@ -32,21 +34,29 @@ const T& item(const std::vector<T>& items, int index, const char* what) {
   return items[static_cast<std::size_t>(index)];
 }
 
+// A model while it is read. Each byte of the buffer is read once, so that no small file makes a large tile.
+struct Source {
+  const tinygltf::Model& model;
+  std::size_t unread_bytes;
+};
+
 // The bytes of a buffer view, inside its buffer.
-std::span<const unsigned char> bytes_of(const tinygltf::Model& model, int view_number) {
-  const tinygltf::BufferView& view = item(model.bufferViews, view_number, "a buffer view that exists");
-  const auto& data = item(model.buffers, view.buffer, "a buffer that exists").data;
+std::span<const unsigned char> bytes_of(Source& source, int view_number) {
+  const tinygltf::BufferView& view = item(source.model.bufferViews, view_number, "a buffer view that exists");
+  const auto& data = item(source.model.buffers, view.buffer, "a buffer that exists").data;
   expect(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
          "buffer views inside the buffer");
+  expect(view.byteLength <= source.unread_bytes, "each byte of the buffer to be used once");
+  source.unread_bytes -= view.byteLength;
   return std::span(data).subspan(view.byteOffset, view.byteLength);
 }
 
 template <typename T>
-std::vector<T> values_of(const tinygltf::Model& model, int accessor_number, int component, int type) {
-  const tinygltf::Accessor& accessor = item(model.accessors, accessor_number, "an accessor that exists");
+std::vector<T> values_of(Source& source, int accessor_number, int component, int type) {
+  const tinygltf::Accessor& accessor = item(source.model.accessors, accessor_number, "an accessor that exists");
   expect(accessor.componentType == component && accessor.type == type && accessor.byteOffset == 0,
          "accessors as citykiln writes them");
-  const auto bytes = bytes_of(model, accessor.bufferView);
+  const auto bytes = bytes_of(source, accessor.bufferView);
   expect(accessor.count <= bytes.size() / sizeof(T), "accessors inside their buffer view");
   std::vector<T> values(accessor.count);
   if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
@@ -105,17 +115,16 @@ materials::Material material_named(const std::string& name) {
   throw Wrong{"a material that citykiln has, not \"" + name + "\""};
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& model, int accessor,
-                                                       std::size_t vertices) {
-  const bool narrow = item(model.accessors, accessor, "an accessor that exists").componentType ==
+std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int accessor, std::size_t vertices) {
+  const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   std::vector<std::uint32_t> indices;
   if (narrow) {
     const auto values =
-        values_of<std::uint16_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+        values_of<std::uint16_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
     indices.assign(values.begin(), values.end());
   } else {
-    indices = values_of<std::uint32_t>(model, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+    indices = values_of<std::uint32_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
   }
   expect(indices.size() % 3 == 0, "three indices a triangle");
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -126,42 +135,42 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const tinygltf::Model& mo
   return triangles;
 }
 
-Primitive primitive_of(const tinygltf::Model& model, const tinygltf::Primitive& p, std::size_t features) {
+Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
-  out.material = material_named(item(model.materials, p.material, "a material that exists").name);
-  out.positions = turned(
-      values_of<Float3>(model, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.material = material_named(item(source.model.materials, p.material, "a material that exists").name);
+  out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                           TINYGLTF_TYPE_VEC3));
   out.normals = turned(
-      values_of<Float3>(model, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
-  out.colours = values_of<materials::Tint>(model, attribute(p.attributes, "COLOR_0"),
+      values_of<Float3>(source, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.colours = values_of<materials::Tint>(source, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
   if (p.attributes.count("_FEATURE_ID_0") != 0)
-    out.features = as_numbers(values_of<float>(model, attribute(p.attributes, "_FEATURE_ID_0"),
+    out.features = as_numbers(values_of<float>(source, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
                               features);
   const std::size_t n = out.positions.size();
   expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n),
          "as many values in each attribute");
-  out.triangles = triangles_of(model, p.indices, n);
+  out.triangles = triangles_of(source, p.indices, n);
   return out;
 }
 
-std::vector<Primitive> primitives_of(const tinygltf::Model& model, int mesh, std::size_t features) {
+std::vector<Primitive> primitives_of(Source& source, int mesh, std::size_t features) {
   std::vector<Primitive> primitives;
-  for (const tinygltf::Primitive& p : item(model.meshes, mesh, "a mesh that exists").primitives)
-    primitives.push_back(primitive_of(model, p, features));
+  for (const tinygltf::Primitive& p : item(source.model.meshes, mesh, "a mesh that exists").primitives)
+    primitives.push_back(primitive_of(source, p, features));
   return primitives;
 }
 
-std::vector<OsmId> features_of(const tinygltf::Model& model) {
-  const auto extension = model.extensions.find("EXT_structural_metadata");
-  expect(extension != model.extensions.end(), "the table of OSM ids");
+std::vector<OsmId> features_of(Source& source) {
+  const auto extension = source.model.extensions.find("EXT_structural_metadata");
+  expect(extension != source.model.extensions.end(), "the table of OSM ids");
   const Value& tables = member(extension->second, "propertyTables");
   expect(tables.IsArray() && tables.ArrayLen() > 0, "the table of OSM ids");
   const Value& table = tables.Get(0);
   const Value& columns = member(table, "properties");
-  const auto ids = bytes_of(model, whole(member(member(columns, "id"), "values"))),
-             types = bytes_of(model, whole(member(member(columns, "type"), "values")));
+  const auto ids = bytes_of(source, whole(member(member(columns, "id"), "values"))),
+             types = bytes_of(source, whole(member(member(columns, "type"), "values")));
   const auto count = static_cast<std::size_t>(std::max(0, whole(member(table, "count"))));
   expect(count <= types.size() && count <= ids.size() / 8, "the table of OSM ids to be as long as it says");
   std::vector<OsmId> features(count);
@@ -173,18 +182,19 @@ std::vector<OsmId> features_of(const tinygltf::Model& model) {
   return features;
 }
 
-Instanced extended(const tinygltf::Model& model, const tinygltf::Node& node, std::size_t features) {
+Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
-  Instanced out{node.name, primitives_of(model, node.mesh, features), {}, {}, {}, {}};
+  Instanced out{node.name, primitives_of(source, node.mesh, features), {}, {}, {}, {}};
   out.translations =
-      turned(values_of<Float3>(model, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+      turned(values_of<Float3>(source, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.rotations =
-      turned(values_of<Float4>(model, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
-  for (const Float3& s : values_of<Float3>(model, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
+      turned(values_of<Float4>(source, accessor("ROTATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4));
+  for (const Float3& s :
+       values_of<Float3>(source, accessor("SCALE"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3))
     out.scales.push_back(s[0]);
   out.features = as_numbers(
-      values_of<float>(model, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
+      values_of<float>(source, accessor("_FEATURE_ID_0"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
       features);
   const std::size_t n = out.translations.size();
   expect(out.rotations.size() == n && out.scales.size() == n && out.features.size() == n,
@@ -195,7 +205,10 @@ Instanced extended(const tinygltf::Model& model, const tinygltf::Node& node, std
 void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out) {
   expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3,
          "a place for each instance");
-  const auto f = [](double v) { return static_cast<float>(v); };
+  const auto f = [](double v) {
+    expect(std::abs(v) <= std::numeric_limits<float>::max(), "places in single precision");
+    return static_cast<float>(v);
+  };
   const int feature = whole(member(node.extras, "feature"));
   expect(feature >= 0 && static_cast<std::size_t>(feature) < features, "feature ids inside the property table");
   out.translations.push_back(from_gltf(Float3{f(node.translation[0]), f(node.translation[1]), f(node.translation[2])}));
@@ -205,51 +218,92 @@ void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out
   out.features.push_back(static_cast<std::uint32_t>(feature));
 }
 
-void add_instances(const tinygltf::Model& model, const tinygltf::Node& root, BakedTile& tile) {
-  int last_mesh = -1;
+// Each mesh belongs to one kind of thing, whose nodes follow each other.
+void add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) {
+  int last_mesh = root.mesh;
+  bool is_open = false;
   for (const int child : root.children) {
-    const tinygltf::Node& node = item(model.nodes, child, "a node that exists");
-    if (node.extensions.count("EXT_mesh_gpu_instancing") != 0) {
-      tile.instanced.push_back(extended(model, node, tile.features.size()));
+    const tinygltf::Node& node = item(source.model.nodes, child, "a node that exists");
+    const bool is_extended = node.extensions.count("EXT_mesh_gpu_instancing") != 0;
+    const bool goes_on = is_open && !is_extended && node.mesh == last_mesh;
+    expect(goes_on || node.mesh > last_mesh, "each mesh for one kind of thing, in order");
+    last_mesh = node.mesh, is_open = !is_extended;
+    if (is_extended) {
+      tile.instanced.push_back(extended(source, node, tile.features.size()));
       continue;
     }
-    if (node.mesh != last_mesh)
-      tile.instanced.push_back({node.name, primitives_of(model, node.mesh, tile.features.size()), {}, {}, {}, {}});
-    last_mesh = node.mesh;
+    if (!goes_on)
+      tile.instanced.push_back({node.name, primitives_of(source, node.mesh, tile.features.size()), {}, {}, {}, {}});
     add_single(node, tile.features.size(), tile.instanced.back());
   }
 }
 
 BakedTile tile_of(const tinygltf::Model& model) {
-  expect(!model.nodes.empty(), "a node for the tile");
+  expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
+  Source source{model, model.buffers.front().data.size()};
   const tinygltf::Node& root = model.nodes.front();
   BakedTile tile;
   const Value &key = member(root.extras, "tile"), &origin = member(root.extras, "origin_m");
-  tile.tile = {static_cast<std::int32_t>(element(key, 0)), static_cast<std::int32_t>(element(key, 1))};
+  expect(key.IsArray() && key.ArrayLen() == 2, "the tile's two numbers");
+  tile.tile = {whole(key.Get(0)), whole(key.Get(1))};
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
-  tile.features = features_of(model);
-  if (root.mesh >= 0) tile.primitives = primitives_of(model, root.mesh, tile.features.size());
-  add_instances(model, root, tile);
+  tile.features = features_of(source);
+  if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
+  add_instances(source, root, tile);
   return tile;
+}
+
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint32_t>(bytes[at + i]);
+  return value;
+}
+
+// How deep brackets stand in each other. tinygltf calls itself for each.
+int depth_of(std::span<const std::byte> json) {
+  int depth = 0, deepest = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = static_cast<char>(json[i]);
+    if (is_text && c == '\\') ++i;
+    if (c == '"') is_text = !is_text;
+    if (!is_text && (c == '[' || c == '{')) deepest = std::max(deepest, ++depth);
+    if (!is_text && (c == ']' || c == '}')) --depth;
+  }
+  return deepest;
+}
+
+// Two chunks that fill the file: tinygltf reads up to eight bytes behind one that is a little too long.
+void expect_frame(std::span<const std::byte> bytes) {
+  constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
+  constexpr int kDeepest = 64;
+  const auto size = bytes.size();
+  expect(size >= kHeaderBytes + 2 * kChunkBytes && number_at(bytes, 8) == size, "the length that the header states");
+  const std::uint64_t json = number_at(bytes, kHeaderBytes), begin = kHeaderBytes + kChunkBytes;
+  expect(json <= size - begin - kChunkBytes && json + number_at(bytes, begin + json) == size - begin - kChunkBytes,
+         "two chunks, JSON and its buffer, that fill the file");
+  expect(depth_of(bytes.subspan(begin, json)) <= kDeepest, "JSON that is not nested deeper than glTF ever is");
 }
 
 }  // namespace
 
 Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name) {
-  tinygltf::Model model;
-  std::string error, warning;
-  constexpr std::size_t kHeaderBytes = 20;
-  if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data(), "glTF", 4) != 0)
-    return Error{name, "expected a binary glTF file, which begins with glTF"};
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-  if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data,
-                                                 static_cast<unsigned int>(bytes.size())))
-    return Error{name, "expected binary glTF: " + error.substr(0, error.find('\n'))};
   try {
+    expect(bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0,
+           "a binary glTF file, which begins with glTF");
+    expect_frame(bytes);
+    tinygltf::Model model;
+    std::string error, warning;
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    const auto size = static_cast<unsigned int>(bytes.size());
+    if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data, size))
+      throw Wrong{"binary glTF: " + error.substr(0, error.find('\n'))};
     return tile_of(model);
   } catch (const Wrong& wrong) {
     return Error{name, "expected " + wrong.what};
+  } catch (const std::exception& thrown) {
+    return Error{name, std::string("expected binary glTF: ") + thrown.what()};
   }
 }
 

@@ -16,7 +16,7 @@ Error failed(const std::string& path, const char* what) {
   return {path, std::string(what) + ": " + std::strerror(errno)};
 }
 
-// All bytes and the disk's word that it has them, or false with errno.
+// All bytes, or false with errno.
 bool write_all(int file, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());

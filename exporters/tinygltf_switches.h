@@ -1,10 +1,12 @@
-// tinygltf with one set of switches everywhere: no pictures, Debian's json.
+// tinygltf with one set of switches everywhere: no pictures, no files of its own, Debian's json.
 #pragma once
 
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #define TINYGLTF_NO_INCLUDE_JSON
+// a buffer of a .glb from elsewhere may name any file of the machine
+#define TINYGLTF_NO_FS
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 #pragma GCC diagnostic ignored "-Wunused-parameter"

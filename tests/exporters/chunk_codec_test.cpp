@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <random>
 
 #include "exporters/streams.h"
@@ -122,8 +124,43 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
   EXPECT_EQ(field(64 * 1024, 3, 4), "field");
 }
 
-// 300 rings of as many points as the chunk has bytes, none of which is there: a reader that believes counts would ask
-// for a terabyte.
+TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
+  scene::Chunk chunk;
+  chunk.tile = kTile;
+  chunk.heights = {{0, 0}, 64, 2, 2, {0, 0, 0, 0}, 0};
+  const auto wrong_with = [&](auto change) {
+    scene::Chunk changed = chunk;
+    change(changed);
+    return wrong_in(encode_chunk(changed));
+  };
+  const ObjectId id{{OsmType::kWay, 7}, 0};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {{id, {{1, 2}}, {}, 3, false, false}}; }), "road points");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.surfaces = {{id, {}, 3, {}}}; }), "surface rings");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 4, 0.5, 12}}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 0.1, 0.5, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 4, 0.5, none}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.heights.resampling_error_m = -1; }), "field");
+}
+
+TEST(ChunkCodec, AFlagIsNoughtOrOne) {
+  scene::Chunk chunk = made(7);
+  chunk.roads = {{{}, {{1, 2}, {3, 4}}, {}, 3, false, true}};
+  Streams streams = encode_chunk(chunk);
+  ASSERT_EQ(streams["road ends"].size() % 2, 0u);
+  streams["road ends"].front() = 2;
+  EXPECT_EQ(wrong_in(streams), "road ends");
+}
+
+TEST(ChunkCodec, AHeightBeyond32BitsIsNamed) {
+  Streams streams = empty_streams();
+  ASSERT_EQ(streams["heights"].size(), 4u);
+  streams["heights"] = bytes_of({0, 0, 0, std::uint64_t{1} << 40});
+  EXPECT_EQ(wrong_in(streams), "heights");
+}
+
+// 100 000 rings of as many points as the chunk has bytes, none of which is there: a reader that believes counts would
+// ask for a terabyte.
 TEST(ChunkCodec, CountsAreNotBelievedBeforeTheirThings) {
   Streams streams = empty_streams();
   streams["x"].assign(1 << 20, 0);

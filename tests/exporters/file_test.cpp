@@ -1,0 +1,149 @@
+#include "exporters/file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+
+#include "exporters/glb.h"
+#include "exporters/manifest.h"
+#include "tests/exporters/made_scene.h"
+#include "tests/exporters/made_tile.h"
+
+namespace citykiln::exporters {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::byte> bytes_of(const std::string& text) {
+  const auto span = std::as_bytes(std::span(text));
+  return {span.begin(), span.end()};
+}
+template <typename T>
+std::string refusal(const Result<T>& result) {
+  return result ? "done" : to_string(result.error());
+}
+
+// A folder of its own for each test, gone afterwards.
+class File : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "citykiln_file_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  std::set<std::string> names() const {
+    std::set<std::string> all;
+    for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename());
+    return all;
+  }
+
+  fs::path folder_;
+};
+
+// Whatever tests write after this meets a full disk behind `bytes` bytes. Only for the child of a death test.
+void fill_disk(rlim_t bytes) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{bytes, bytes};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+// Ends the child of a death test with what it has to say.
+[[noreturn]] void say(const std::string& words) {
+  std::cerr << words << std::endl;
+  std::_Exit(0);
+}
+
+TEST_F(File, ReadsBackWhatItWrote) {
+  for (const std::string& text : {std::string(), std::string("clay"), std::string(1 << 20, 'x')}) {
+    ASSERT_EQ(refusal(write_file(at("a"), bytes_of(text))), "done");
+    const auto back = read_file(at("a"));
+    ASSERT_TRUE(back) << refusal(back);
+    EXPECT_EQ(*back, bytes_of(text));
+    EXPECT_EQ(names(), std::set<std::string>{"a"});
+  }
+}
+
+TEST_F(File, AFolderThatIsNotThereIsNamed) {
+  EXPECT_EQ(refusal(write_file(at("no/a"), bytes_of("x"))),
+            at("no/a") + ": cannot be created: No such file or directory");
+}
+
+TEST_F(File, AFolderThatMayNotBeWrittenIsNamed) {
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  // root may write everywhere, so it steps down for this one
+  const auto attempt = [&] {
+    if (::geteuid() == 0 && (::chown(folder_.c_str(), 65534, 65534) != 0 || ::seteuid(65534) != 0)) say("still root");
+    say(refusal(write_file(at("a"), bytes_of("x"))));
+  };
+  EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be created: Permission denied");
+  EXPECT_EQ(names(), std::set<std::string>{});
+}
+
+TEST_F(File, AFullDiskLeavesNothing) {
+  const auto attempt = [&] {
+    fill_disk(4096);
+    say(refusal(write_file(at("a"), bytes_of(std::string(10000, 'x')))));
+  };
+  EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be written: File too large");
+  EXPECT_EQ(names(), std::set<std::string>{});
+}
+
+TEST_F(File, AFullDiskLeavesTheFileThatWasThere) {
+  ASSERT_TRUE(write_file(at("a"), bytes_of("before")));
+  const auto attempt = [&] {
+    fill_disk(4096);
+    say(refusal(write_file(at("a"), bytes_of(std::string(10000, 'x')))));
+  };
+  EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be written");
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  EXPECT_EQ(*read_file(at("a")), bytes_of("before"));
+}
+
+TEST_F(File, AFullDiskEndsManifestAndTileWithTheirNames) {
+  const auto manifest = [&] {
+    fill_disk(100);
+    say(refusal(write_manifest(SceneMaker(1).scene(), at("scene.kiln"), 1)));
+  };
+  const auto tile = [&] {
+    fill_disk(100);
+    say(refusal(write_glb(made_tile(1), {}, Instancing::kNodes, at("tile.glb"))));
+  };
+  EXPECT_EXIT(manifest(), testing::ExitedWithCode(0), "/scene.kiln: cannot be written");
+  EXPECT_EXIT(tile(), testing::ExitedWithCode(0), "/tile.glb: cannot be written");
+  EXPECT_EQ(names(), std::set<std::string>{});
+}
+
+TEST_F(File, AFolderUnderTheFinalNameStays) {
+  fs::create_directory(at("a"));
+  EXPECT_EQ(refusal(write_file(at("a"), bytes_of("x"))), at("a") + ": cannot be written: Is a directory");
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+}
+
+TEST_F(File, WhatCannotBeReadIsNamed) {
+  EXPECT_EQ(refusal(read_file(at("none"))), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(refusal(read_file(folder_)), folder_.string() + ": expected a file, found a folder");
+  EXPECT_EQ(refusal(read_manifest(at("none"), {})), at("none") + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(refusal(read_glb(at("none"))), at("none") + ": cannot be opened: No such file or directory");
+}
+
+TEST_F(File, APipeIsRefused) {
+  ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
+  // both ends open here, so that nobody waits
+  const std::fstream ends(at("pipe"));
+  EXPECT_EQ(refusal(read_file(at("pipe"))), at("pipe") + ": cannot be opened: Illegal seek");
+}
+
+}  // namespace
+}  // namespace citykiln::exporters

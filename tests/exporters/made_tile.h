@@ -1,0 +1,50 @@
+// A small fired tile with all that a tile can have, for tests of what writes and reads tiles.
+#pragma once
+
+#include <random>
+
+#include "compiler/bake/baked.h"
+
+namespace citykiln::exporters {
+
+/// Triangles on the 2^-10 m grid; as many corners as asked for.
+inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material material, std::uint32_t corners,
+                                      std::uint32_t features) {
+  const auto number = [&](int most) {
+    return static_cast<float>(static_cast<int>(dice() % 2000) - 1000) * most * 0x1p-10f;
+  };
+  bake::Primitive p{material, {}, {}, {}, {}, {}};
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    p.positions.push_back({number(500), number(500), number(20)});
+    p.normals.push_back(i % 2 == 0 ? bake::Float3{0, 0, 1} : bake::Float3{0.6f, 0, 0.8f});
+    p.colours.push_back({static_cast<std::uint8_t>(dice()), 7, 255, 255});
+    if (features > 0) p.features.push_back(static_cast<std::uint32_t>(dice()) % features);
+  }
+  for (std::uint32_t i = 0; i + 2 < corners; i += 3) p.triangles.push_back({i, i + 1, i + 2});
+  return p;
+}
+
+/// Places of a mesh, each with its own size.
+inline bake::Instanced made_instances(std::mt19937& dice, const char* name, int places, std::uint32_t features) {
+  bake::Instanced all{name, {made_primitive(dice, materials::Material::kGrass, 6, 0)}, {}, {}, {}, {}};
+  for (int i = 0; i < places; ++i) {
+    all.translations.push_back({static_cast<float>(i) + 0.25f, 0.0f, -3.5f});
+    all.rotations.push_back(i % 2 == 0 ? bake::Float4{0, 0, 0, 1} : bake::Float4{0, 0, 0.6f, 0.8f});
+    all.scales.push_back(0.7f + 0.1f * static_cast<float>(i));
+    all.features.push_back(static_cast<std::uint32_t>(dice()) % features);
+  }
+  return all;
+}
+
+inline bake::BakedTile made_tile(std::uint32_t seed) {
+  std::mt19937 dice(seed);
+  bake::BakedTile tile;
+  tile.tile = {-3, 17}, tile.origin = {-3072 + 512, 123456789, 431}, tile.tolerance_m = 0.1, tile.error_m = 0.0625;
+  tile.features = {{}, {OsmType::kNode, 5}, {OsmType::kWay, -12}, {OsmType::kRelation, (std::int64_t{1} << 53) + 1}};
+  tile.primitives = {made_primitive(dice, materials::Material::kGrass, 9, 4),
+                     made_primitive(dice, materials::Material::kAsphalt, 30, 4)};
+  tile.instanced = {made_instances(dice, "BroadLeaved", 4, 4), made_instances(dice, "NeedleLeaved", 3, 4)};
+  return tile;
+}
+
+}  // namespace citykiln::exporters
