@@ -1,0 +1,35 @@
+// Arms as straight lines, close to their junction: what cuts and corners are computed from.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "compiler/roads/network.h"
+
+namespace citykiln::roads {
+
+struct ArmLine {
+  Vec2 from, along;   ///< `along` is a unit vector.
+  double half_m = 0;  ///< Half the road's width.
+};
+
+/// The line from an arm's place to where it is 8 m on: a misleading first metre does not turn it.
+ArmLine line_of(std::span<const Road> roads, const Arm& arm);
+
+/// Indices of arms, counter-clockwise about a centre by where they are 8 m on.
+std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre);
+
+/// Where the left edge of `arm` meets the right edge of the next arm counter-clockwise.
+struct Corner {
+  double along_arm_m = 0, along_next_m = 0;  ///< From each arm's place; not below 0.
+  double sine = 1, cosine = 0;               ///< Of the angle between the arms.
+};
+
+/// Nothing where the arms lie more than some 160 degrees apart: no corner to round, no reason to cut.
+std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
+
+/// From a corner to where an arc of this radius leaves the edges.
+double tangent_m(const Corner& corner, double radius_m);
+
+}  // namespace citykiln::roads

@@ -1,0 +1,166 @@
+#include "compiler/roads/junction_ring.h"
+
+#include <algorithm>
+
+#include "compiler/geometry/ring_crossing.h"
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::roads {
+namespace {
+
+// An arm's edges: the right one from the place out to the middle of the cut, the left one from there back.
+struct Edges {
+  Polyline right, left;
+};
+
+// Offsets a path by mitres; nothing where it bends too sharply for them.
+std::optional<Edges> edges_of(const Polyline& path, double half_m) {
+  constexpr double kSharpestCosine = 0.5;
+  Edges edges;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Vec2 before = unit(path[i > 0 ? i : 1] - path[i > 0 ? i - 1 : 0]);
+    const Vec2 after = i + 1 < path.size() ? unit(path[i + 1] - path[i]) : before;
+    const double cosine = dot(before, after);
+    if (cosine < kSharpestCosine) return std::nullopt;
+    const Vec2 off = (left_of(before) + left_of(after)) * (half_m / (1 + cosine));
+    edges.left.push_back(path[i] + off);
+    edges.right.push_back(path[i] - off);
+  }
+  edges.left.push_back(path.back());
+  std::ranges::reverse(edges.left);
+  edges.right.push_back(path.back());
+  return edges;
+}
+
+// From one arm's left edge to the right edge of the next: how many points of the one are walked, from which point of
+// the other on, and what lies between.
+struct Turn {
+  std::size_t left_count = 0, right_from = 0;
+  Ring between;
+};
+
+// Where the left edge, coming in, first meets the right edge of the next: for arms that do not part before their cuts,
+// that is at a cut.
+std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
+  for (std::size_t i = 0; i + 1 < left.size(); ++i) {
+    std::optional<Turn> first;
+    double least = 2;
+    for (std::size_t j = 0; j + 1 < right.size(); ++j) {
+      const Vec2 u = left[i + 1] - left[i], v = right[j + 1] - right[j], gap = right[j] - left[i];
+      const double det = cross(u, v);
+      if (det == 0) continue;
+      const double s = cross(gap, v) / det, t = cross(gap, u) / det;
+      if (s < 0 || s > 1 || t < 0 || t > 1 || s >= least) continue;
+      least = s;
+      first = Turn{i + 1, j + 1, {left[i] + u * s}};
+    }
+    if (first) return first;
+  }
+  return std::nullopt;
+}
+
+// How many points of an edge, from the cut in, lie beyond a place along its line.
+std::size_t count_beyond(std::span<const Vec2> edge, const ArmLine& line, double along_m) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(edge, [&](Vec2 p) { return dot(p - line.from, line.along) > along_m; }));
+}
+
+Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right, const Corner& corner,
+             double radius_m) {
+  const double tangent = tangent_m(corner, radius_m);
+  const Vec2 inward = left_of(arm.along), inward_next = left_of(next.along) * -1;
+  const Vec2 start = arm.from + inward * arm.half_m + arm.along * (corner.along_arm_m + tangent);
+  const Vec2 end = next.from + inward_next * next.half_m + next.along * (corner.along_next_m + tangent);
+  // the middle of the cut is always walked
+  const std::size_t left_count = std::max<std::size_t>(1, count_beyond(left, arm, corner.along_arm_m + tangent));
+  const std::size_t right_count = std::max<std::size_t>(1, count_beyond(right, next, corner.along_next_m + tangent));
+  Turn turn{left_count, right.size() - right_count, {start}};
+  add_arc(start + inward * radius_m, inward * -1, inward_next * -1, radius_m, 3, turn.between);
+  turn.between.push_back(end);
+  return turn;
+}
+
+// Round the outside of a bend.
+Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
+  Turn turn{left_count, 0, {}};
+  const Vec2 from = left_of(arm.along), to = left_of(next.along) * -1;
+  const double half = std::max(arm.half_m, next.half_m);
+  // nearly straight on: the two ends are neighbours
+  if (dot(from, to) < 0.94 && cross(from, to) > 0) add_arc(arm.from, from, to, half, 2, turn.between);
+  return turn;
+}
+
+std::optional<Turn> turn_between(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right,
+                                 double radius_m) {
+  const auto corner = corner_between(arm, next);
+  if (corner && radius_m > 0) return rounded(arm, next, left, right, *corner, radius_m);
+  if (auto meeting = first_meeting(left, right)) return meeting;
+  // one arm's cut lies within the other
+  if (corner) return std::nullopt;
+  return outside(arm, next, left.size());
+}
+
+void push(Ring& ring, std::span<const Vec2> points) {
+  for (const Vec2 p : points) ring.push_back(snapped(p));
+}
+
+bool has_spike(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (is_spike(ring, i)) return true;
+  return false;
+}
+
+bool is_sound(const Ring& ring, Vec2 place) {
+  return ring.size() >= 3 && !has_spike(ring) && signed_area_m2(ring) > 0 && winding_number(ring, place) == 1 &&
+         is_simple(ring);
+}
+
+}  // namespace
+
+bool is_spike(const Ring& ring, std::size_t i) {
+  constexpr double kSpikeCosine = 0.97;
+  const Vec2 before = ring[(i + ring.size() - 1) % ring.size()] - ring[i],
+             after = ring[(i + 1) % ring.size()] - ring[i];
+  return cross(after, before) >= 0 && dot(before, after) > kSpikeCosine * length(before) * length(after);
+}
+
+void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Ring& ring) {
+  if (halvings == 0) return;
+  const Vec2 middle = unit(from + to);
+  add_arc(centre, from, middle, radius_m, halvings - 1, ring);
+  ring.push_back(snapped(centre + middle * radius_m));
+  add_arc(centre, middle, to, radius_m, halvings - 1, ring);
+}
+
+std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                std::span<const ArmLine> lines, std::span<const std::uint32_t> order) {
+  if (junction.places.size() != 1 || order.size() < 2) return std::nullopt;
+  std::vector<Edges> edges(arms.size());
+  for (const std::uint32_t arm : order) {
+    const double length = junction.cuts[arm].length_m;
+    // an arm of no length has no edges to walk
+    if (length <= 0) return std::nullopt;
+    auto both = edges_of(walk(roads, arms[arm], length), lines[arm].half_m);
+    if (!both) return std::nullopt;
+    edges[arm] = std::move(*both);
+  }
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t arm = order[i], next = order[(i + 1) % order.size()];
+    auto turn = turn_between(lines[arm], lines[next], edges[arm].left, edges[next].right, junction.cuts[arm].radius_m);
+    if (!turn) return std::nullopt;
+    turns.push_back(std::move(*turn));
+  }
+  Ring ring;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Edges& arm = edges[order[i]];
+    const Turn &before = turns[(i + order.size() - 1) % order.size()], &after = turns[i];
+    push(ring, std::span(arm.right).subspan(before.right_from));
+    push(ring, std::span(arm.left).first(after.left_count));
+    push(ring, after.between);
+  }
+  ring = without_repeats(ring);
+  return is_sound(ring, junction.places.front()) ? std::optional(std::move(ring)) : std::nullopt;
+}
+
+}  // namespace citykiln::roads

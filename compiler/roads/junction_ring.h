@@ -1,0 +1,25 @@
+// The outline of a plain junction, walked around once: right edge out, across the cut, left edge back, corner.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "compiler/roads/arm_lines.h"
+#include "compiler/roads/junction.h"
+
+namespace citykiln::roads {
+
+/// The outline of a junction of one place, if it can be had so simply: then it is a simple counter-clockwise ring,
+/// snapped, about the place, and covers what the union of the junction's pieces covers. Nothing where edges do not meet
+/// as they should: the union then decides. O(n²) in points, some thirty.
+std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                std::span<const ArmLine> lines, std::span<const std::uint32_t> order);
+
+/// The corner at ring[i] is sharper inside than some 14 degrees.
+bool is_spike(const Ring& ring, std::size_t i);
+
+/// Points of an arc about `centre`, from one unit direction to another less than half a turn away, both left out;
+/// 2^halvings - 1.
+void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Ring& ring);
+
+}  // namespace citykiln::roads

@@ -1,0 +1,217 @@
+// Cuts and corners of all junctions.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/box.h"
+#include "compiler/roads/arm_lines.h"
+#include "compiler/roads/consolidate.h"
+#include "compiler/roads/junction.h"
+
+namespace citykiln::roads {
+namespace {
+
+double cut_steps(double length_m) { return std::floor(length_m * 8) / 8; }
+
+constexpr double kLeastCut_m = 0.5;
+
+// Kerbs' radii: what a car of the narrower road's class turns in.
+double radius_m(map::SurfaceClass surface) {
+  using map::SurfaceClass;
+  switch (surface) {
+    case SurfaceClass::kMotorwayRoad:
+      return 15;
+    case SurfaceClass::kPrimaryRoad:
+      return 8;
+    case SurfaceClass::kSecondaryRoad:
+      return 7;
+    case SurfaceClass::kTertiaryRoad:
+      return 6;
+    case SurfaceClass::kResidentialRoad:
+      return 5;
+    case SurfaceClass::kServiceRoad:
+    case SurfaceClass::kUnpavedRoad:
+    case SurfaceClass::kPedestrianStreet:
+      return 3;
+    default:
+      return 1.5;
+  }
+}
+
+// One junction while it is being decided. Arms of all its nodes, in the order of arms_at().
+struct Draft {
+  std::vector<std::uint32_t> nodes;
+  Vec2 centre;
+  std::vector<Arm> arms;
+  std::vector<Link> links;
+  std::vector<ArmLine> lines;
+  std::vector<std::uint32_t> order;            // counter-clockwise, without links inside
+  std::vector<std::optional<Corner>> corners;  // with the next one in order, one an arm
+  std::vector<std::uint32_t> next;
+  std::vector<Cut> cuts;
+};
+
+Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
+               std::vector<std::uint32_t> members) {
+  Draft draft;
+  Box2 box;
+  draft.nodes = std::move(members);
+  for (const std::uint32_t n : draft.nodes) {
+    box.grow(nodes[n].at);
+    draft.arms.insert(draft.arms.end(), nodes[n].arms.begin(), nodes[n].arms.end());
+  }
+  draft.centre = box.centre();
+  for (const Arm& arm : draft.arms) {
+    draft.links.push_back(index.link_of(arm, 2 * kReach_m));
+    draft.lines.push_back(line_of(roads, arm));
+  }
+  draft.cuts.resize(draft.arms.size());
+  return draft;
+}
+
+// Links inside the junction belong to it whole; a long loop does not.
+void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
+  for (std::size_t a = 0; a < draft.arms.size(); ++a) {
+    const Link& link = draft.links[a];
+    const bool is_inside = draft.nodes.size() > 1 && link.node != kNoNode && group[link.node] == draft.nodes.front();
+    if (is_inside && link.length_m <= kReach_m) draft.cuts[a].length_m = kWhole_m;
+  }
+}
+
+// Is the road still where its line says it is?
+bool is_straight(std::span<const Road> roads, const Arm& arm, const ArmLine& line, double length_m) {
+  constexpr double kOff_m = 0.25;
+  const Polyline path = walk(roads, arm, length_m);
+  return std::ranges::all_of(path, [&](Vec2 p) { return std::abs(cross(line.along, p - line.from)) < kOff_m; });
+}
+
+// The largest radius, up to the one wanted, whose arc lies along both roads.
+double fitting_radius_m(std::span<const Road> roads, const Draft& draft, std::uint32_t arm, double wanted_m) {
+  const Corner& corner = *draft.corners[arm];
+  const std::uint32_t next = draft.next[arm];
+  for (double r = wanted_m; r >= 0.5; r = std::floor(r * 2) / 4) {
+    const double tangent = tangent_m(corner, r);
+    if (std::max(corner.along_arm_m, corner.along_next_m) + tangent > kReach_m) continue;
+    if (is_straight(roads, draft.arms[arm], draft.lines[arm], corner.along_arm_m + tangent) &&
+        is_straight(roads, draft.arms[next], draft.lines[next], corner.along_next_m + tangent))
+      return r;
+  }
+  return 0;
+}
+
+void find_corners(std::span<const Road> roads, Draft& draft) {
+  const std::size_t count = draft.arms.size();
+  draft.corners.resize(count), draft.next.resize(count);
+  for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
+    if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
+  for (std::size_t i = 0; i < draft.order.size(); ++i) {
+    const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
+    if (arm == next) continue;
+    draft.next[arm] = next;
+    draft.corners[arm] = corner_between(draft.lines[arm], draft.lines[next]);
+    if (!draft.corners[arm]) continue;
+    const double wanted =
+        std::min(radius_m(roads[draft.arms[arm].road].surface), radius_m(roads[draft.arms[next].road].surface));
+    draft.cuts[arm].radius_m = fitting_radius_m(roads, draft, arm, wanted);
+  }
+}
+
+// As far as the farther of an arm's two corners, within reach.
+void want_cuts(Draft& draft) {
+  for (const std::uint32_t arm : draft.order) {
+    if (!draft.corners[arm]) continue;
+    const double tangent = tangent_m(*draft.corners[arm], draft.cuts[arm].radius_m);
+    double& here = draft.cuts[arm].length_m;
+    double& there = draft.cuts[draft.next[arm]].length_m;
+    here = std::max(here, draft.corners[arm]->along_arm_m + tangent);
+    there = std::max(there, draft.corners[arm]->along_next_m + tangent);
+  }
+  for (const std::uint32_t arm : draft.order) {
+    // a cut that nothing asks for still shows where the junction is
+    draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
+    const double reach = kReach_m - distance(draft.lines[arm].from, draft.centre);
+    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach) * 8) / 8;
+  }
+}
+
+// Two junctions at the ends of one link share it by what they want; nobody wants more than there is.
+void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
+                Report& report) {
+  if (cut.length_m == kWhole_m) return;
+  const double wanted_there = other && other->length_m != kWhole_m ? other->length_m : 0;
+  if (cut.length_m + wanted_there <= link.length_m) return;
+  report.add(Code::kArmSwallowed, roads[arm.road].id.osm, link.length_m);
+  cut.length_m = cut_steps(link.length_m * cut.length_m / (cut.length_m + wanted_there));
+}
+
+// Rounds corners only as far as their arms are the junction's.
+void shrink_radii(Draft& draft) {
+  for (const std::uint32_t arm : draft.order) {
+    double& radius = draft.cuts[arm].radius_m;
+    if (radius == 0) continue;
+    const Corner& corner = *draft.corners[arm];
+    const double room = std::min(draft.cuts[arm].length_m - corner.along_arm_m,
+                                 draft.cuts[draft.next[arm]].length_m - corner.along_next_m);
+    radius = std::max(0.0, std::min(radius, std::floor(4 * room * corner.sine / (1 + corner.cosine)) / 4));
+  }
+}
+
+Junction finished(std::span<const Road> roads, std::span<const Node> nodes, const Draft& draft) {
+  Junction junction;
+  for (const std::uint32_t n : draft.nodes) junction.places.push_back(nodes[n].at);
+  junction.cuts = draft.cuts;
+  const auto rank = [&](const Arm& arm) {
+    const Road& road = roads[arm.road];
+    return std::tuple(map::values_of(road.surface).priority, road.width_m, road.id);
+  };
+  const Arm widest = *std::ranges::max_element(draft.arms, {}, rank);
+  junction.id = roads[widest.road].id;
+  junction.surface = roads[widest.road].surface;
+  return junction;
+}
+
+std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
+                             std::span<const std::uint32_t> group) {
+  std::vector<std::vector<std::uint32_t>> members(nodes.size());
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) members[group[n]].push_back(n);
+  std::vector<Draft> drafts(nodes.size());
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    if (members[n].empty()) continue;
+    Draft& draft = drafts[n] = draft_of(roads, nodes, index, std::move(members[n]));
+    keep_links_inside(group, draft);
+    find_corners(roads, draft);
+    want_cuts(draft);
+  }
+  return drafts;
+}
+
+}  // namespace
+
+std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report) {
+  const std::vector<Node> nodes = find_nodes(roads);
+  const NodeIndex index(roads, nodes);
+  const std::vector<std::uint32_t> group = consolidate(roads, nodes, index, report);
+  const std::vector<Draft> wanted = drafts_of(roads, nodes, index, group);
+
+  // where each node's arms begin among its group's
+  std::vector<std::uint32_t> first(nodes.size());
+  for (const Draft& draft : wanted) {
+    std::uint32_t count = 0;
+    for (const std::uint32_t n : draft.nodes)
+      first[n] = count, count += static_cast<std::uint32_t>(nodes[n].arms.size());
+  }
+  std::vector<Junction> junctions;
+  for (const Draft& draft : wanted) {
+    if (draft.nodes.empty()) continue;
+    Draft shared = draft;
+    for (std::size_t a = 0; a < shared.arms.size(); ++a) {
+      const Link& link = shared.links[a];
+      const Cut* other = link.node == kNoNode ? nullptr : &wanted[group[link.node]].cuts[first[link.node] + link.arm];
+      share_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
+    }
+    shrink_radii(shared);
+    junctions.push_back(finished(roads, nodes, shared));
+  }
+  return junctions;
+}
+
+}  // namespace citykiln::roads
