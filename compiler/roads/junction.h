@@ -33,14 +33,16 @@ struct Cut {
 };
 inline constexpr double kWhole_m = 31.875;
 
-/// A junction: one place, or a few that a driver takes for one.
+/// A junction: one place, or a few that a driver takes for one. Its roads say the rest.
 struct Junction {
-  ObjectId id;                  ///< Of its widest arm's road.
-  map::SurfaceClass surface{};  ///< That road's.
-  std::vector<Vec2> places;     ///< Sorted; vertices of axes.
-  std::vector<Cut> cuts;        ///< One an arm, in the order of arms_at().
+  Family family{};
+  std::vector<Vec2> places;  ///< Sorted; vertices of axes.
+  std::vector<Cut> cuts;     ///< One an arm, in the order of arms_at().
   bool operator==(const Junction&) const = default;
 };
+
+/// The road that gives a junction its surface and its name: the one of highest class, then the widest.
+const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Decides all junctions of a layer's roads.
 ///
@@ -53,7 +55,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
 /// The junction as overlapping counter-clockwise rings, snapped; their union is what it covers, before higher junctions
 /// are taken off.
 ///
-/// @param arms  arms_at(roads, junction.places, family).
+/// @param arms  arms_at(roads, junction.places, junction.family).
 std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Outlines that share no area: every junction without what those of a higher class, or of the same class and an

@@ -70,6 +70,14 @@ void push_ring(std::vector<Ring>& rings, const Ring& ring) {
 
 }  // namespace
 
+const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
+  const auto rank = [&](const Arm& arm) {
+    const Road& road = roads[arm.road];
+    return std::tuple(map::values_of(road.surface).priority, road.width_m, road.id);
+  };
+  return roads[std::ranges::max_element(arms, {}, rank)->road];
+}
+
 std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
   std::vector<ArmLine> lines;
   for (const Arm& arm : arms) lines.push_back(line_of(roads, arm));
@@ -101,6 +109,7 @@ namespace {
 struct Covered {
   std::vector<Ring> rings;
   Box2 box;
+  int priority = 0;
 };
 
 // Which arms each junction has, in the order of its places.
@@ -116,7 +125,7 @@ std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::
   for (std::uint32_t j = 0; j < junctions.size(); ++j) {
     by_place[j].resize(junctions[j].places.size());
     for (std::uint32_t p = 0; p < junctions[j].places.size(); ++p)
-      places.push_back({family_of(junctions[j].surface), junctions[j].places[p], j, p});
+      places.push_back({junctions[j].family, junctions[j].places[p], j, p});
   }
   std::sort(places.begin(), places.end());
   for (std::uint32_t road = 0; road < roads.size(); ++road) {
@@ -166,13 +175,6 @@ bool may_share(const Covered& a, const Covered& b) {
   return borders_touch(r, s) || winding_number(r, s.front()) != 0 || winding_number(s, r.front()) != 0;
 }
 
-bool lies_over(const Junction& a, const Junction& b) {
-  const auto rank = [](const Junction& j) {
-    return std::tuple(-static_cast<int>(map::values_of(j.surface).priority), j.places.front());
-  };
-  return rank(a) < rank(b);
-}
-
 // Junctions in squares of the plane, so that neighbours are found without looking at all.
 class Neighbours {
  public:
@@ -219,16 +221,20 @@ std::vector<std::vector<Polygon>> outline(std::span<const Junction> junctions, s
                                           int threads) {
   const std::vector<std::vector<Arm>> arms = arms_of(junctions, roads);
   const auto covered = for_each_slot<Covered>(junctions.size(), threads, [&](std::size_t j) {
-    Covered c{stroke(junctions[j], roads, arms[j]), {}};
+    Covered c{stroke(junctions[j], roads, arms[j]), {}, map::values_of(main_road(roads, arms[j]).surface).priority};
     for (const Ring& ring : c.rings)
       for (const Vec2 p : ring) c.box.grow(p);
     return c;
   });
   Neighbours neighbours(covered);
+  const auto lies_over = [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple(-covered[a].priority, junctions[a].places.front()) <
+           std::tuple(-covered[b].priority, junctions[b].places.front());
+  };
   std::vector<std::vector<std::uint32_t>> above(junctions.size());
   for (std::uint32_t j = 0; j < junctions.size(); ++j)
     for (const std::uint32_t other : neighbours.touching(j))
-      if (lies_over(junctions[other], junctions[j])) above[j].push_back(other);
+      if (lies_over(other, j)) above[j].push_back(other);
   return for_each_slot<std::vector<Polygon>>(junctions.size(), threads, [&](std::size_t j) {
     const std::vector<Ring>& rings = covered[j].rings;
     std::vector<OwnedSegment> segments;

@@ -155,17 +155,9 @@ void shrink_radii(Draft& draft) {
   }
 }
 
-Junction finished(std::span<const Road> roads, std::span<const Node> nodes, const Draft& draft) {
-  Junction junction;
+Junction finished(std::span<const Node> nodes, const Draft& draft) {
+  Junction junction{nodes[draft.nodes.front()].family, {}, draft.cuts};
   for (const std::uint32_t n : draft.nodes) junction.places.push_back(nodes[n].at);
-  junction.cuts = draft.cuts;
-  const auto rank = [&](const Arm& arm) {
-    const Road& road = roads[arm.road];
-    return std::tuple(map::values_of(road.surface).priority, road.width_m, road.id);
-  };
-  const Arm widest = *std::ranges::max_element(draft.arms, {}, rank);
-  junction.id = roads[widest.road].id;
-  junction.surface = roads[widest.road].surface;
   return junction;
 }
 
@@ -209,7 +201,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
       share_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
     }
     shrink_radii(shared);
-    junctions.push_back(finished(roads, nodes, shared));
+    junctions.push_back(finished(nodes, shared));
   }
   return junctions;
 }
