@@ -248,8 +248,8 @@ Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, st
     return Error{name, "expected the header, found the end of the file"};
   // a copy, so that it is aligned
   const ByteSpan header_span = bytes.subspan(kPreamble, header_size);
-  std::vector<std::uint8_t> raw(header_size);
-  std::memcpy(raw.data(), header_span.data(), header_size);
+  const auto* first = reinterpret_cast<const std::uint8_t*>(header_span.data());
+  const std::vector<std::uint8_t> raw(first, first + header_size);
   flatbuffers::Verifier verifier(raw.data(), raw.size());
   if (checksum(header_span) != get_u64(bytes.subspan(16)) || !verifier.VerifyBuffer<fbs::Header>(nullptr))
     return Error{name, "expected a citykiln manifest, found one whose header is damaged"};

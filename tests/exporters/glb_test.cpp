@@ -122,6 +122,9 @@ TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
       const auto tile = decoded(changed);
       if (!tile) continue;
+      for (const bake::Primitive& p : tile->primitives)
+        for (const auto& triangle : p.triangles)
+          for (const auto corner : triangle) ASSERT_LT(corner, p.positions.size()) << "byte " << at;
       const auto again = decoded(encoded(*tile, Instancing::kExtension));
       ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
       ASSERT_EQ(*again, *tile) << "byte " << at;

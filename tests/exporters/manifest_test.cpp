@@ -108,6 +108,13 @@ TEST(Manifest, NoChangedByteIsReadAsAnotherScene) {
   }
 }
 
+// The hash of no bytes is right, so the reader goes on. Found by fuzz_manifest.
+TEST(Manifest, AnEmptyHeaderIsRefused) {
+  Bytes bytes = encode_manifest(made(4), 1);
+  put_number(bytes, 8, 0), put_number(bytes, 16, 0xcbf29ce484222325u);
+  EXPECT_EQ(refusal(decoded(bytes)), "town.kiln: expected a citykiln manifest, found one whose header is damaged");
+}
+
 TEST(Manifest, AnotherFormatIsOneClearLine) {
   const Bytes newer = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) { h.format_major = 9; });
   EXPECT_EQ(refusal(decoded(newer)), "town.kiln: expected format 1, found 9: made by another citykiln");

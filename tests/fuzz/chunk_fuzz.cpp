@@ -1,0 +1,20 @@
+// The codec of chunks: whatever the streams, a chunk or the name of a stream; and a chunk is written and read as
+// itself.
+#include <cstdlib>
+
+#include "tests/fuzz/unpacked.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace citykiln;
+  using namespace citykiln::exporters;
+  const Streams streams = fuzz::packed_streams({data, size});
+  std::string wrong;
+  const auto chunk = decode_chunk(streams, {1, 2}, wrong);
+  if (chunk.has_value() != wrong.empty()) std::abort();
+  if (!chunk) return 0;
+  Streams written = encode_chunk(*chunk);
+  for (const char* name : stream_names()) written[name];
+  const auto again = decode_chunk(written, {1, 2}, wrong);
+  if (!again || *again != *chunk) std::abort();
+  return 0;
+}

@@ -1,0 +1,42 @@
+// make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles.
+#include <cstdio>
+#include <filesystem>
+
+#include "exporters/file.h"
+#include "exporters/manifest.h"
+#include "tests/fuzz/unpacked.h"
+
+namespace {
+
+using namespace citykiln::exporters;
+
+// A seed in the folder of its program, named after its file.
+void write_seed(const std::filesystem::path& folder, const std::string& name, const fuzz::Bytes& seed) {
+  std::filesystem::create_directories(folder);
+  const auto done = write_file((folder / name).string(), std::as_bytes(std::span(seed)));
+  if (!done) std::fprintf(stderr, "%s\n", to_string(done.error()).c_str());
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::filesystem::path folder = count > 1 ? words[1] : "";
+  for (int i = 2; i < count; ++i) {
+    const auto read = read_file(words[i]);
+    if (!read) return std::fprintf(stderr, "%s\n", to_string(read.error()).c_str()), 1;
+    const auto* data = reinterpret_cast<const std::uint8_t*>(read->data());
+    const fuzz::ByteSpan bytes(data, read->size());
+    const std::string name = std::to_string(i - 2);
+    if (std::string_view(words[i]).ends_with(".glb")) {
+      write_seed(folder / "glb", name, fuzz::unpacked_glb(bytes));
+      continue;
+    }
+    const auto scene = decode_manifest(*read, words[i], {});
+    if (!scene) return std::fprintf(stderr, "%s\n", to_string(scene.error()).c_str()), 1;
+    write_seed(folder / "manifest", name, fuzz::unpacked_manifest(bytes));
+    for (std::size_t c = 0; c < scene->chunks.size(); ++c)
+      write_seed(folder / "chunk", name + "_" + std::to_string(c),
+                 fuzz::unpacked_streams(encode_chunk(scene->chunks[c])));
+  }
+  return 0;
+}
