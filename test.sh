@@ -25,6 +25,7 @@ if [ "$full" = no ]; then
 fi
 
 # the sanitizers see units only: the whole way under them would take hours
+export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
 for preset in asan tsan; do
   ./setup.sh "$preset"
   ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure -L unit
