@@ -80,7 +80,8 @@ flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, co
   // steps of 2^-20 are exact as integers
   const std::vector<std::int64_t> to_sun = {std::llround(sky.to_sun.x * 0x1p20), std::llround(sky.to_sun.y * 0x1p20),
                                             std::llround(sky.to_sun.z * 0x1p20)};
-  return fbs::CreateSkyDirect(builder, sky.time.c_str(), &to_sun, sky.turbidity);
+  const auto time = builder.CreateString(sky.time);
+  return fbs::CreateSky(builder, time, builder.CreateVector(to_sun), sky.turbidity);
 }
 
 Bytes header_of(const scene::Scene& scene, std::span<const Frame> frames) {

@@ -59,6 +59,16 @@ TEST(Manifest, ReadsBackWhatItWrote) {
   }
 }
 
+// Found by fuzz_manifest: C's strings end at a zero byte, a scene's do not.
+TEST(Manifest, TextsWithZeroBytesAreKept) {
+  scene::Scene scene = made(1);
+  const std::string text("a\0b", 3);
+  scene.header.sky.time = text, scene.header.sources = {text}, scene.header.attributions = {text, ""};
+  const auto back = decoded(encode_manifest(scene, 1));
+  ASSERT_TRUE(back) << refusal(back);
+  EXPECT_EQ(*back, scene);
+}
+
 TEST(Manifest, SameSceneSameBytesWithAnyThreads) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Bytes bytes = encode_manifest(made(seed), 1);

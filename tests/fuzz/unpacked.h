@@ -61,14 +61,18 @@ inline Bytes packed_manifest(ByteSpan unpacked) {
     const ByteSpan raw = take(rest, size);
     Bytes frame(ZSTD_compressBound(raw.size()));
     frame.resize(ZSTD_compressCCtx(context, frame.data(), frame.size(), raw.data(), raw.size(), 1));
-    auto& entry = *reinterpret_cast<flatbuffers::Table*>(const_cast<fbs::ChunkEntry*>(entries->Get(i)));
+    // fields may lie on each other in a changed header, so each is written only while all is sound
+    const auto mend = [&](flatbuffers::voffset_t field, std::uint64_t value) {
+      flatbuffers::Verifier still(header.data(), header.size());
+      if (keeps_index || !still.VerifyBuffer<fbs::Header>(nullptr)) return;
+      const auto* now = flatbuffers::GetRoot<fbs::Header>(header.data())->chunks();
+      if (now == nullptr || i >= now->size()) return;
+      const auto* entry = reinterpret_cast<const flatbuffers::Table*>(now->Get(i));
+      const_cast<flatbuffers::Table*>(entry)->SetField<std::uint64_t>(field, value, 0);
+    };
     using Entry = fbs::ChunkEntry;
-    if (!keeps_index) {
-      entry.SetField<std::uint64_t>(Entry::VT_OFFSET, body.size(), 0);
-      entry.SetField<std::uint64_t>(Entry::VT_SIZE, frame.size(), 0);
-      entry.SetField<std::uint64_t>(Entry::VT_RAW_SIZE, raw.size(), 0);
-      entry.SetField<std::uint64_t>(Entry::VT_CHECKSUM, checksum(frame), 0);
-    }
+    mend(Entry::VT_OFFSET, body.size()), mend(Entry::VT_SIZE, frame.size());
+    mend(Entry::VT_RAW_SIZE, raw.size()), mend(Entry::VT_CHECKSUM, checksum(frame));
     body.insert(body.end(), frame.begin(), frame.end());
   }
   Bytes bytes{'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};

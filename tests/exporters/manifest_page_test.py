@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+"""exporters/MANIFEST.md is enough: a reader made of its words alone, down to its table of streams, reads what citykiln writes."""
+import ctypes
+import ctypes.util
+import re
+import struct
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
+
+from citykiln_program import ROOT, ProgramTest, report_of  # noqa: E402
+
+GOLDEN = ROOT / "tests" / "golden"
+PAGE = (ROOT / "exporters" / "MANIFEST.md").read_text()
+
+
+def stream_names():
+    """The streams by number, from the page's table."""
+    names = {}
+    for row in re.findall(r"^\|(.*)\|$", PAGE, re.MULTILINE):
+        cells = [cell.strip() for cell in row.split("|")]
+        if len(cells) == 6 and cells[0].isdigit():
+            names[int(cells[0])], names[int(cells[3])] = cells[1], cells[4]
+    assert sorted(names) == list(range(len(names)))
+    return [names[number] for number in range(len(names))]
+
+
+def fnv(data):
+    value = 0xCBF29CE484222325
+    for byte in data:
+        value = ((value ^ byte) * 0x100000001B3) % 2**64
+    return value
+
+
+def unzstd(frame, size):
+    library = ctypes.CDLL(ctypes.util.find_library("zstd"))
+    library.ZSTD_decompress.restype = ctypes.c_size_t
+    raw = ctypes.create_string_buffer(size)
+    got = library.ZSTD_decompress(raw, ctypes.c_size_t(size), frame, ctypes.c_size_t(len(frame)))
+    assert got == size
+    return raw.raw
+
+
+class Table:
+    """A table of a FlatBuffer."""
+
+    def __init__(self, data, at):
+        self.data, self.at = data, at
+        self.fields = at - struct.unpack_from("<i", data, at)[0]
+
+    def place(self, field):
+        entry = 4 + 2 * field
+        inside = entry < struct.unpack_from("<H", self.data, self.fields)[0]
+        offset = struct.unpack_from("<H", self.data, self.fields + entry)[0] if inside else 0
+        return self.at + offset if offset else None
+
+    def number(self, field, kind):
+        place = self.place(field)
+        return 0 if place is None else struct.unpack_from("<" + kind, self.data, place)[0]
+
+    def vector(self, field):
+        """Where its elements begin, and how many there are."""
+        place = self.place(field)
+        place += struct.unpack_from("<I", self.data, place)[0]
+        return place + 4, struct.unpack_from("<I", self.data, place)[0]
+
+
+def root_of(data):
+    return Table(data, struct.unpack_from("<I", data, 0)[0])
+
+
+class Stream:
+    def __init__(self, data):
+        self.data, self.at, self.last = data, 0, 0
+
+    def plain(self):
+        value, shift = 0, 0
+        while True:
+            byte = self.data[self.at]
+            self.at, value, shift = self.at + 1, value | (byte & 127) << shift, shift + 7
+            if byte < 128:
+                return value
+
+    def signed(self):
+        value = self.plain()
+        return -(value + 1) // 2 if value % 2 else value // 2
+
+    def step(self):
+        self.last += self.signed()
+        return self.last
+
+    def real(self):
+        self.at += 8
+        return struct.unpack_from("<d", self.data, self.at - 8)[0]
+
+
+class Chunk:
+    """One tile, walked in the page's order; each thing as a tuple of what the page lists."""
+
+    def __init__(self, raw):
+        table = root_of(raw)
+        at, count = table.vector(0)
+        sizes = struct.unpack_from(f"<{count}I", raw, at)
+        at, _ = table.vector(1)
+        self.streams = {}
+        for name, size in zip(stream_names(), sizes, strict=True):
+            self.streams[name], at = Stream(raw[at:at + size]), at + size
+        self.known, self.last = [], -1
+        self.point_step = 2**-7 if self.plain("point step") else 2**-10
+        self.heights = self.read_heights()
+        self.surfaces = self.all("surfaces", self.surface)
+        self.roads = self.all("roads", self.road)
+        self.waters = self.all("streams", self.road)
+        self.bridges = self.all("bridges", self.span)
+        self.tunnels = self.all("tunnels", self.span)
+        self.buildings = self.all("buildings", self.building)
+        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree kind")))
+        self.woods = self.all("woods", lambda: (self.id(), [self.streams["wood"].real() for _ in range(3)]))
+        self.barriers = self.all("barriers", self.barrier)
+        self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
+
+    def plain(self, name):
+        return self.streams[name].plain()
+
+    def metres(self, name):
+        return self.streams[name].step() / 1024
+
+    def all(self, name, each):
+        return [each() for _ in range(self.plain(name))]
+
+    def points(self, name):
+        return self.all(name, self.point)
+
+    def id(self):
+        return self.plain("id type"), self.streams["id"].step(), self.plain("part")
+
+    def point(self):
+        code = self.plain("points")
+        if code == 0:
+            self.known.append(tuple(self.streams[axis].step() * self.point_step for axis in "xy"))
+            self.last = len(self.known) - 1
+        else:
+            self.last += {1: 1, 2: -1}[code] if code < 3 else self.streams["point jumps"].signed()
+        assert 0 <= self.last < len(self.known)
+        return self.known[self.last]
+
+    def read_heights(self):
+        field = self.streams["field"]
+        for _ in range(3):
+            field.step()
+        columns, rows = field.plain(), field.plain()
+        field.step()
+        assert field.plain() == columns * rows
+        shift, heights = field.plain(), []
+        for i in range(columns * rows):
+            west = heights[i - 1] if i % columns else 0
+            south = heights[i - columns] if i >= columns else 0
+            foretold = south if i % columns == 0 else west if i < columns else west + south - heights[i - columns - 1]
+            heights.append(foretold + self.streams["heights"].signed() * 2**shift)
+        return [height / 64 for height in heights]
+
+    def surface(self):
+        return (self.id(), self.plain("surface class"), self.plain("surface area"),
+                self.all("surface rings", lambda: self.points("ring points")))
+
+    def road(self):
+        return (self.id(), self.points("road points"), self.plain("road class"), self.metres("road width"),
+                self.plain("road ends"), self.plain("road ends"))
+
+    def span(self):
+        axis = self.id(), self.all("span points", lambda: (self.point(), self.metres("span z")))
+        return *axis, self.plain("span class"), self.metres("span width")
+
+    def colour(self):
+        return [self.plain("colour values") for _ in range(3)] if self.plain("colours") else None
+
+    def building(self):
+        return (self.id(), self.points("footprint points"), self.all("footprint holes", lambda: self.points("hole points")),
+                self.metres("building bottom"), self.metres("building top"), self.plain("building stands"),
+                self.plain("wall"), self.plain("roof"), self.colour(), self.colour())
+
+    def barrier(self):
+        return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
+                self.metres("barrier height"), self.metres("barrier width"))
+
+
+def chunks_of(manifest):
+    """Tile to Chunk; every hash, size and place on the way is checked."""
+    assert manifest[:8] == b"CITYKILN"
+    size, value = struct.unpack_from("<QQ", manifest, 8)
+    header, body = manifest[24:24 + size], manifest[24 + size:]
+    assert fnv(header) == value
+    table = root_of(header)
+    assert table.number(0, "H") == 1
+    at, count = table.vector(14)
+    chunks, end = {}, 0
+    for place in range(at, at + 4 * count, 4):
+        entry = Table(header, place + struct.unpack_from("<I", header, place)[0])
+        tile = entry.number(0, "i"), entry.number(1, "i")
+        offset, size, raw_size, value = (entry.number(field, "Q") for field in range(2, 6))
+        assert offset == end and fnv(body[offset:offset + size]) == value
+        assert not chunks or max(chunks) < tile
+        chunks[tile], end = Chunk(unzstd(body[offset:offset + size], raw_size)), offset + size
+    assert end == len(body)
+    return chunks
+
+
+class Page(ProgramTest):
+    def read(self, case):
+        heights = ["--dem", case / "heights.asc"] if (case / "heights.asc").exists() else []
+        out = self.compiled(case.name, case / "map.osm", *heights, *(case / "args").read_text().split())
+        return chunks_of((out / "scene.kiln").read_bytes()), report_of(out)
+
+    def test_says_all_that_a_reader_needs(self):
+        for case in sorted(path.parent for path in GOLDEN.glob("*/args")):
+            chunks, report = self.read(case)
+            for tile, chunk in chunks.items():
+                unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
+                self.assertEqual(unread, [], f"{case.name} {tile}")
+            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
+                read = sum(len(getattr(chunk, kind)) for chunk in chunks.values())
+                self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")
+
+    def test_says_where_things_are(self):
+        chunks, _ = self.read(GOLDEN / "crossing")
+        colours = [building[8] for chunk in chunks.values() for building in chunk.buildings]
+        self.assertIn([200, 176, 144], colours)
+        for (x, y), chunk in chunks.items():
+            for _, footprint, *_ in chunk.buildings:
+                self.assertTrue(all((px < 0) == (x < 0) and (py < 0) == (y < 0) for px, py in footprint))
+
+
+if __name__ == "__main__":
+    unittest.main()
