@@ -53,6 +53,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   // what covers it
   watch.enter("roads");
   recipes.roads = roads::plan(features, report);
+  recipes.junctions = roads::plan_junctions(recipes.roads, report);
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
   recipes.streams = ground::plan_streams(features, report);

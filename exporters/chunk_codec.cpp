@@ -63,7 +63,13 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "barrier height",
                                         "barrier width",
                                         "lamps",
-                                        "lamp height"};
+                                        "lamp height",
+                                        "junctions",
+                                        "junction family",
+                                        "junction places",
+                                        "junction arms",
+                                        "cut lengths",
+                                        "corner radii"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -239,6 +245,17 @@ void road(auto& io, roads::Road& r) {
   flag(io, "road ends", r.rounds_start), flag(io, "road ends", r.rounds_end);
 }
 
+// Cuts are whole eighths of a metre, radii whole quarters.
+void junction(auto& io, roads::Junction& j) {
+  enumerator(io, "junction family", j.family, roads::Family::kOther);
+  points(io, "junction places", j.places, 1);
+  list(io, "junction arms", j.cuts, 1, [&](roads::Cut& cut) {
+    auto eighths = static_cast<std::uint8_t>(cut.length_m * 8), quarters = static_cast<std::uint8_t>(cut.radius_m * 4);
+    io.number("cut lengths", eighths), io.number("corner radii", quarters);
+    cut = {eighths / 8.0, quarters / 4.0};
+  });
+}
+
 void span(auto& io, structures::Span& s) {
   id(io, s.id);
   list(io, "span points", s.axis, 2, [&](Vec3& p) {
@@ -360,6 +377,7 @@ void describe(Io& io, Chunk& c) {
   heights(io, c.heights);
   list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });
   list(io, "roads", c.roads, 0, [&](auto& o) { road(io, o); });
+  list(io, "junctions", c.junctions, 0, [&](auto& o) { junction(io, o); });
   list(io, "streams", c.streams, 0, [&](auto& o) { road(io, o); });
   list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o); });
   list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o); });

@@ -50,7 +50,7 @@ std::vector<roads::Road> plan_streams(const map::Features& features, Report& rep
 
 Surface surface_of(const roads::Road& road) {
   // no area: a trimmed road must rank as the whole one does, so among equals its id decides
-  return {road.id, road.surface, 0, roads::stroke(road)};
+  return {road.id, road.surface, kStripArea_m2, roads::stroke(road)};
 }
 
 Surface trimmed_to(const Surface& surface, const Box2& box) {

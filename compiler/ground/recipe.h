@@ -15,11 +15,14 @@ namespace citykiln::ground {
 struct Surface {
   ObjectId id;
   map::SurfaceClass surface{};
-  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; 0 for strips. Of two surfaces with one
-                              ///< priority the smaller wins, then the lower id.
+  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; kStripArea_m2 for strips, 0 for
+                              ///< junctions. Of two surfaces with one priority the smaller wins, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   bool operator==(const Surface&) const = default;
 };
+
+/// Strips lie over areas of their priority, junctions over strips.
+inline constexpr std::uint32_t kStripArea_m2 = 1;
 
 /// True where `a` lies on top of `b`. A strict total order of different ids and classes.
 bool covers(const Surface& a, const Surface& b);

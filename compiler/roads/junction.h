@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "compiler/contract/report.h"
+#include "compiler/geometry/box.h"
 #include "compiler/roads/network.h"
 
 namespace citykiln::roads {
@@ -41,6 +42,9 @@ struct Junction {
   bool operator==(const Junction&) const = default;
 };
 
+/// Which arms each junction has, in the order of its cuts. O(n log n) in vertices.
+std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::span<const Road> roads);
+
 /// The road that gives a junction its surface and its name: the one of highest class, then the widest.
 const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 
@@ -57,6 +61,9 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
 ///
 /// @param arms  arms_at(roads, junction.places, junction.family).
 std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
+
+/// No point of a junction lies outside of this box about its places.
+Box2 box_of(const Junction& junction, double widest_arm_m);
 
 /// Outlines that share no area: every junction without what those of a higher class, or of the same class and an
 /// earlier place, cover. Simple rings. Empty for a junction that others cover whole. O(n log n) in junctions.

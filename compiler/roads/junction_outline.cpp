@@ -70,6 +70,10 @@ void push_ring(std::vector<Ring>& rings, const Ring& ring) {
 
 }  // namespace
 
+Box2 box_of(const Junction& junction, double widest_arm_m) {
+  return citykiln::box_of(junction.places).widened(kReach_m + 0.75 * widest_arm_m);
+}
+
 const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
   const auto rank = [&](const Arm& arm) {
     const Road& road = roads[arm.road];
@@ -103,16 +107,6 @@ std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, 
   return rings;
 }
 
-namespace {
-
-// The junctions' rings and where they are.
-struct Covered {
-  std::vector<Ring> rings;
-  Box2 box;
-  int priority = 0;
-};
-
-// Which arms each junction has, in the order of its places.
 std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::span<const Road> roads) {
   struct Place {
     Family family;
@@ -144,6 +138,15 @@ std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::
     for (const std::vector<Arm>& here : by_place[j]) arms[j].insert(arms[j].end(), here.begin(), here.end());
   return arms;
 }
+
+namespace {
+
+// The junctions' rings and where they are.
+struct Covered {
+  std::vector<Ring> rings;
+  Box2 box;
+  int priority = 0;
+};
 
 // What others have cut off can end in a point that nobody sees: it goes, corner by corner. Nothing is left of some.
 Ring without_spikes(Ring ring) {

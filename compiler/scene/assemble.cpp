@@ -62,8 +62,11 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
   return tiles;
 }
 
+// Roads are known so far out that the arms of every junction that matters to the tile can be walked.
+constexpr double kRoadHalo_m = 56;
+
 struct Sorted {
-  ByTile surfaces, roads, streams, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
+  ByTile surfaces, roads, junctions, streams, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
 };
 
 Box2 box_of_surface(const ground::Surface& surface) {
@@ -73,16 +76,21 @@ Box2 box_of_surface(const ground::Surface& surface) {
   return box;
 }
 
+Box2 box_of_road(const roads::Road& road) {
+  return citykiln::box_of(road.axis).widened(road.width_m + kRoadHalo_m - kHalo_m);
+}
+
 Box2 box_of_strip(const roads::Road& road) { return citykiln::box_of(road.axis).widened(road.width_m); }
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
-Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes) {
+Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::Surface> junctions) {
   const auto span_anchor = [](const structures::Span& span) { return in_plan(span.axis.front()); };
   const auto stands = [](const auto& object) { return object.at; };
   const auto starts = [](const auto& object) { return object.axis.front(); };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
-          by_touch(grid, std::span(recipes.roads), box_of_strip),
+          by_touch(grid, std::span(recipes.roads), box_of_road),
+          by_touch(grid, junctions, box_of_surface),
           by_touch(grid, std::span(recipes.streams), box_of_strip),
           by_touch(grid, std::span(recipes.buildings),
                    [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
@@ -101,15 +109,28 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
   return picked;
 }
 
-// Areas, and the footprints of buildings that belong to other tiles, trimmed.
-std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, std::size_t t,
-                                          const Box2& reach) {
+bool covers_tile(const ground::Surface& junction, const Box2& tile) {
+  return box_of_surface(junction).touches(tile.widened(1));
+}
+
+// A junction whose arms the chunk's roads can tell.
+bool is_told_by_roads(const roads::Junction& junction, const Box2& tile) {
+  const Box2 walked = citykiln::box_of(junction.places).widened(roads::kReach_m), known = tile.widened(kRoadHalo_m);
+  return known.contains(walked.min) && known.contains(walked.max);
+}
+
+// Areas, and the junctions and footprints of buildings that are not told in this chunk, trimmed.
+std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted,
+                                          std::span<const ground::Surface> junctions, std::size_t t, const Box2& tile) {
+  const Box2 reach = tile.widened(kHalo_m);
   std::vector<ground::Surface> surfaces;
   const auto add = [&](const ground::Surface& whole) {
     ground::Surface trimmed = ground::trimmed_to(whole, reach);
     if (!trimmed.rings.empty()) surfaces.push_back(std::move(trimmed));
   };
   for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
+  for (const std::uint32_t i : sorted.junctions[t])
+    if (covers_tile(junctions[i], tile) && !is_told_by_roads(recipes.junctions[i], tile)) add(junctions[i]);
   const std::vector<std::uint32_t>& own = sorted.buildings[t];
   for (const std::uint32_t i : sorted.near_buildings[t])
     if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i))
@@ -126,6 +147,24 @@ std::vector<roads::Road> strips_for(const std::vector<roads::Road>& strips, cons
   return runs;
 }
 
+std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted& sorted,
+                                           std::span<const ground::Surface> junctions, std::size_t t,
+                                           const Box2& tile) {
+  std::vector<roads::Junction> told;
+  for (const std::uint32_t i : sorted.junctions[t])
+    if (covers_tile(junctions[i], tile) && is_told_by_roads(recipes.junctions[i], tile))
+      told.push_back(recipes.junctions[i]);
+  return told;
+}
+
+// What each junction covers, from all roads.
+std::vector<ground::Surface> junction_surfaces(const Recipes& recipes, int threads) {
+  const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
+  return for_each_slot<ground::Surface>(recipes.junctions.size(), threads, [&](std::size_t i) {
+    return junction_surface(recipes.junctions[i], recipes.roads, arms[i]);
+  });
+}
+
 std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
                                    const std::vector<ground::Surface>& surfaces) {
   std::vector<plants::Wood> here;
@@ -137,13 +176,15 @@ std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
   return here;
 }
 
-Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const TileGrid& grid, std::size_t t) {
-  const Box2 reach = box_of(grid.header, grid.tiles[t]).widened(kHalo_m);
+Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, std::span<const ground::Surface> junctions,
+               const TileGrid& grid, std::size_t t) {
+  const Box2 tile = box_of(grid.header, grid.tiles[t]), reach = tile.widened(kHalo_m);
   Chunk chunk;
   chunk.tile = grid.tiles[t];
   chunk.heights = map::window_of(recipes.heights, reach);
-  chunk.surfaces = surfaces_for(recipes, sorted, t, reach);
-  chunk.roads = strips_for(recipes.roads, sorted.roads[t], reach);
+  chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
+  chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile.widened(kRoadHalo_m));
+  chunk.junctions = junctions_for(recipes, sorted, junctions, t, tile);
   chunk.streams = strips_for(recipes.streams, sorted.streams[t], reach);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
@@ -159,12 +200,14 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const TileGrid& gri
 
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
   const TileGrid grid(header);
-  const Sorted sorted = sort_by_tile(grid, recipes);
+  const std::vector<ground::Surface> junctions = junction_surfaces(recipes, threads);
+  const Sorted sorted = sort_by_tile(grid, recipes, junctions);
   std::vector<std::size_t> wanted;
   for (std::size_t t = 0; t < grid.tiles.size(); ++t)
     if (only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) wanted.push_back(t);
-  return {header, for_each_slot<Chunk>(wanted.size(), threads,
-                                       [&](std::size_t i) { return chunk_of(recipes, sorted, grid, wanted[i]); })};
+  return {header, for_each_slot<Chunk>(wanted.size(), threads, [&](std::size_t i) {
+            return chunk_of(recipes, sorted, junctions, grid, wanted[i]);
+          })};
 }
 
 }  // namespace citykiln::scene

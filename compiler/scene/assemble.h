@@ -15,6 +15,7 @@ struct Recipes {
   map::Heightfield heights;
   std::vector<ground::Surface> surfaces;
   std::vector<roads::Road> roads, streams;
+  std::vector<roads::Junction> junctions;
   structures::Structures structures;
   std::vector<buildings::Building> buildings;
   plants::Plants plants;

@@ -40,6 +40,14 @@ std::vector<TileKey> tiles_of(const Header& header) {
   return tiles;
 }
 
+ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                 std::span<const roads::Arm> arms) {
+  // apart from all parts that a way is cut into
+  constexpr std::uint32_t kJunctionPart = 0x80000000u;
+  const roads::Road& main = roads::main_road(roads, arms);
+  return {{main.id.osm, main.id.part | kJunctionPart}, main.surface, 0, roads::stroke(junction, roads, arms)};
+}
+
 ground::Surface footprint_surface(const buildings::Building& building) {
   ground::Surface surface{building.id,
                           map::SurfaceClass::kBuilding,
@@ -52,6 +60,12 @@ ground::Surface footprint_surface(const buildings::Building& building) {
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk) {
   std::vector<ground::Surface> surfaces = chunk.surfaces;
   for (const roads::Road& road : chunk.roads) surfaces.push_back(ground::surface_of(road));
+  for (const roads::Junction& junction : chunk.junctions) {
+    const auto arms = roads::arms_at(chunk.roads, junction.places, junction.family);
+    // a manifest that names places where no road passes
+    if (arms.empty() || arms.size() != junction.cuts.size()) continue;
+    surfaces.push_back(junction_surface(junction, chunk.roads, arms));
+  }
   for (const roads::Road& stream : chunk.streams) surfaces.push_back(ground::surface_of(stream));
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) surfaces.push_back(footprint_surface(building));

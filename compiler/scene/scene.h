@@ -12,7 +12,7 @@
 #include "compiler/map/plane.h"
 #include "compiler/plants/recipe.h"
 #include "compiler/props/recipe.h"
-#include "compiler/roads/recipe.h"
+#include "compiler/roads/junction.h"
 #include "compiler/sky/recipe.h"
 #include "compiler/structures/recipe.h"
 
@@ -48,6 +48,9 @@ struct Chunk {
   map::Heightfield heights;
   std::vector<ground::Surface> surfaces;    ///< Areas, and footprints of buildings that are anchored in other tiles.
   std::vector<roads::Road> roads, streams;  ///< Strips of road and of water.
+  std::vector<roads::Junction>
+      junctions;  ///< Sorted by place. Those that may cover ground of the tile and that its roads
+                  ///< can tell; the rest of those are surfaces. Beyond the tile there are none.
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;
@@ -67,6 +70,9 @@ struct Scene {
 Box2 box_of(const Header& header, TileKey tile);
 /// Keys of all tiles that the region touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
+/// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
+ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                 std::span<const roads::Arm> arms);
 /// The ground that a building covers.
 ground::Surface footprint_surface(const buildings::Building& building);
 /// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand

@@ -18,9 +18,11 @@ class SceneMaker {
   /// @param finest_m  Step of the points' coordinates.
   scene::Chunk chunk(scene::TileKey tile, double finest_m) {
     finest_m_ = finest_m;
-    scene::Chunk c{tile, field(), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    scene::Chunk c;
+    c.tile = tile, c.heights = field();
     for (auto i = below(4); i > 0; --i) c.surfaces.push_back({id(), surface(), number(90000), {ring(), ring()}});
     for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
+    for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
     for (auto i = below(2); i > 0; --i) c.streams.push_back(road());
     for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
@@ -52,6 +54,11 @@ class SceneMaker {
   template <typename Enum>
   Enum pick(Enum count) {
     return static_cast<Enum>(below(static_cast<std::uint32_t>(count)));
+  }
+  roads::Junction junction() {
+    roads::Junction j{pick(roads::Family::kOther), {point()}, {}};
+    for (auto i = 1 + below(5); i > 0; --i) j.cuts.push_back({below(256) / 8.0, below(61) / 4.0});
+    return j;
   }
   map::SurfaceClass surface() { return pick(map::SurfaceClass::kCount); }
   double metres(std::uint32_t most) { return (1 + below(most * 1024)) * kQuantum_m; }

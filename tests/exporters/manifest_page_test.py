@@ -112,6 +112,7 @@ class Chunk:
         self.heights = self.read_heights()
         self.surfaces = self.all("surfaces", self.surface)
         self.roads = self.all("roads", self.road)
+        self.junctions = self.all("junctions", self.junction)
         self.waters = self.all("streams", self.road)
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
@@ -168,6 +169,10 @@ class Chunk:
     def road(self):
         return (self.id(), self.points("road points"), self.plain("road class"), self.metres("road width"),
                 self.plain("road ends"), self.plain("road ends"))
+
+    def junction(self):
+        return (self.plain("junction family"), self.points("junction places"),
+                self.all("junction arms", lambda: (self.plain("cut lengths") / 8, self.plain("corner radii") / 4)))
 
     def span(self):
         axis = self.id(), self.all("span points", lambda: (self.point(), self.metres("span z")))
