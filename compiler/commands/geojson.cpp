@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/map/surface_class.h"
+#include "compiler/roads/junction.h"
+#include "compiler/roads/plan.h"
 
 namespace citykiln::commands {
 namespace {
@@ -60,6 +62,26 @@ Layer plants_of(const map::Features& features) {
   return layer;
 }
 
+// Outlines in the order of their junctions, named after their main roads.
+void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
+                   const std::string& tile, Layer& layer) {
+  const auto outlines = roads::outline(junctions, roads, 0);
+  const auto arms = roads::arms_of(junctions, roads);
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    const roads::Road& main = roads::main_road(roads, arms[j]);
+    for (const Polygon& polygon : outlines[j])
+      layer.push_back({main.id, class_of(main.surface), ShapeKind::kPolygon, rings_of(polygon), tile});
+  }
+}
+
+Layer junctions_of(const map::Features& features) {
+  Report ignored;
+  const std::vector<roads::Road> roads = roads::plan(features, ignored);
+  Layer layer;
+  add_junctions(roads::plan_junctions(roads, ignored), roads, {}, layer);
+  return layer;
+}
+
 std::string name_of(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
 
 Layer roads_of(const scene::Scene& scene) {
@@ -70,6 +92,14 @@ Layer roads_of(const scene::Scene& scene) {
           {road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), road.width_m});
     }
   }
+  return layer;
+}
+
+/// Each junction once, in the tile of its first place.
+Layer junctions_of(const scene::Scene& scene) {
+  Layer layer;
+  for (const scene::Chunk& chunk : scene.chunks)
+    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, name_of(chunk.tile), layer);
   return layer;
 }
 
@@ -117,8 +147,7 @@ Result<Layer> layer_named(const Source& source, const std::string& name) {
   if (name == "areas") return areas_of(source);
   if (name == "buildings") return buildings_of(source);
   if (name == "plants") return plants_of(source);
-  if (name == "junctions")
-    return Error{"--layer", "junctions are not outlined yet; this version has roads, areas, buildings and plants"};
+  if (name == "junctions") return junctions_of(source);
   return Error{"--layer", fmt::format("expected roads, junctions, areas, buildings or plants, found \"{}\"", name)};
 }
 

@@ -32,6 +32,7 @@ Json chunk_of(const scene::Chunk& chunk) {
       {"heights", fmt::format("{} x {} every {} m", chunk.heights.columns, chunk.heights.rows, chunk.heights.step_m)},
       {"surfaces", chunk.surfaces.size()},
       {"roads", chunk.roads.size()},
+      {"junctions", chunk.junctions.size()},
       {"bridges", chunk.bridges.size()},
       {"tunnels", chunk.tunnels.size()},
       {"buildings", chunk.buildings.size()},

@@ -71,8 +71,11 @@ std::size_t different(const scene::Scene& scene, std::vector<T> scene::Chunk::*m
 }
 
 Json counts_of(const scene::Scene& scene) {
+  std::size_t junctions = 0;
+  for (const scene::Chunk& chunk : scene.chunks) junctions += scene::anchored_junctions(scene.header, chunk).size();
   return {{"tiles", scene.chunks.size()},
           {"roads", different(scene, &scene::Chunk::roads)},
+          {"junctions", junctions},
           {"surfaces", different(scene, &scene::Chunk::surfaces)},
           {"bridges", different(scene, &scene::Chunk::bridges)},
           {"tunnels", different(scene, &scene::Chunk::tunnels)},

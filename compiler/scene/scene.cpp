@@ -40,6 +40,16 @@ std::vector<TileKey> tiles_of(const Header& header) {
   return tiles;
 }
 
+std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk) {
+  std::vector<roads::Junction> anchored;
+  for (const roads::Junction& junction : chunk.junctions) {
+    const Vec2 at = junction.places.front();
+    if (std::floor(at.x / header.tile_m) == chunk.tile.x && std::floor(at.y / header.tile_m) == chunk.tile.y)
+      anchored.push_back(junction);
+  }
+  return anchored;
+}
+
 ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                  std::span<const roads::Arm> arms) {
   // apart from all parts that a way is cut into

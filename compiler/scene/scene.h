@@ -70,6 +70,9 @@ struct Scene {
 Box2 box_of(const Header& header, TileKey tile);
 /// Keys of all tiles that the region touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
+/// The chunk's junctions whose first place lies in its tile: each of a scene's junctions that its roads can tell is in
+/// one tile's.
+std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
 /// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
 ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                  std::span<const roads::Arm> arms);

@@ -45,8 +45,23 @@ TEST(GeoJson, OfAnEmptyLayerIsAnEmptyCollection) {
   EXPECT_EQ(text, "{\"type\":\"FeatureCollection\",\"attribution\":[],\"features\":[\n]}\n");
 }
 
-TEST(GeoJson, UnknownAndLaterLayersAreErrors) {
-  EXPECT_NE(to_string(layer_of(map::Features{}, "junctions").error()).find("yet"), std::string::npos);
+TEST(GeoJson, JunctionsAreNamedAfterTheirMainRoad) {
+  map::Features features;
+  for (const double y : {-50.0, 50.0}) {
+    map::Track& track = features.tracks.emplace_back();
+    track.id = {{OsmType::kWay, y < 0 ? 1 : 2}, 0};
+    track.axis = {{y, 0}, {0, 0}, {0, y}};
+    track.node_ids = {1, 2, 3};
+    track.surface = map::SurfaceClass::kResidentialRoad;
+    track.width_m = y < 0 ? 8 : 6;
+  }
+  const Result<Layer> layer = layer_of(features, "junctions");
+  ASSERT_TRUE(layer);
+  ASSERT_EQ(layer->size(), 1u);
+  EXPECT_EQ((*layer)[0].id.osm.id, 1);
+}
+
+TEST(GeoJson, UnknownLayersAreErrors) {
   EXPECT_TRUE(to_string(layer_of(scene::Scene{}, "clouds").error()).starts_with("--layer: expected "));
 }
 
