@@ -69,7 +69,8 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "junction places",
                                         "junction arms",
                                         "cut lengths",
-                                        "corner radii"};
+                                        "corner radii",
+                                        "pavements"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -237,12 +238,20 @@ void surface(auto& io, ground::Surface& s) {
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
 }
 
+// Whole quarters of a metre, below 64 m.
+void quarters(auto& io, const char* name, double& value) {
+  auto quarters = static_cast<std::uint8_t>(value * 4);
+  io.number(name, quarters);
+  value = quarters / 4.0;
+}
+
 void road(auto& io, roads::Road& r) {
   id(io, r.id);
   points(io, "road points", r.axis, 2);
   enumerator(io, "road class", r.surface, map::SurfaceClass::kCount);
   io.metres("road width", r.width_m);
   flag(io, "road ends", r.rounds_start), flag(io, "road ends", r.rounds_end);
+  quarters(io, "pavements", r.pavement_left_m), quarters(io, "pavements", r.pavement_right_m);
 }
 
 // Cuts are whole eighths of a metre, radii whole quarters.
@@ -250,9 +259,10 @@ void junction(auto& io, roads::Junction& j) {
   enumerator(io, "junction family", j.family, roads::Family::kOther);
   points(io, "junction places", j.places, 1);
   list(io, "junction arms", j.cuts, 1, [&](roads::Cut& cut) {
-    auto eighths = static_cast<std::uint8_t>(cut.length_m * 8), quarters = static_cast<std::uint8_t>(cut.radius_m * 4);
-    io.number("cut lengths", eighths), io.number("corner radii", quarters);
-    cut = {eighths / 8.0, quarters / 4.0};
+    auto eighths = static_cast<std::uint8_t>(cut.length_m * 8);
+    io.number("cut lengths", eighths);
+    cut.length_m = eighths / 8.0;
+    quarters(io, "corner radii", cut.radius_m);
   });
 }
 

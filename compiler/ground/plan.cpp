@@ -53,6 +53,10 @@ Surface surface_of(const roads::Road& road) {
   return {road.id, road.surface, kStripArea_m2, roads::stroke(road)};
 }
 
+Surface pavement_of(const roads::Road& road) {
+  return {road.id, map::SurfaceClass::kPavement, kStripArea_m2, roads::stroke_pavements(road)};
+}
+
 Surface trimmed_to(const Surface& surface, const Box2& box) {
   Surface trimmed{surface.id, surface.surface, surface.area_m2, {}};
   for (const Ring& ring : surface.rings)

@@ -19,6 +19,8 @@ std::vector<roads::Road> plan_streams(const map::Features& features, Report& rep
 
 /// The surface a road covers.
 Surface surface_of(const roads::Road& road);
+/// What lies under a road's strip and shows beside it; without rings where it has no pavements.
+Surface pavement_of(const roads::Road& road);
 
 /// The surface with its rings trimmed to the box; rings that do not touch it are gone.
 Surface trimmed_to(const Surface& surface, const Box2& box);

@@ -30,6 +30,7 @@ struct Track {
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
+  double pavement_left_m = 0, pavement_right_m = 0;  ///< Beyond the kerbs; multiples of 1/4 m.
 };
 
 /// A building's outline, or a part of one.

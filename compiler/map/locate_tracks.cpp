@@ -2,6 +2,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/each_line.h"
+#include "compiler/map/pavements.h"
 
 namespace citykiln::map {
 namespace {
@@ -79,6 +80,8 @@ Track track_of(const Reading& reading, const source::Way& way, const TrackRow& r
   track.is_oneway = says_yes(reading.tag(way.tags, "oneway"));
   track.is_lit = says_yes(reading.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
+  const Pavements pavements = pavements_of(reading, id, way.tags);
+  track.pavement_left_m = pavements.left_m, track.pavement_right_m = pavements.right_m;
   return track;
 }
 

@@ -33,18 +33,24 @@ Ring disk(Vec2 centre, double radius_m) {
   return ring;
 }
 
+// How far a strip reaches to either side of its axis.
+struct Halves {
+  double left_m, right_m;
+};
+
 // The corner that a bend opens between two quads, filled to the mitre: p, the two outer corners and the point where the
 // outer edges meet.
-Ring mitre(Vec2 p, Vec2 before, Vec2 after, double half_m) {
-  const double side = cross(before, after) > 0 ? -1 : 1;  // a left bend opens on the right
-  const Vec2 a = left_of(before) * (side * half_m), b = left_of(after) * (side * half_m);
-  const Vec2 tip = (a + b) * (half_m * half_m / (half_m * half_m + dot(a, b)));
+Ring mitre(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
+  // a left bend opens on the right
+  const double half_m = cross(before, after) > 0 ? -halves.right_m : halves.left_m;
+  const Vec2 a = left_of(before) * half_m, b = left_of(after) * half_m;
+  const Vec2 tip = (a + b) * (1 / (1 + dot(before, after)));
   return {snapped(p), snapped(p + a), snapped(p + tip), snapped(p + b)};
 }
 
 // Bends of less than a right angle take a mitre (its tip lies within 1.42 half widths), sharper ones a disk.
-Ring bend(Vec2 p, Vec2 before, Vec2 after, double half_m) {
-  return dot(before, after) > 0 ? mitre(p, before, after, half_m) : disk(p, half_m);
+Ring bend(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
+  return dot(before, after) > 0 ? mitre(p, before, after, halves) : disk(p, std::max(halves.left_m, halves.right_m));
 }
 
 // Turned counter-clockwise; what snapping left without area is no ring.
@@ -56,20 +62,32 @@ void push_if_area(std::vector<Ring>& rings, Ring ring) {
   if (area != 0) rings.push_back(std::move(ring));
 }
 
+std::vector<Ring> stroke_along(const Polyline& axis, Halves halves) {
+  std::vector<Ring> rings;
+  const auto direction = [&](std::size_t i) { return unit(axis[i + 1] - axis[i]); };
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const Vec2 a = axis[i], b = axis[i + 1], left = left_of(direction(i)) * halves.left_m;
+    const Vec2 right = left_of(direction(i)) * -halves.right_m;
+    push_if_area(rings, {snapped(a + right), snapped(b + right), snapped(b + left), snapped(a + left)});
+    if (i > 0) push_if_area(rings, bend(a, direction(i - 1), direction(i), halves));
+  }
+  return rings;
+}
+
 }  // namespace
 
 std::vector<Ring> stroke(const Road& road) {
-  std::vector<Ring> rings;
   const double half_m = road.width_m / 2;
-  const auto direction = [&](std::size_t i) { return unit(road.axis[i + 1] - road.axis[i]); };
-  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
-    const Vec2 a = road.axis[i], b = road.axis[i + 1], off = left_of(direction(i)) * half_m;
-    push_if_area(rings, {snapped(a - off), snapped(b - off), snapped(b + off), snapped(a + off)});
-    if (i > 0) push_if_area(rings, bend(a, direction(i - 1), direction(i), half_m));
-  }
+  std::vector<Ring> rings = stroke_along(road.axis, {half_m, half_m});
   if (road.rounds_start) push_if_area(rings, disk(road.axis.front(), half_m));
   if (road.rounds_end) push_if_area(rings, disk(road.axis.back(), half_m));
   return rings;
+}
+
+std::vector<Ring> stroke_pavements(const Road& road) {
+  if (road.pavement_left_m == 0 && road.pavement_right_m == 0) return {};
+  const double half_m = road.width_m / 2;
+  return stroke_along(road.axis, {half_m + road.pavement_left_m, half_m + road.pavement_right_m});
 }
 
 }  // namespace citykiln::roads

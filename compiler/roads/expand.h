@@ -13,4 +13,8 @@ namespace citykiln::roads {
 /// error under 2 % of the half width). O(n).
 std::vector<Ring> stroke(const Road& road);
 
+/// The road with its pavements, likewise, square at its ends; empty where it has none. What lies between this and the
+/// road's own strip is pavement.
+std::vector<Ring> stroke_pavements(const Road& road);
+
 }  // namespace citykiln::roads

@@ -34,7 +34,7 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
     }
     ++account.out;
     roads.push_back({track.id, track.axis, track.surface, track.width_m, meets(track.node_ids.front()),
-                     meets(track.node_ids.back())});
+                     meets(track.node_ids.back()), track.pavement_left_m, track.pavement_right_m});
   }
   report.account("roads", "track") = account;
   return roads;

@@ -1,6 +1,7 @@
 // A road at ground level: an axis and a width. What leaves the ground (bridges, tunnels) is structures/.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,13 @@ struct Road {
   double width_m = 0;  ///< A multiple of 2^-10, > 0.
   bool rounds_start = false,
        rounds_end = false;  ///< Ends that meet another road are round, so that no wedge is missing between them.
+  double pavement_left_m = 0, pavement_right_m = 0;  ///< Beyond the kerbs, seen along the axis; multiples of 1/4 m.
   bool operator==(const Road&) const = default;
 };
+
+/// No point of the road or its pavements lies farther from its axis than this.
+inline double breadth_m(const Road& road) {
+  return road.width_m + 2 * std::max(road.pavement_left_m, road.pavement_right_m);
+}
 
 }  // namespace citykiln::roads

@@ -77,10 +77,10 @@ Box2 box_of_surface(const ground::Surface& surface) {
 }
 
 Box2 box_of_road(const roads::Road& road) {
-  return citykiln::box_of(road.axis).widened(road.width_m + kRoadHalo_m - kHalo_m);
+  return citykiln::box_of(road.axis).widened(breadth_m(road) + kRoadHalo_m - kHalo_m);
 }
 
-Box2 box_of_strip(const roads::Road& road) { return citykiln::box_of(road.axis).widened(road.width_m); }
+Box2 box_of_strip(const roads::Road& road) { return citykiln::box_of(road.axis).widened(breadth_m(road)); }
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 

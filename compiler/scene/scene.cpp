@@ -69,7 +69,11 @@ ground::Surface footprint_surface(const buildings::Building& building) {
 
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk) {
   std::vector<ground::Surface> surfaces = chunk.surfaces;
-  for (const roads::Road& road : chunk.roads) surfaces.push_back(ground::surface_of(road));
+  for (const roads::Road& road : chunk.roads) {
+    surfaces.push_back(ground::surface_of(road));
+    if (ground::Surface pavement = ground::pavement_of(road); !pavement.rings.empty())
+      surfaces.push_back(std::move(pavement));
+  }
   for (const roads::Junction& junction : chunk.junctions) {
     const auto arms = roads::arms_at(chunk.roads, junction.places, junction.family);
     // a manifest that names places where no road passes

@@ -87,7 +87,9 @@ class SceneMaker {
     for (const Vec2 p : line()) points.push_back(at_height(p, coordinate()));
     return points;
   }
-  roads::Road road() { return {id(), line(), surface(), metres(20), below(2) == 0, below(2) == 0}; }
+  roads::Road road() {
+    return {id(), line(), surface(), metres(20), below(2) == 0, below(2) == 0, below(256) / 4.0, below(9) / 4.0};
+  }
   std::optional<map::Srgb> colour() {
     if (below(2) == 0) return std::nullopt;
     return map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};

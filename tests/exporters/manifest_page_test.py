@@ -22,7 +22,9 @@ def stream_names():
     for row in re.findall(r"^\|(.*)\|$", PAGE, re.MULTILINE):
         cells = [cell.strip() for cell in row.split("|")]
         if len(cells) == 6 and cells[0].isdigit():
-            names[int(cells[0])], names[int(cells[3])] = cells[1], cells[4]
+            names[int(cells[0])] = cells[1]
+            if cells[3]:
+                names[int(cells[3])] = cells[4]
     assert sorted(names) == list(range(len(names)))
     return [names[number] for number in range(len(names))]
 
@@ -168,7 +170,7 @@ class Chunk:
 
     def road(self):
         return (self.id(), self.points("road points"), self.plain("road class"), self.metres("road width"),
-                self.plain("road ends"), self.plain("road ends"))
+                self.plain("road ends"), self.plain("road ends"), self.plain("pavements") / 4, self.plain("pavements") / 4)
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),
