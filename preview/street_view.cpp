@@ -36,7 +36,7 @@ std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core)
   std::ranges::sort(middles);
   std::vector<Vec3> places;
   for (const auto& [far, middle] : middles) {
-    const bool is_new = std::ranges::none_of(places, [&](Vec3 p) { return length(p - middle) < kApart_m; });
+    const bool is_new = std::ranges::none_of(places, [at = middle](Vec3 p) { return length(p - at) < kApart_m; });
     if (is_new) places.push_back(middle);
     if (static_cast<int>(places.size()) == kPlaces) break;
   }
