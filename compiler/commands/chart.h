@@ -39,6 +39,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
+  std::vector<std::string> maps;     ///< Of the junctions chart.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
@@ -50,5 +51,8 @@ Result<std::vector<Chart>> chart_plane(const ChartRequest& request);
 /// The vertical error of the ground against its triangles, and against time, over tolerances, beside other meshers'
 /// figures.
 Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
+/// Which outlines are not simple, and time for one, over the grid they are written on, for three ways of computing
+/// them.
+Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);
 
 }  // namespace citykiln::commands

@@ -82,29 +82,30 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
   return roads[std::ranges::max_element(arms, {}, rank)->road];
 }
 
-std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
-  std::vector<ArmLine> lines;
-  for (const Arm& arm : arms) lines.push_back(line_of(roads, arm));
-  std::vector<std::uint32_t> order;
-  for (const std::uint32_t a : counter_clockwise(lines, box_of(junction.places).centre()))
-    if (junction.cuts[a].length_m != kWhole_m) order.push_back(a);
-  if (auto ring = walk_around(junction, roads, arms, lines, order)) return {std::move(*ring)};
-
+std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                const Around& around) {
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
   for (const Vec2 place : junction.places) {
     double half = 0;
-    for (const ArmLine& line : lines)
+    for (const ArmLine& line : around.lines)
       if (line.from == place) half = std::max(half, line.half_m);
     push_ring(rings, disk_at(place, half));
   }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const ArmLine &arm = lines[order[i]], &next = lines[order[(i + 1) % order.size()]];
-    const double radius = junction.cuts[order[i]].radius_m;
+  for (std::size_t i = 0; i < around.order.size(); ++i) {
+    const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
+    const double radius = junction.cuts[arm].radius_m;
     if (radius == 0) continue;
-    if (const auto corner = corner_between(arm, next)) push_ring(rings, rounded_corner(arm, next, *corner, radius));
+    if (const auto corner = corner_between(around.lines[arm], around.lines[next]))
+      push_ring(rings, rounded_corner(around.lines[arm], around.lines[next], *corner, radius));
   }
   return rings;
+}
+
+std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
+  const Around all = around(junction, roads, arms);
+  if (auto ring = walk_around(junction, roads, arms, all)) return {std::move(*ring)};
+  return stroke_pieces(junction, roads, arms, all);
 }
 
 std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::span<const Road> roads) {

@@ -132,35 +132,69 @@ void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Rin
   add_arc(centre, middle, to, radius_m, halvings - 1, ring);
 }
 
-std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
-                                std::span<const ArmLine> lines, std::span<const std::uint32_t> order) {
-  if (junction.places.size() != 1 || order.size() < 2) return std::nullopt;
+namespace {
+
+// Nothing where an arm has no length to walk, or bends too sharply.
+std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::span<const Road> roads,
+                                                std::span<const Arm> arms, const Around& around) {
   std::vector<Edges> edges(arms.size());
-  for (const std::uint32_t arm : order) {
+  for (const std::uint32_t arm : around.order) {
     const double length = junction.cuts[arm].length_m;
-    // an arm of no length has no edges to walk
     if (length <= 0) return std::nullopt;
-    auto both = edges_of(walk(roads, arms[arm], length), lines[arm].half_m);
+    auto both = edges_of(walk(roads, arms[arm], length), around.lines[arm].half_m);
     if (!both) return std::nullopt;
     edges[arm] = std::move(*both);
   }
+  return edges;
+}
+
+// One an arm, in order: to its next.
+std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::vector<Edges>& edges,
+                                          const Around& around) {
   std::vector<Turn> turns;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t arm = order[i], next = order[(i + 1) % order.size()];
-    auto turn = turn_between(lines[arm], lines[next], edges[arm].left, edges[next].right, junction.cuts[arm].radius_m);
+  for (std::size_t i = 0; i < around.order.size(); ++i) {
+    const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
+    auto turn = turn_between(around.lines[arm], around.lines[next], edges[arm].left, edges[next].right,
+                             junction.cuts[arm].radius_m);
     if (!turn) return std::nullopt;
     turns.push_back(std::move(*turn));
   }
+  return turns;
+}
+
+}  // namespace
+
+Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
+  Around all;
+  for (const Arm& arm : arms) all.lines.push_back(line_of(roads, arm));
+  for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
+    if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
+  return all;
+}
+
+std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                   const Around& around) {
+  const std::size_t count = around.order.size();
+  if (junction.places.size() != 1 || count < 2) return std::nullopt;
+  const auto edges = edges_of_arms(junction, roads, arms, around);
+  const auto turns = edges ? turns_of(junction, *edges, around) : std::nullopt;
+  if (!turns) return std::nullopt;
   Ring ring;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Edges& arm = edges[order[i]];
-    const Turn &before = turns[(i + order.size() - 1) % order.size()], &after = turns[i];
+  for (std::size_t i = 0; i < count; ++i) {
+    const Edges& arm = (*edges)[around.order[i]];
+    const Turn &before = (*turns)[(i + count - 1) % count], &after = (*turns)[i];
     push(ring, std::span(arm.right).subspan(before.right_from));
     push(ring, std::span(arm.left).first(after.left_count));
     push(ring, after.between);
   }
-  ring = without_repeats(ring);
-  return is_sound(ring, junction.places.front()) ? std::optional(std::move(ring)) : std::nullopt;
+  return without_repeats(ring);
+}
+
+std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                const Around& around) {
+  auto ring = walk_unchecked(junction, roads, arms, around);
+  if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
+  return ring;
 }
 
 }  // namespace citykiln::roads

@@ -9,11 +9,27 @@
 
 namespace citykiln::roads {
 
+/// A junction's arms as lines, and their order.
+struct Around {
+  std::vector<ArmLine> lines;        ///< One an arm.
+  std::vector<std::uint32_t> order;  ///< Counter-clockwise, without the links inside.
+};
+Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
+
 /// The outline of a junction of one place, if it can be had so simply: then it is a simple counter-clockwise ring,
 /// snapped, about the place, and covers what the union of the junction's pieces covers. Nothing where edges do not meet
 /// as they should: the union then decides. O(n²) in points, some thirty.
 std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
-                                std::span<const ArmLine> lines, std::span<const std::uint32_t> order);
+                                const Around& around);
+
+/// The same before it is looked at: what plain floating point makes of it. For charts.
+std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                   const Around& around);
+
+/// What is united where the walk fails: arms up to their cuts, links inside, a disk about each place, rounded corners.
+/// Counter-clockwise rings, snapped.
+std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                const Around& around);
 
 /// The corner at ring[i] is sharper inside than some 14 degrees.
 bool is_spike(const Ring& ring, std::size_t i);

@@ -47,6 +47,18 @@ TEST(ChartOfThePlane, KeepsThePromiseOfThePlane) {
     EXPECT_LT(error_deg, 1e-4) << distance_km;
 }
 
+TEST(ChartOfJunctions, AsksForMaps) {
+  EXPECT_EQ(to_string(chart_junctions({}).error()), "chart junctions: needs maps (--map FILE)");
+}
+
+TEST(ChartOfJunctions, NeverFindsSnapRoundingInvalid) {
+  ChartRequest request;
+  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  const Result<std::vector<Chart>> charts = chart_junctions(request);
+  ASSERT_TRUE(charts) << to_string(charts.error());
+  for (const auto& [grid_m, share] : charts->front().series.back().points) EXPECT_EQ(share, 0) << grid_m;
+}
+
 TEST(ChartOfTerrain, AsksForAHeightmap) {
   EXPECT_EQ(to_string(chart_terrain({}).error()), "chart terrain: needs a heightmap (--dem FILE)");
 }
