@@ -22,6 +22,9 @@ constexpr TurnRow kTurns[] = {
 
 using Entries = std::vector<std::string_view>;
 
+// Of one direction.
+constexpr int kMostCycleLanes = 2;
+
 bool is_reserved(std::string_view value) { return value == "designated" || value == "official"; }
 
 // One list's word for each lane; false where a word is not understood.
@@ -84,7 +87,9 @@ LaneList listed_lanes(const LaneTags& tags, Flow flow) {
     if (list.lanes.empty() && entries.size() <= kMostLanes) list.lanes.resize(entries.size());
     if (entries.size() != list.lanes.size() || !row.mark(entries, list.lanes)) tags.add_bad_value();
   }
-  return list;
+  if (list.cycle_count() <= kMostCycleLanes) return list;
+  tags.add_bad_value();
+  return {};
 }
 
 std::uint16_t turns_of(std::string_view text, bool& is_known) {

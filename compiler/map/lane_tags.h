@@ -67,8 +67,8 @@ struct LaneTags {
 
 /// One way.
 inline constexpr int kMostLanes = 16;
-/// Of both directions together.
-inline constexpr int kMostLanesOfRoad = 28;
+/// Of both directions together; with four cycle lanes and two roadsides of five, 40.
+inline constexpr int kMostLanesOfRoad = 26;
 
 /// What oneway=*, junction=* and the class say.
 Traffic traffic_of(const LaneTags& tags);

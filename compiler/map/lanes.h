@@ -62,7 +62,7 @@ struct Lane {
 };
 
 struct CrossSection {
-  std::vector<Lane> lanes;  ///< Left to right, seen along the way. At least one is not raised, at most 40 in all.
+  std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 40 in all.
   double axis_offset_m = 0;  ///< From the left edge of the carriageway (of the lanes that are not raised) to the way.
 };
 
@@ -72,10 +72,10 @@ enum class DrivingSide : std::uint8_t { kRight, kLeft };
 ///
 /// Guarantees: where nothing but class, lanes, oneway and width is tagged, and they agree, the lanes are together as
 /// wide as track_rules.inc says. With traffic on the other side and left and right swapped in all tags the lanes are
-/// mirrored exactly; with the way turned round and forward, backward, left and right swapped in all tags they are turned
-/// round, but for 2^-10 m a lane. What is beside the carriageway does not move the axis.
-/// Total: values that cannot be read are diagnosed kBadTagValue and read as absent; a way of no known class is a path.
-/// O(length of the tags).
+/// mirrored exactly; with the way turned round and forward, backward, left and right swapped in all tags they are
+/// turned round, but for 2^-10 m a lane. What is beside the carriageway does not move the axis. Total: values that
+/// cannot be read are diagnosed kBadTagValue and read as absent; a way of no known class is a path. O(length of the
+/// tags).
 CrossSection cross_section_of(const Reading& reading, OsmId id, source::Range tags, DrivingSide side);
 
 /// All lanes that are not raised.
