@@ -133,6 +133,8 @@ MovingLanes moving_lanes_of(const LaneTags& tags, const LaneClass& lane_class) {
   }
   moving.middle =
       plain_lanes(counts.in_middle, counts.is_middle_to_turn ? LaneKind::kTurn : lane_class.kind, LaneWay::kBoth);
+  // a one-way road's cycle lane lies between both of its roadsides
+  if (tags.is_one_way()) moving.has_cycle_lane[opposite(tags.only_flow())] |= moving.has_cycle_lane[tags.only_flow()];
   bool is_known = true;
   if (counts.is_middle_to_turn)
     for (Lane& lane : moving.middle) lane.turns = turns_of(tags("turn:lanes:both_ways"), is_known);
