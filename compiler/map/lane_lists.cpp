@@ -94,6 +94,10 @@ LaneList listed_lanes(const LaneTags& tags, Flow flow) {
 
 std::uint16_t turns_of(std::string_view text, bool& is_known) {
   unsigned turns = 0;
+  if (text.find('|') != std::string_view::npos) {
+    is_known = false;
+    return 0;
+  }
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(';'), text.size());
     const std::string_view word = text.substr(0, end);

@@ -25,7 +25,8 @@ struct LaneList {
 
 LaneList listed_lanes(const LaneTags& tags, Flow flow);
 
-/// The bits of one lane's turns, "left;through". Words nobody knows set no bit; `is_known` then becomes false.
+/// The bits of one lane's turns, "left;through". Words nobody knows set no bit, more lanes than
+/// one set none at all; `is_known` then becomes false.
 std::uint16_t turns_of(std::string_view text, bool& is_known);
 
 }  // namespace citykiln::map

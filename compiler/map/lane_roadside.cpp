@@ -122,7 +122,7 @@ void add_parking(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lan
 bool names_side(const LaneTags& tags, Flow flow, std::string_view value, bool yes_is_both) {
   value = value.substr(0, value.find(';'));
   if (value == "both" || value == tags.roadside(flow)) return true;
-  return value == "yes" && (yes_is_both || tags.traffic == Traffic::kTwoWay || flow == tags.only_flow());
+  return value == "yes" && (yes_is_both || !tags.is_one_way() || flow == tags.only_flow());
 }
 
 bool has_shoulder(const LaneTags& tags, Flow flow) {

@@ -26,15 +26,17 @@ void share(double width_m, std::span<Lane* const> lanes) {
         static_cast<double>(quanta / n + (i < quanta % n ? 1 : 0)) * kQuantum_m;
 }
 
-// One lane for both directions.
-void make_one_lane(MovingLanes& moving, LaneKind kind) {
+// Two lanes that no tag has counted become one: of its flow, or of both.
+void merge_two_lanes(MovingLanes& moving) {
+  const std::vector<Lane*> lanes = moving.all();
+  if (moving.is_tagged || lanes.size() != 2 || lanes[0]->kind != lanes[1]->kind) return;
+  Lane one = *lanes[0];
+  std::vector<Lane>& place = one.way == lanes[1]->way && one.way != LaneWay::kBoth
+                                 ? moving.flows[one.way == LaneWay::kForward ? Flow::kForward : Flow::kBackward]
+                                 : moving.middle;
+  if (one.way != lanes[1]->way) one.way = LaneWay::kBoth;
   for (const Flow flow : kFlows) moving.flows[flow].clear();
-  moving.middle = {Lane{kind, LaneWay::kBoth, 0, 0, false}};
-}
-
-bool may_be_one_lane(const MovingLanes& moving) {
-  return !moving.is_tagged && moving.middle.empty() && moving.flows[Flow::kForward].size() == 1 &&
-         moving.flows[Flow::kBackward].size() == 1;
+  place = {one};
 }
 
 }  // namespace
@@ -50,8 +52,7 @@ void share_widths(const LaneTags& tags, const LaneClass& lane_class,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving) {
   const auto tagged_m = tagged_width_m(tags);
   const double inside = inside_m(roadsides);
-  if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m && may_be_one_lane(moving))
-    make_one_lane(moving, lane_class.kind);
+  if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m) merge_two_lanes(moving);
 
   // width:lanes has told some already
   double told_m = 0;

@@ -10,9 +10,9 @@ namespace citykiln::map {
 std::optional<double> tagged_width_m(const LaneTags& tags);
 
 /// Fills in every width that width:lanes left open. What width=* leaves beside the roadsides is shared evenly, the
-/// lanes in the middle and then the forward ones taking the odd quanta; else each lane is as wide as the class says. A
-/// two-way road whose lanes nobody counted becomes one lane where two would not pass each other. Diagnoses a width=*
-/// too narrow for its lanes.
+/// lanes in the middle and then the forward ones taking the odd quanta; else each lane is as wide as the class says.
+/// Two lanes that nobody counted become one where two cars would not pass each other. Diagnoses a width=* too narrow
+/// for its lanes.
 void share_widths(const LaneTags& tags, const LaneClass& lane_class,
                   const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving);
 

@@ -13,9 +13,10 @@
 //
 // What the tags do not say: pavements, shoulders, parking and cycle lanes are only there where tagged (an untagged
 // residential street has no pavement). lanes=* counts driving, bus and turning lanes, neither cycling nor parking. The
-// odd lane of a two-way road whose directions are not told is driven both ways. A two-way road without lanes=* that is
-// too narrow for two is one lane. A roundabout and a motorway are one-way. width=* is kerb to kerb: cycle lanes and
-// cars parked on the carriageway are inside it; bays, shoulders, raised cycle tracks and pavements are beside it.
+// odd lane of a two-way road whose directions are not told is driven both ways. A road of two lanes that no tag
+// counted is one lane where two cars would not pass. A roundabout and a motorway are one-way. width=* is kerb to kerb:
+// cycle lanes and cars parked on the carriageway are inside it; bays, shoulders, raised cycle tracks and pavements are
+// beside it.
 //
 // Source: wiki.openstreetmap.org, Key:lanes, Lanes, Key:turn, Key:placement, Key:cycleway, Key:sidewalk,
 // Street_parking, Key:parking:lane, Key:busway, Key:shoulder, Key:width.
