@@ -63,6 +63,18 @@ Ring disk_at(Vec2 place, double radius_m) {
   return ring;
 }
 
+// Half the second widest arm's width: a wedge opens between two arms, and a street that ends on a narrow one opens
+// none.
+double open_half_m(std::span<const ArmLine> lines, Vec2 place) {
+  double widest = 0, second = 0;
+  for (const ArmLine& line : lines) {
+    if (line.from != place) continue;
+    second = std::max(second, std::min(widest, line.half_m));
+    widest = std::max(widest, line.half_m);
+  }
+  return second > 0 ? second : widest;
+}
+
 void push_ring(std::vector<Ring>& rings, const Ring& ring) {
   Ring clean = without_repeats(ring);
   if (clean.size() >= 3 && signed_area_m2(clean) > 0) rings.push_back(std::move(clean));
@@ -87,10 +99,7 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
   for (const Vec2 place : junction.places) {
-    double half = 0;
-    for (const ArmLine& line : around.lines)
-      if (line.from == place) half = std::max(half, line.half_m);
-    push_ring(rings, disk_at(place, half));
+    push_ring(rings, disk_at(place, open_half_m(around.lines, place)));
   }
   for (std::size_t i = 0; i < around.order.size(); ++i) {
     const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];

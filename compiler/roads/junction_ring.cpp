@@ -84,7 +84,7 @@ Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, cons
 Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
   Turn turn{left_count, 0, {}};
   const Vec2 from = left_of(arm.along), to = left_of(next.along) * -1;
-  const double half = std::max(arm.half_m, next.half_m);
+  const double half = std::min(arm.half_m, next.half_m);
   // nearly straight on: the two ends are neighbours
   if (dot(from, to) < 0.94 && cross(from, to) > 0) add_arc(arm.from, from, to, half, 2, turn.between);
   return turn;

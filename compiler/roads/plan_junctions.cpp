@@ -109,6 +109,8 @@ void find_corners(std::span<const Road> roads, Draft& draft) {
     draft.next[arm] = next;
     draft.corners[arm] = corner_between(draft.lines[arm], draft.lines[next]);
     if (!draft.corners[arm]) continue;
+    // a road's own bend, as a roundabout's ring has at every place, has no kerb to round
+    if (draft.arms[arm].road == draft.arms[next].road) continue;
     const double wanted =
         std::min(radius_m(roads[draft.arms[arm].road].surface), radius_m(roads[draft.arms[next].road].surface));
     draft.cuts[arm].radius_m = fitting_radius_m(roads, draft, arm, wanted);
