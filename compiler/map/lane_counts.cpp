@@ -89,14 +89,16 @@ void share_rest(LaneCounts& counts, int rest) {
   counts.in_middle += rest % 2;
 }
 
-// A list's length tells a flow's number where lanes=* leaves room for it.
+// Lengths of lists tell the numbers lanes:forward and lanes:backward do not, where lanes=* leaves room for them.
 void read_list_lengths(Told& told, const PerFlow<LaneList>& lists) {
-  const int middle = told.both_ways.value_or(0);
+  PerFlow<std::optional<int>> directed = told.directed;
+  int sum = told.both_ways.value_or(0);
   for (const Flow flow : kFlows) {
-    const int listed = lists[flow].driven_count(), other = told.directed[opposite(flow)].value_or(1);
-    const bool has_room = !told.total || listed + std::max(other, 1) + middle <= *told.total;
-    if (!told.directed[flow] && listed > 0 && has_room) told.directed[flow] = listed;
+    const int listed = lists[flow].driven_count();
+    if (!directed[flow] && listed > 0) directed[flow] = listed;
+    sum += std::max(directed[flow].value_or(1), 1);
   }
+  if (!told.total || sum <= *told.total) told.directed = directed;
 }
 
 LaneCounts count_two_way(const LaneTags& tags, const LaneClass& lane_class, Told told, const PerFlow<LaneList>& lists) {
