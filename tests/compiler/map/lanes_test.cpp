@@ -696,6 +696,14 @@ TEST(Lanes, ContradictionsAreSettledAsTheHeaderSaysAndDiagnosedOnce) {
     EXPECT_EQ(read(fine).bad_values, 0u) << fine;
 }
 
+TEST(Lanes, BusLanesLeaveALaneToDriveOn) {
+  EXPECT_EQ(drawn("highway=primary lanes=4 busway=lane"), "bddb vv^^");
+  EXPECT_EQ(drawn("highway=primary lanes=2 busway=lane"), "bddb vv^^");
+  EXPECT_EQ(drawn("highway=primary oneway=yes lanes=1 busway=lane"), "db ^^");
+  EXPECT_EQ(drawn("highway=primary oneway=yes lanes=1 bus:lanes=designated"), "b ^");
+  EXPECT_EQ(drawn("highway=service motor_vehicle=no bus=yes"), "b -");
+}
+
 TEST(Lanes, PavementsAreOnlyWhereTagged) {
   for (const char* none : {"", "sidewalk=no", "sidewalk=none", "sidewalk=separate", "sidewalk:both=separate"})
     EXPECT_EQ(drawn(std::string("highway=residential ") + none), "dd v^") << none;
