@@ -86,11 +86,12 @@ LonLat default_origin(const LonLatBox& box) {
   return {rounded((box.west + box.east) / 2), rounded((box.south + box.north) / 2)};
 }
 
-Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options&, Report& report) {
+Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
+                Report& report) {
   const Reading reading{osm, plane, region_of(plane, box), report};
   Features features;
   features.region = reading.region;
-  features.tracks = locate_tracks(reading);
+  features.tracks = locate_tracks(reading, options.drive_on_left ? DrivingSide::kLeft : DrivingSide::kRight);
   features.footprints = locate_footprints(reading);
   features.areas = locate_areas(reading);
   for (AreaFeature& sea : locate_sea(reading)) features.areas.push_back(std::move(sea));

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "compiler/map/features.h"
+#include "compiler/map/lanes.h"
 #include "compiler/map/osm_reader.h"
 
 namespace citykiln::map {
 
-std::vector<Track> locate_tracks(const Reading& reading);          ///< By track_rules.inc.
-std::vector<Footprint> locate_footprints(const Reading& reading);  ///< building=*, building:part=*.
-std::vector<AreaFeature> locate_areas(const Reading& reading);     ///< By area_rules.inc; without the sea.
+std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side);  ///< By track_rules.inc and lanes.h.
+std::vector<Footprint> locate_footprints(const Reading& reading);            ///< building=*, building:part=*.
+std::vector<AreaFeature> locate_areas(const Reading& reading);               ///< By area_rules.inc; without the sea.
 std::vector<AreaFeature> locate_sea(
     const Reading& reading);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
 std::vector<Waterway> locate_waterways(const Reading& reading);   ///< waterway=* lines.

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
+#include <span>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/each_line.h"
-#include "compiler/map/pavements.h"
+#include "compiler/map/lanes.h"
 
 namespace citykiln::map {
 namespace {
@@ -51,49 +53,45 @@ SurfaceClass surfaced(SurfaceClass surface, std::string_view tagged) {
   return surface;
 }
 
-constexpr double kLeastWidth_m = 0.3, kMostWidth_m = 80;
-constexpr int kMostLanes = 16;
-
-double width_m(const Reading& reading, OsmId id, source::Range tags, const TrackRow& row) {
-  if (const auto tagged = tagged_length_m(reading, id, tags, "width", kLeastWidth_m, kMostWidth_m)) return *tagged;
-  if (row.lanes == 0) return row.width_m;
-  const std::string_view oneway = reading.tag(tags, "oneway");
-  double lanes = row.lanes == 2 && says_yes(oneway) && row.surface != SurfaceClass::kMotorwayRoad ? 1 : row.lanes;
-  if (const std::string_view text = reading.tag(tags, "lanes"); !text.empty()) {
-    const auto tagged = number_of(text);
-    if (tagged && *tagged >= 1 && *tagged <= kMostLanes)
-      lanes = *tagged;
-    else
-      reading.report.add(Code::kBadTagValue, id);
+// What is raised on one side of the carriageway: pavements and cycle tracks.
+double raised_m(std::span<const Lane> lanes) {
+  double width = 0;
+  for (const Lane& lane : lanes) {
+    if (!lane.is_raised) break;
+    width += lane.width_m;
   }
-  // a single lane is never narrower than a parked row and a lorry
-  return std::max(lanes * row.width_m, 3.5);
+  return snapped_to(0.25, width);
 }
 
-Track track_of(const Reading& reading, const source::Way& way, const TrackRow& row, LocatedLine&& line) {
+void take_section(const CrossSection& section, Track& track) {
+  track.width_m = std::max(kQuantum_m, carriageway_width_m(section));
+  track.pavement_left_m = raised_m(section.lanes);
+  track.pavement_right_m = raised_m(std::vector(section.lanes.rbegin(), section.lanes.rend()));
+}
+
+Track track_of(const Reading& reading, DrivingSide side, const source::Way& way, const TrackRow& row,
+               LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
   Track track{{id, 0}, std::move(line.axis), std::move(line.node_ids), row.surface};
   track.surface = surfaced(row.surface, reading.tag(way.tags, "surface"));
-  track.width_m = std::max(kQuantum_m, snapped(width_m(reading, id, way.tags, row)));
+  take_section(cross_section_of(reading, id, way.tags, side), track);
   track.layer = tagged_layer(reading, id, way.tags);
   track.passage = tagged_passage(reading, way.tags);
   track.is_oneway = says_yes(reading.tag(way.tags, "oneway"));
   track.is_lit = says_yes(reading.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
-  const Pavements pavements = pavements_of(reading, id, way.tags);
-  track.pavement_left_m = pavements.left_m, track.pavement_right_m = pavements.right_m;
   return track;
 }
 
 }  // namespace
 
-std::vector<Track> locate_tracks(const Reading& reading) {
+std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side) {
   std::vector<Track> tracks;
   for_each_line(
       reading, "track", [&](const source::Way& way) { return carries_track_key(reading, way); },
       [&](const source::Way& way) { return row_of(reading, way); },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
-        tracks.push_back(track_of(reading, way, row, std::move(line)));
+        tracks.push_back(track_of(reading, side, way, row, std::move(line)));
       });
   return tracks;
 }
