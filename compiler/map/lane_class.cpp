@@ -4,21 +4,10 @@
 
 #include "compiler/map/surface_class.h"
 #include "compiler/map/tag_values.h"
+#include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
 namespace {
-
-struct TrackRow {
-  std::string_view key, value;
-  SurfaceClass surface;
-  double width_m;
-  int lanes;
-};
-constexpr TrackRow kTracks[] = {
-#define TRACK(key, value, surface, width_m, lanes) {key, value, SurfaceClass::surface, width_m, lanes},
-#include "compiler/map/track_rules.inc"
-#undef TRACK
-};
 
 struct KindRow {
   std::string_view key, value;
@@ -59,8 +48,7 @@ double LaneClass::width_m_of(double counted) const {
 }
 
 LaneClass lane_class_of(const LaneTags& tags) {
-  for (const TrackRow& row : kTracks)
-    if (tags(row.key) == row.value) return class_of(tags, row);
+  if (const TrackRow* row = track_row(tags)) return class_of(tags, *row);
   LaneClass unknown;
   unknown.is_both_ways = true;
   return unknown;

@@ -5,22 +5,10 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/each_line.h"
 #include "compiler/map/lanes.h"
+#include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
 namespace {
-
-struct TrackRow {
-  std::string_view key, value;
-  SurfaceClass surface;
-  double width_m;
-  int lanes;
-};
-
-constexpr TrackRow kTracks[] = {
-#define TRACK(key, value, surface, width_m, lanes) {key, value, SurfaceClass::surface, width_m, lanes},
-#include "compiler/map/track_rules.inc"
-#undef TRACK
-};
 
 constexpr std::array<std::string_view, 3> kTrackKeys = {"highway", "railway", "aeroway"};
 
@@ -28,12 +16,6 @@ bool carries_track_key(const Reading& reading, const source::Way& way) {
   for (const std::string_view key : kTrackKeys)
     if (!reading.tag(way.tags, key).empty()) return true;
   return false;
-}
-
-const TrackRow* row_of(const Reading& reading, const source::Way& way) {
-  for (const TrackRow& row : kTracks)
-    if (reading.tag(way.tags, row.key) == row.value) return &row;
-  return nullptr;
 }
 
 bool is_unpaved(std::string_view surface) {
@@ -53,6 +35,9 @@ SurfaceClass surfaced(SurfaceClass surface, std::string_view tagged) {
   return surface;
 }
 
+// Wider ones are squares, and areas of their own.
+constexpr double kMostRaised_m = 32;
+
 // What is raised on one side of the carriageway: pavements and cycle tracks.
 double raised_m(std::span<const Lane> lanes) {
   double width = 0;
@@ -60,7 +45,7 @@ double raised_m(std::span<const Lane> lanes) {
     if (!lane.is_raised) break;
     width += lane.width_m;
   }
-  return snapped_to(0.25, width);
+  return std::min(kMostRaised_m, snapped_to(0.25, width));
 }
 
 void take_section(const CrossSection& section, Track& track) {
@@ -89,7 +74,9 @@ std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side) {
   std::vector<Track> tracks;
   for_each_line(
       reading, "track", [&](const source::Way& way) { return carries_track_key(reading, way); },
-      [&](const source::Way& way) { return row_of(reading, way); },
+      [&](const source::Way& way) {
+        return track_row([&](std::string_view key) { return reading.tag(way.tags, key); });
+      },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
         tracks.push_back(track_of(reading, side, way, row, std::move(line)));
       });

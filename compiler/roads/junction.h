@@ -51,7 +51,7 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 /// Decides all junctions of a layer's roads.
 ///
 /// Guarantees: cuts of one road never overlap, unless its whole link is inside; places of one junction lie within half
-/// of kReach_m of their centre; what is decided depends on nothing farther than 4 kReach_m away. Diagnosed:
+/// of kReach_m of their centre; what is decided depends on nothing farther than 8 kReach_m away. Diagnosed:
 /// kArmSwallowed (a road between two junctions that nothing is left of), kJunctionsMerged. Sorted by place. Total. O(n
 /// log n).
 std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report);

@@ -137,6 +137,47 @@ TEST_F(Junctions, DoNotDependOnTheOrderOfRoads) {
   EXPECT_NEAR(area_m2(after.outlines[0][0]), area_m2(before.outlines[0][0]), 0.01);
 }
 
+// Streets every 15 to 40 m, so that junctions are close enough to merge.
+std::vector<Road> random_town(std::mt19937_64& chance) {
+  std::vector<Road> roads;
+  const auto lines = [&] {
+    std::vector<double> at = {0};
+    while (at.back() < 700) at.push_back(at.back() + 4 + static_cast<double>(chance() % 36));
+    return at;
+  };
+  const std::vector<double> xs = lines(), ys = lines();
+  const auto add = [&](Vec2 a, Vec2 b) {
+    if (chance() % 4 != 0)
+      roads.push_back(road(static_cast<std::int64_t>(roads.size()), {a, b}, 3 + static_cast<double>(chance() % 6)));
+  };
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i)
+    for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+      add({xs[i], ys[j]}, {xs[i + 1], ys[j]});
+      add({xs[i], ys[j]}, {xs[i], ys[j + 1]});
+    }
+  return roads;
+}
+
+TEST_F(Junctions, DependOnNothingFartherThanEightReaches) {
+  std::mt19937_64 chance(8);
+  constexpr Vec2 kMiddle{350, 350};
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Road> town = random_town(chance);
+    std::vector<Road> near;
+    for (const Road& r : town)
+      if (distance(r.axis.front(), kMiddle) <= 8 * kReach_m) near.push_back(r);
+    const auto in_the_middle = [&](const std::vector<Road>& roads) {
+      std::vector<Junction> found;
+      Report ignored;
+      for (Junction& junction : plan_junctions(roads, ignored))
+        if (distance(junction.places.front(), kMiddle) < kReach_m) found.push_back(std::move(junction));
+      return found;
+    };
+    EXPECT_LT(near.size(), town.size());
+    EXPECT_EQ(in_the_middle(near), in_the_middle(town)) << "round " << round;
+  }
+}
+
 // 1 to 12 arms, angles down to 0.01°, lengths from 1 mm, widths to 60 m; now and then a second place close by.
 std::vector<Road> random_roads(std::mt19937_64& chance) {
   const auto unit = [&] { return static_cast<double>(chance() % 1000001) / 1e6; };

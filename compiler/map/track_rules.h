@@ -1,0 +1,31 @@
+// The rows of track_rules.inc.
+#pragma once
+
+#include <string_view>
+
+#include "compiler/map/surface_class.h"
+
+namespace citykiln::map {
+
+struct TrackRow {
+  std::string_view key, value;
+  SurfaceClass surface;
+  double width_m;  ///< Of one lane; of the whole where it is not counted by lanes.
+  int lanes;       ///< Where none are tagged; 0: not counted by lanes.
+};
+
+inline constexpr TrackRow kTracks[] = {
+#define TRACK(key, value, surface, width_m, lanes) {key, value, SurfaceClass::surface, width_m, lanes},
+#include "compiler/map/track_rules.inc"
+#undef TRACK
+};
+
+/// The first row that the tags fulfil, or null. @param tag  From a key to its value, "" where absent.
+template <typename Tag>
+const TrackRow* track_row(Tag tag) {
+  for (const TrackRow& row : kTracks)
+    if (tag(row.key) == row.value) return &row;
+  return nullptr;
+}
+
+}  // namespace citykiln::map
