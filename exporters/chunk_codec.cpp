@@ -254,14 +254,11 @@ void road(auto& io, roads::Road& r) {
   quarters(io, "pavements", r.pavement_left_m), quarters(io, "pavements", r.pavement_right_m);
 }
 
-// Cuts are whole eighths of a metre, radii whole quarters.
 void junction(auto& io, roads::Junction& j) {
   enumerator(io, "junction family", j.family, roads::Family::kOther);
   points(io, "junction places", j.places, 1);
   list(io, "junction arms", j.cuts, 1, [&](roads::Cut& cut) {
-    auto eighths = static_cast<std::uint8_t>(cut.length_m * 8);
-    io.number("cut lengths", eighths);
-    cut.length_m = eighths / 8.0;
+    quarters(io, "cut lengths", cut.length_m);
     quarters(io, "corner radii", cut.radius_m);
   });
 }

@@ -10,7 +10,7 @@
 namespace citykiln::roads {
 namespace {
 
-double cut_steps(double length_m) { return std::floor(length_m * 8) / 8; }
+double cut_steps(double length_m) { return std::floor(length_m * 4) / 4; }
 
 constexpr double kLeastCut_m = 0.5;
 
@@ -131,7 +131,7 @@ void want_cuts(Draft& draft) {
     // a cut that nothing asks for still shows where the junction is
     draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
     const double reach = kReach_m - distance(draft.lines[arm].from, draft.centre);
-    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach) * 8) / 8;
+    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach) * 4) / 4;
   }
 }
 
@@ -193,7 +193,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
     for (const std::uint32_t n : draft.nodes)
       first[n] = count, count += static_cast<std::uint32_t>(nodes[n].arms.size());
   }
-  std::vector<Junction> junctions;
+  std::vector<std::pair<Arm, Junction>> junctions;
   for (const Draft& draft : wanted) {
     if (draft.nodes.empty()) continue;
     Draft shared = draft;
@@ -203,9 +203,13 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
       share_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
     }
     shrink_radii(shared);
-    junctions.push_back(finished(nodes, shared));
+    junctions.emplace_back(std::ranges::min(shared.arms), finished(nodes, shared));
   }
-  return junctions;
+  // along the roads: neighbours in the list share points, which makes manifests smaller
+  std::ranges::sort(junctions, {}, &std::pair<Arm, Junction>::first);
+  std::vector<Junction> sorted;
+  for (auto& [first_arm, junction] : junctions) sorted.push_back(std::move(junction));
+  return sorted;
 }
 
 }  // namespace citykiln::roads

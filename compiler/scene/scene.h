@@ -49,7 +49,7 @@ struct Chunk {
   std::vector<ground::Surface> surfaces;    ///< Areas, and footprints of buildings that are anchored in other tiles.
   std::vector<roads::Road> roads, streams;  ///< Strips of road and of water.
   std::vector<roads::Junction>
-      junctions;  ///< Sorted by place. Those that may cover ground of the tile and that its roads
+      junctions;  ///< Sorted by first arm. Those that may cover ground of the tile and that its roads
                   ///< can tell; the rest of those are surfaces. Beyond the tile there are none.
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).

@@ -57,7 +57,7 @@ class SceneMaker {
   }
   roads::Junction junction() {
     roads::Junction j{pick(roads::Family::kOther), {point()}, {}};
-    for (auto i = 1 + below(5); i > 0; --i) j.cuts.push_back({below(256) / 8.0, below(61) / 4.0});
+    for (auto i = 1 + below(5); i > 0; --i) j.cuts.push_back({below(256) / 4.0, below(61) / 4.0});
     return j;
   }
   map::SurfaceClass surface() { return pick(map::SurfaceClass::kCount); }

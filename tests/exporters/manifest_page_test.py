@@ -174,7 +174,7 @@ class Chunk:
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),
-                self.all("junction arms", lambda: (self.plain("cut lengths") / 8, self.plain("corner radii") / 4)))
+                self.all("junction arms", lambda: (self.plain("cut lengths") / 4, self.plain("corner radii") / 4)))
 
     def span(self):
         axis = self.id(), self.all("span points", lambda: (self.point(), self.metres("span z")))
