@@ -23,8 +23,9 @@ struct Recipes {
 };
 
 /// @param only  If not empty, only these tiles become chunks.
-/// A chunk depends on nothing that does not touch its tile widened by kHalo_m. Total. Cost: linear in vertices times
-/// tiles touched.
+/// A chunk holds nothing that does not touch its tile widened by kHalo_m (roads a little farther, so that junctions can
+/// be told by them); what is in it was decided by the stages before, each with a reach of its own. Total. Cost: linear
+/// in vertices times tiles touched.
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads);
 
 }  // namespace citykiln::scene

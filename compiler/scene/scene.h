@@ -41,8 +41,8 @@ struct Header {
 };
 
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
-/// roads and footprints are in every chunk they touch (widened by kHalo_m), trimmed; everything else is in the chunk of
-/// its anchor alone.
+/// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
+/// junctions in every chunk whose ground they may cover; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;

@@ -126,6 +126,21 @@ std::vector<Vec3> on_line_x(const GroundMesh& g, double x) {
   return points;
 }
 
+// A border that is off by nearly the tolerance once left slivers beside it off by more.
+TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Heightfield field{{0, 0}, 64, 17, 17, {}, 0};
+    const Draw draw(seed, StableId{4}, "mountains");
+    for (std::uint32_t i = 0; i < 17 * 17; ++i) {
+      const double slope_m = 40.0 * (i % 17) + 25.0 * (i / 17), metres = slope_m + draw.between(0, 30, i);
+      field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));
+    }
+    Report report;
+    EXPECT_LE(expand_cell({}, field, {{0, 0}, {1024, 1024}}, 5, report).error_m, 5) << "seed " << seed;
+    EXPECT_TRUE(report.counts().empty());
+  }
+}
+
 TEST(Ground, CellsMadeApartMeetVertexForVertex) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
