@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "compiler/contract/tolerance.h"
+#include "exporters/road_kinds.h"
 #include "exporters/streams.h"
 
 // Writing and reading are one description: `describe` walks a chunk once, and a Writer or a Reader stands behind it.
@@ -32,9 +33,9 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "roads",
                                         "streams",
                                         "road points",
-                                        "road class",
-                                        "road width",
-                                        "road ends",
+                                        "road kind",
+                                        "road kinds",
+                                        "road surface",
                                         "bridges",
                                         "tunnels",
                                         "span points",
@@ -70,7 +71,18 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "junction arms",
                                         "cut lengths",
                                         "corner radii",
-                                        "pavements"};
+                                        "road traits",
+                                        "axis offset",
+                                        "lanes",
+                                        "lane kind",
+                                        "lane width",
+                                        "lane turns",
+                                        "passed",
+                                        "track points",
+                                        "track vertex",
+                                        "track sign",
+                                        "water class",
+                                        "water sides"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -245,13 +257,102 @@ void quarters(auto& io, const char* name, double& value) {
   value = quarters / 4.0;
 }
 
-void road(auto& io, roads::Road& r) {
+// Several small numbers in one: each takes the bits that its count needs.
+struct Packed {
+  std::uint64_t number;
+  std::uint64_t take(std::uint64_t count) {
+    const std::uint64_t taken = number % count;
+    number /= count;
+    return taken;
+  }
+};
+
+// Kind, way and whether it is raised, as one number.
+void lane(auto& io, map::Lane& l) {
+  constexpr std::uint64_t kWays = 3, kRaised = 2;
+  auto number =
+      (static_cast<std::uint64_t>(l.kind) * kWays + static_cast<std::uint64_t>(l.way)) * kRaised + l.is_raised;
+  io.number("lane kind", number);
+  Packed packed{number};
+  l.is_raised = packed.take(kRaised) != 0;
+  l.way = static_cast<map::LaneWay>(packed.take(kWays));
+  l.kind = static_cast<map::LaneKind>(packed.number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (packed.number >= static_cast<std::uint64_t>(map::LaneKind::kCount)) io.fail("lane kind");
+  io.metres("lane width", l.width_m);
+  io.number("lane turns", l.turns);
+}
+
+void road_kind(auto& io, RoadKind& k) {
+  enumerator(io, "road surface", k.surface, map::SurfaceClass::kCount);
+  const bool drives_left = k.side == map::DrivingSide::kLeft;
+  auto traits = static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3);
+  io.number("road traits", traits);
+  k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
+  k.is_lit = (traits & 2) != 0, k.is_link = (traits & 4) != 0, k.is_roundabout = (traits & 8) != 0;
+  io.metres("axis offset", k.section.axis_offset_m);
+  list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { lane(io, l); });
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (traits > 15) io.fail("road traits");
+    if (!is_sound(k.section)) io.fail("lanes");
+  }
+}
+
+// Kind and facing as one number.
+void track_point(auto& io, map::TrackPoint& p) {
+  constexpr std::uint64_t kFacings = 3;
+  io.number("track vertex", p.vertex);
+  auto sign = static_cast<std::uint64_t>(p.kind) * kFacings + static_cast<std::uint64_t>(p.facing + 1);
+  io.number("track sign", sign);
+  Packed packed{sign};
+  p.facing = static_cast<std::int8_t>(static_cast<int>(packed.take(kFacings)) - 1);
+  p.kind = static_cast<map::TrackPointKind>(packed.number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
+}
+
+// Steps of 2^-10 m, not as a difference: mostly zero.
+void passed(auto& io, double& value) {
+  auto steps = static_cast<std::uint64_t>(value / kQuantum_m);
+  io.number("passed", steps);
+  value = static_cast<double>(steps) * kQuantum_m;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (value > kFarthest_m) io.fail("passed"), value = 0;
+}
+
+void road(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
   id(io, r.id);
   points(io, "road points", r.axis, 2);
-  enumerator(io, "road class", r.surface, map::SurfaceClass::kCount);
-  io.metres("road width", r.width_m);
-  flag(io, "road ends", r.rounds_start), flag(io, "road ends", r.rounds_end);
-  quarters(io, "pavements", r.pavement_left_m), quarters(io, "pavements", r.pavement_right_m);
+  io.number("road kind", number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (number >= kinds.size()) return io.fail("road kind");
+    set_kind(kinds[number], r);
+  }
+  passed(io, r.passed_m);
+  list(io, "track points", r.points, 0, [&](map::TrackPoint& p) {
+    track_point(io, p);
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (p.vertex >= r.axis.size()) io.fail("track vertex");
+  });
+}
+
+template <typename Io>
+void roads_of(Io& io, std::vector<roads::Road>& roads) {
+  RoadKinds kinds;
+  if constexpr (!Io::kReads) kinds = kinds_of(roads);
+  list(io, "road kinds", kinds.kinds, 0, [&](RoadKind& k) { road_kind(io, k); });
+  std::size_t i = 0;
+  list(io, "roads", roads, 0, [&](roads::Road& r) {
+    if constexpr (Io::kReads) kinds.of_road.push_back(0);
+    road(io, r, kinds.kinds, kinds.of_road[i++]);
+  });
+}
+
+void stream(auto& io, roads::Strip& s) {
+  id(io, s.id);
+  points(io, "road points", s.axis, 2);
+  enumerator(io, "water class", s.surface, map::SurfaceClass::kCount);
+  io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
 }
 
 void junction(auto& io, roads::Junction& j) {
@@ -383,9 +484,9 @@ void describe(Io& io, Chunk& c) {
   io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
   heights(io, c.heights);
   list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });
-  list(io, "roads", c.roads, 0, [&](auto& o) { road(io, o); });
+  roads_of(io, c.roads);
   list(io, "junctions", c.junctions, 0, [&](auto& o) { junction(io, o); });
-  list(io, "streams", c.streams, 0, [&](auto& o) { road(io, o); });
+  list(io, "streams", c.streams, 0, [&](auto& o) { stream(io, o); });
   list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o); });
   list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o); });
   list(io, "buildings", c.buildings, 0, [&](auto& o) { building(io, o); });

@@ -89,7 +89,7 @@ Layer roads_of(const scene::Scene& scene) {
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const roads::Road& road : chunk.roads) {
       layer.push_back(
-          {road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), road.width_m});
+          {road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), roads::width_m(road)});
     }
   }
   return layer;

@@ -31,8 +31,8 @@ std::vector<Surface> plan(const map::Features& features, Report& report) {
   return surfaces;
 }
 
-std::vector<roads::Road> plan_streams(const map::Features& features, Report& report) {
-  std::vector<roads::Road> streams;
+std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report) {
+  std::vector<roads::Strip> streams;
   Account account;
   for (const map::Waterway& water : features.waterways) {
     ++account.in;
@@ -42,19 +42,23 @@ std::vector<roads::Road> plan_streams(const map::Features& features, Report& rep
       continue;
     }
     ++account.out;
-    streams.push_back({water.id, water.axis, map::SurfaceClass::kRiver, water.width_m, true, true});
+    streams.push_back({water.id, water.axis, map::SurfaceClass::kRiver, water.width_m / 2, water.width_m / 2});
   }
   report.account("ground", "waterway") = account;
   return streams;
 }
 
-Surface surface_of(const roads::Road& road) {
-  // no area: a trimmed road must rank as the whole one does, so among equals its id decides
-  return {road.id, road.surface, kStripArea_m2, roads::stroke(road)};
+// no area: a trimmed strip must rank as the whole one does, so among equals its id decides
+Surface surface_of(const roads::Strip& stream) {
+  return {stream.id, stream.surface, kStripArea_m2, roads::stroke(stream, {true, {}, {}})};
 }
 
-Surface pavement_of(const roads::Road& road) {
-  return {road.id, map::SurfaceClass::kPavement, kStripArea_m2, roads::stroke_pavements(road)};
+Surface surface_of(const roads::Road& road, const roads::Ends& ends) {
+  return {road.id, road.surface, kStripArea_m2, roads::stroke(roads::carriageway_of(road), ends)};
+}
+
+Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {
+  return {road.id, map::SurfaceClass::kPavement, kStripArea_m2, roads::stroke_pavements(road, ends)};
 }
 
 Surface trimmed_to(const Surface& surface, const Box2& box) {

@@ -6,7 +6,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
-#include "compiler/roads/recipe.h"
+#include "compiler/roads/expand.h"
 
 namespace citykiln::ground {
 
@@ -15,12 +15,14 @@ namespace citykiln::ground {
 std::vector<Surface> plan(const map::Features& features, Report& report);
 
 /// Waterways at ground level as strips, like roads, sorted by id. Ledger "ground/waterway". Total.
-std::vector<roads::Road> plan_streams(const map::Features& features, Report& report);
+std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
 
-/// The surface a road covers.
-Surface surface_of(const roads::Road& road);
-/// What lies under a road's strip and shows beside it; without rings where it has no pavements.
-Surface pavement_of(const roads::Road& road);
+/// The surface that running water covers.
+Surface surface_of(const roads::Strip& stream);
+/// The surface that a road covers between its kerbs.
+Surface surface_of(const roads::Road& road, const roads::Ends& ends);
+/// What lies under that and shows beside it; without rings where nothing is raised there.
+Surface pavement_of(const roads::Road& road, const roads::Ends& ends);
 
 /// The surface with its rings trimmed to the box; rings that do not touch it are gone.
 Surface trimmed_to(const Surface& surface, const Box2& box);

@@ -26,7 +26,7 @@ ArmLine line_of(std::span<const Road> roads, const Arm& arm) {
   Vec2 along = path.back() - path.front();
   // a loop may be back where it began
   if (along == Vec2{}) along = path[1] - path[0];
-  return {path.front(), unit(along), roads[arm.road].width_m / 2};
+  return {path.front(), unit(along), left_of(roads, arm), right_of(roads, arm)};
 }
 
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre) {
@@ -50,7 +50,7 @@ std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     return Corner{kNever, kNever, kParallelSine, 1};
   }
-  const Vec2 gap = (next.from - left_of(next.along) * next.half_m) - (arm.from + left_of(arm.along) * arm.half_m);
+  const Vec2 gap = (next.from - left_of(next.along) * next.right_m) - (arm.from + left_of(arm.along) * arm.left_m);
   return Corner{std::max(0.0, cross(gap, next.along) / sine), std::max(0.0, cross(gap, arm.along) / sine), sine,
                 cosine};
 }

@@ -10,8 +10,8 @@
 namespace citykiln::roads {
 
 struct ArmLine {
-  Vec2 from, along;   ///< `along` is a unit vector.
-  double half_m = 0;  ///< Half the road's width.
+  Vec2 from, along;                ///< `along` is a unit vector.
+  double left_m = 0, right_m = 0;  ///< To the kerbs, seen along the arm.
 };
 
 /// The line from an arm's place to where it is 8 m on: a misleading first metre does not turn it.

@@ -62,7 +62,10 @@ void push_if_area(std::vector<Ring>& rings, Ring ring) {
   if (area != 0) rings.push_back(std::move(ring));
 }
 
-std::vector<Ring> stroke_along(const Polyline& axis, Halves halves) {
+// Sharper bends are ends, not joints.
+bool is_joint(Vec2 before, Vec2 after) { return dot(before, after) > 0; }
+
+std::vector<Ring> stroke_along(const Polyline& axis, Halves halves, const Ends& ends) {
   std::vector<Ring> rings;
   const auto direction = [&](std::size_t i) { return unit(axis[i + 1] - axis[i]); };
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
@@ -71,23 +74,28 @@ std::vector<Ring> stroke_along(const Polyline& axis, Halves halves) {
     push_if_area(rings, {snapped(a + right), snapped(b + right), snapped(b + left), snapped(a + left)});
     if (i > 0) push_if_area(rings, bend(a, direction(i - 1), direction(i), halves));
   }
+  const auto join = [&](Vec2 at, Vec2 before, Vec2 after) {
+    if (is_joint(before, after)) push_if_area(rings, mitre(at, before, after, halves));
+  };
+  if (ends.from) join(axis.front(), unit(axis.front() - *ends.from), direction(0));
+  if (ends.to) join(axis.back(), direction(axis.size() - 2), unit(*ends.to - axis.back()));
   return rings;
 }
 
 }  // namespace
 
-std::vector<Ring> stroke(const Road& road) {
-  const double half_m = road.width_m / 2;
-  std::vector<Ring> rings = stroke_along(road.axis, {half_m, half_m});
-  if (road.rounds_start) push_if_area(rings, disk(road.axis.front(), half_m));
-  if (road.rounds_end) push_if_area(rings, disk(road.axis.back(), half_m));
+std::vector<Ring> stroke(const Strip& strip, const Ends& ends) {
+  std::vector<Ring> rings = stroke_along(strip.axis, {strip.left_m, strip.right_m}, ends);
+  if (!ends.are_round) return rings;
+  for (const Vec2 end : {strip.axis.front(), strip.axis.back()})
+    push_if_area(rings, disk(end, (strip.left_m + strip.right_m) / 2));
   return rings;
 }
 
-std::vector<Ring> stroke_pavements(const Road& road) {
-  if (road.pavement_left_m == 0 && road.pavement_right_m == 0) return {};
-  const double half_m = road.width_m / 2;
-  return stroke_along(road.axis, {half_m + road.pavement_left_m, half_m + road.pavement_right_m});
+std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends) {
+  const double left = raised_left_m(road), right = raised_right_m(road);
+  if (left == 0 && right == 0) return {};
+  return stroke_along(road.axis, {left_m(road) + left, right_m(road) + right}, ends);
 }
 
 }  // namespace citykiln::roads

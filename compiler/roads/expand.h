@@ -1,20 +1,27 @@
 // From an axis to the strip of ground it covers.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::roads {
 
-/// The strip as overlapping counter-clockwise rings: one quad a segment, a wedge or a disk at each bend, a disk at
-/// rounded ends. Their union (where the sum of winding numbers is not zero) is the strip; it needs no union to be
-/// computed and has no case that fails. Vertices are snapped to 2^-10 m; disks are 16-gons about the circle (border
-/// error under 2 % of the half width). O(n).
-std::vector<Ring> stroke(const Road& road);
+/// How a strip ends: square; round; or with the joint of a bend, where another strip goes on towards a point.
+struct Ends {
+  bool are_round = false;
+  std::optional<Vec2> from, to;  ///< Before the first point of the axis, after the last.
+};
 
-/// The road with its pavements, likewise, square at its ends; empty where it has none. What lies between this and the
-/// road's own strip is pavement.
-std::vector<Ring> stroke_pavements(const Road& road);
+/// The strip as overlapping counter-clockwise rings: one quad a segment, a wedge or a disk at each bend, ends as asked
+/// for. Their union (where the sum of winding numbers is not zero) is the strip; it needs no union to be computed and
+/// has no case that fails. Vertices are snapped to 2^-10 m; disks are 16-gons about the circle (border error under 2 %
+/// of the half width). O(n).
+std::vector<Ring> stroke(const Strip& strip, const Ends& ends = {});
+
+/// The road with what is raised beside it, likewise; empty where nothing is. What lies between this and the
+/// carriageway is pavement.
+std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends = {});
 
 }  // namespace citykiln::roads

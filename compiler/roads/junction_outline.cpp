@@ -28,20 +28,21 @@ Polyline walk_inside(std::span<const Road> roads, const Arm& arm, std::span<cons
 
 void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std::span<const Vec2> places,
                 std::vector<Ring>& rings) {
-  Road piece = roads[arm.road];
+  const ArmLine line = line_of(roads, arm);
+  Strip piece{{}, {}, {}, line.left_m, line.right_m};
   piece.axis = cut.length_m == kWhole_m ? walk_inside(roads, arm, places) : walk(roads, arm, cut.length_m);
   piece.axis.back() = snapped(piece.axis.back());
   if (piece.axis.back() == piece.axis[piece.axis.size() - 2]) piece.axis.pop_back();
   if (piece.axis.size() < 2) return;
-  piece.rounds_start = piece.rounds_end = false;
   for (Ring& ring : stroke(piece)) rings.push_back(std::move(ring));
 }
 
 // What a rounded corner adds between the edges of two arms, and a little of both, so that no rounding leaves a gap.
 Ring rounded_corner(const ArmLine& arm, const ArmLine& next, const Corner& corner, double radius_m) {
-  const double tangent = tangent_m(corner, radius_m), overlap = std::min({0.5, arm.half_m, next.half_m});
+  const double tangent = tangent_m(corner, radius_m),
+               overlap = std::min({0.5, (arm.left_m + arm.right_m) / 2, (next.left_m + next.right_m) / 2});
   const Vec2 left = left_of(arm.along), right = left_of(next.along) * -1;
-  const Vec2 edge = arm.from + left * arm.half_m, next_edge = next.from + right * next.half_m;
+  const Vec2 edge = arm.from + left * arm.left_m, next_edge = next.from + right * next.right_m;
   const Vec2 tip = edge + arm.along * corner.along_arm_m;
   const Vec2 start = edge + arm.along * (corner.along_arm_m + tangent);
   const Vec2 end = next_edge + next.along * (corner.along_next_m + tangent);
@@ -63,14 +64,15 @@ Ring disk_at(Vec2 place, double radius_m) {
   return ring;
 }
 
-// Half the second widest arm's width: a wedge opens between two arms, and a street that ends on a narrow one opens
-// none.
+// What the second widest arm reaches to both sides: a wedge opens between two arms, and a street that ends on a narrow
+// one opens none.
 double open_half_m(std::span<const ArmLine> lines, Vec2 place) {
   double widest = 0, second = 0;
   for (const ArmLine& line : lines) {
     if (line.from != place) continue;
-    second = std::max(second, std::min(widest, line.half_m));
-    widest = std::max(widest, line.half_m);
+    const double half = std::min(line.left_m, line.right_m);
+    second = std::max(second, std::min(widest, half));
+    widest = std::max(widest, half);
   }
   return second > 0 ? second : widest;
 }
@@ -89,7 +91,7 @@ Box2 box_of(const Junction& junction, double widest_arm_m) {
 const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
   const auto rank = [&](const Arm& arm) {
     const Road& road = roads[arm.road];
-    return std::tuple(map::values_of(road.surface).priority, road.width_m, road.id);
+    return std::tuple(map::values_of(road.surface).priority, width_m(road), road.id);
   };
   return roads[std::ranges::max_element(arms, {}, rank)->road];
 }

@@ -14,7 +14,7 @@ struct Edges {
 };
 
 // Offsets a path by mitres; nothing where it bends too sharply for them.
-std::optional<Edges> edges_of(const Polyline& path, double half_m) {
+std::optional<Edges> edges_of(const Polyline& path, const ArmLine& line) {
   constexpr double kSharpestCosine = 0.5;
   Edges edges;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -22,9 +22,9 @@ std::optional<Edges> edges_of(const Polyline& path, double half_m) {
     const Vec2 after = i + 1 < path.size() ? unit(path[i + 1] - path[i]) : before;
     const double cosine = dot(before, after);
     if (cosine < kSharpestCosine) return std::nullopt;
-    const Vec2 off = (left_of(before) + left_of(after)) * (half_m / (1 + cosine));
-    edges.left.push_back(path[i] + off);
-    edges.right.push_back(path[i] - off);
+    const Vec2 off = (left_of(before) + left_of(after)) * (1 / (1 + cosine));
+    edges.left.push_back(path[i] + off * line.left_m);
+    edges.right.push_back(path[i] - off * line.right_m);
   }
   edges.left.push_back(path.back());
   std::ranges::reverse(edges.left);
@@ -69,8 +69,8 @@ Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, cons
              double radius_m) {
   const double tangent = tangent_m(corner, radius_m);
   const Vec2 inward = left_of(arm.along), inward_next = left_of(next.along) * -1;
-  const Vec2 start = arm.from + inward * arm.half_m + arm.along * (corner.along_arm_m + tangent);
-  const Vec2 end = next.from + inward_next * next.half_m + next.along * (corner.along_next_m + tangent);
+  const Vec2 start = arm.from + inward * arm.left_m + arm.along * (corner.along_arm_m + tangent);
+  const Vec2 end = next.from + inward_next * next.right_m + next.along * (corner.along_next_m + tangent);
   // the middle of the cut is always walked
   const std::size_t left_count = std::max<std::size_t>(1, count_beyond(left, arm, corner.along_arm_m + tangent));
   const std::size_t right_count = std::max<std::size_t>(1, count_beyond(right, next, corner.along_next_m + tangent));
@@ -84,7 +84,7 @@ Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, cons
 Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
   Turn turn{left_count, 0, {}};
   const Vec2 from = left_of(arm.along), to = left_of(next.along) * -1;
-  const double half = std::min(arm.half_m, next.half_m);
+  const double half = std::min(arm.left_m, next.right_m);
   // nearly straight on: the two ends are neighbours
   if (dot(from, to) < 0.94 && cross(from, to) > 0) add_arc(arm.from, from, to, half, 2, turn.between);
   return turn;
@@ -141,7 +141,7 @@ std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::s
   for (const std::uint32_t arm : around.order) {
     const double length = junction.cuts[arm].length_m;
     if (length <= 0) return std::nullopt;
-    auto both = edges_of(walk(roads, arms[arm], length), around.lines[arm].half_m);
+    auto both = edges_of(walk(roads, arms[arm], length), around.lines[arm]);
     if (!both) return std::nullopt;
     edges[arm] = std::move(*both);
   }

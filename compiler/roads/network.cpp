@@ -18,7 +18,6 @@ std::vector<Passing> passings_of(std::span<const Road> roads) {
   std::vector<Passing> passings;
   for (std::uint32_t road = 0; road < roads.size(); ++road) {
     const Family family = family_of(roads[road].surface);
-    if (family == Family::kOther) continue;
     for (std::uint32_t vertex = 0; vertex < roads[road].axis.size(); ++vertex)
       passings.push_back({roads[road].axis[vertex], family, road, vertex});
   }
@@ -31,9 +30,26 @@ void add_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t ver
   if (vertex + 1 < roads[road].axis.size()) arms.push_back({road, vertex, 1});
 }
 
+// Each place that roads of one family share or end at, with the arms that leave it.
+template <typename Visit>
+void for_each_place(std::span<const Road> roads, Visit visit) {
+  const std::vector<Passing> passings = passings_of(roads);
+  std::vector<Arm> arms;
+  for (std::size_t i = 0; i < passings.size();) {
+    arms.clear();
+    const Passing& here = passings[i];
+    for (; i < passings.size() && passings[i].at == here.at && passings[i].family == here.family; ++i)
+      add_arms(roads, passings[i].road, passings[i].vertex, arms);
+    visit(here, arms);
+  }
+}
+
+Vec2 second_point(std::span<const Road> roads, const Arm& arm) {
+  return roads[arm.road].axis[static_cast<std::size_t>(static_cast<std::int64_t>(arm.vertex) + arm.step)];
+}
+
 Vec2 direction(std::span<const Road> roads, const Arm& arm) {
-  const Polyline& axis = roads[arm.road].axis;
-  return unit(axis[static_cast<std::size_t>(static_cast<std::int64_t>(arm.vertex) + arm.step)] - axis[arm.vertex]);
+  return unit(second_point(roads, arm) - roads[arm.road].axis[arm.vertex]);
 }
 
 // Two arms of two roads that a driver takes for one road.
@@ -41,7 +57,8 @@ bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
   // the same road's own bend is part of its strip
   if (a.road == b.road) return true;
   constexpr double kSameWidth_m = 0.25;
-  return std::abs(roads[a.road].width_m - roads[b.road].width_m) < kSameWidth_m &&
+  const auto is_same = [](double p_m, double q_m) { return std::abs(p_m - q_m) < kSameWidth_m; };
+  return is_same(left_of(roads, a), right_of(roads, b)) && is_same(right_of(roads, a), left_of(roads, b)) &&
          dot(direction(roads, a), direction(roads, b)) < 0;
 }
 
@@ -60,20 +77,34 @@ Family family_of(map::SurfaceClass surface) {
   return group == SurfaceGroup::kRoad ? Family::kStreet : group == SurfaceGroup::kPath ? Family::kPath : Family::kOther;
 }
 
+double left_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? left_m(roads[arm.road]) : right_m(roads[arm.road]);
+}
+
+double right_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? right_m(roads[arm.road]) : left_m(roads[arm.road]);
+}
+
 std::vector<Node> find_nodes(std::span<const Road> roads) {
-  const std::vector<Passing> passings = passings_of(roads);
   std::vector<Node> nodes;
-  std::vector<Arm> arms;
-  for (std::size_t first = 0; first < passings.size();) {
-    arms.clear();
-    std::size_t i = first;
-    const Passing& here = passings[first];
-    for (; i < passings.size() && passings[i].at == here.at && passings[i].family == here.family; ++i)
-      add_arms(roads, passings[i].road, passings[i].vertex, arms);
-    if (is_node(roads, arms)) nodes.push_back({here.at, here.family, arms});
-    first = i;
-  }
+  for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
+    if (here.family != Family::kOther && is_node(roads, arms)) nodes.push_back({here.at, here.family, arms});
+  });
   return nodes;
+}
+
+std::vector<Ends> ends_of(std::span<const Road> roads) {
+  std::vector<Ends> ends(roads.size());
+  for_each_place(roads, [&](const Passing&, const std::vector<Arm>& arms) {
+    if (arms.size() != 2) return;
+    for (const auto& [arm, other] : {std::pair(arms[0], arms[1]), std::pair(arms[1], arms[0])}) {
+      const Polyline& axis = roads[arm.road].axis;
+      const Vec2 beyond = second_point(roads, other);
+      if (arm.vertex == 0 && arm.step > 0) ends[arm.road].from = beyond;
+      if (arm.vertex + 1 == axis.size() && arm.step < 0) ends[arm.road].to = beyond;
+    }
+  });
+  return ends;
 }
 
 std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler/roads/expand.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::roads {
@@ -34,6 +35,13 @@ struct Node {
 /// Axes meet where they share a vertex; those that cross without one do not (bridges). Sorted by place, then family.
 /// Total. O(n log n) in vertices.
 std::vector<Node> find_nodes(std::span<const Road> roads);
+
+/// How each road's strip ends: with a joint where it goes on into one other road of its family. O(n log n) in vertices.
+std::vector<Ends> ends_of(std::span<const Road> roads);
+
+/// From an arm's axis to the kerbs, seen as it leaves.
+double left_of(std::span<const Road> roads, const Arm& arm);
+double right_of(std::span<const Road> roads, const Arm& arm);
 
 /// The arms of a family that leave each of the places, place by place. O(n log m).
 std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family);

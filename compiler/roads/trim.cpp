@@ -1,33 +1,59 @@
 #include "compiler/roads/trim.h"
 
+#include <algorithm>
 #include <array>
 
-namespace citykiln::roads {
+#include "compiler/geometry/snap.h"
 
-std::vector<Road> trimmed_to(const Road& road, const Box2& box) {
-  // a bend's tip lies within 1.42 half widths of its point
-  const Box2 reach = box.widened(breadth_m(road));
-  std::vector<Road> runs;
+namespace citykiln::roads {
+namespace {
+
+// Points [first, last] of an axis.
+struct Run {
+  std::size_t first, last;
+};
+
+std::vector<Run> runs_near(const Polyline& axis, const Box2& reach) {
+  std::vector<Run> runs;
   bool continues = false;
-  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
-    const bool touches = box_of(std::array{road.axis[i], road.axis[i + 1]}).touches(reach);
-    if (touches && !continues) {
-      runs.push_back({road.id,
-                      {road.axis[i]},
-                      road.surface,
-                      road.width_m,
-                      i == 0 && road.rounds_start,
-                      false,
-                      road.pavement_left_m,
-                      road.pavement_right_m});
-    }
-    if (touches) {
-      runs.back().axis.push_back(road.axis[i + 1]);
-      runs.back().rounds_end = i + 2 == road.axis.size() && road.rounds_end;
-    }
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const bool touches = box_of(std::array{axis[i], axis[i + 1]}).touches(reach);
+    if (touches && !continues) runs.push_back({i, i});
+    if (touches) runs.back().last = i + 1;
     continues = touches;
   }
   return runs;
+}
+
+Polyline part_of(const Polyline& axis, Run run) {
+  return {axis.begin() + static_cast<std::ptrdiff_t>(run.first),
+          axis.begin() + static_cast<std::ptrdiff_t>(run.last) + 1};
+}
+
+Road part_of(const Road& road, Run run) {
+  Road part = road;
+  part.axis = part_of(road.axis, run);
+  for (std::size_t i = 0; i < run.first; ++i) part.passed_m += snapped(distance(road.axis[i], road.axis[i + 1]));
+  std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
+  for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
+  return part;
+}
+
+}  // namespace
+
+std::vector<Road> trimmed_to(const Road& road, const Box2& box) {
+  std::vector<Road> parts;
+  for (const Run run : runs_near(road.axis, box.widened(breadth_m(road)))) parts.push_back(part_of(road, run));
+  return parts;
+}
+
+std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box) {
+  std::vector<Strip> parts;
+  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m))) {
+    parts.push_back(strip);
+    parts.back().axis = part_of(strip.axis, run);
+  }
+  return parts;
 }
 
 }  // namespace citykiln::roads

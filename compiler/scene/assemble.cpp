@@ -80,7 +80,9 @@ Box2 box_of_road(const roads::Road& road) {
   return citykiln::box_of(road.axis).widened(breadth_m(road) + kRoadHalo_m - kHalo_m);
 }
 
-Box2 box_of_strip(const roads::Road& road) { return citykiln::box_of(road.axis).widened(breadth_m(road)); }
+Box2 box_of_strip(const roads::Strip& strip) {
+  return citykiln::box_of(strip.axis).widened(strip.left_m + strip.right_m);
+}
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
@@ -139,11 +141,12 @@ std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& 
   return surfaces;
 }
 
-std::vector<roads::Road> strips_for(const std::vector<roads::Road>& strips, const std::vector<std::uint32_t>& numbers,
-                                    const Box2& reach) {
-  std::vector<roads::Road> runs;
+template <typename Strip>
+std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vector<std::uint32_t>& numbers,
+                              const Box2& reach) {
+  std::vector<Strip> runs;
   for (const std::uint32_t i : numbers)
-    for (roads::Road& run : roads::trimmed_to(strips[i], reach)) runs.push_back(std::move(run));
+    for (Strip& run : roads::trimmed_to(strips[i], reach)) runs.push_back(std::move(run));
   return runs;
 }
 

@@ -14,7 +14,8 @@ namespace citykiln::scene {
 struct Recipes {
   map::Heightfield heights;
   std::vector<ground::Surface> surfaces;
-  std::vector<roads::Road> roads, streams;
+  std::vector<roads::Road> roads;
+  std::vector<roads::Strip> streams;
   std::vector<roads::Junction> junctions;
   structures::Structures structures;
   std::vector<buildings::Building> buildings;

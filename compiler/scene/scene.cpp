@@ -69,9 +69,10 @@ ground::Surface footprint_surface(const buildings::Building& building) {
 
 std::vector<ground::Surface> surfaces_of(const Chunk& chunk) {
   std::vector<ground::Surface> surfaces = chunk.surfaces;
-  for (const roads::Road& road : chunk.roads) {
-    surfaces.push_back(ground::surface_of(road));
-    if (ground::Surface pavement = ground::pavement_of(road); !pavement.rings.empty())
+  const std::vector<roads::Ends> ends = roads::ends_of(chunk.roads);
+  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
+    surfaces.push_back(ground::surface_of(chunk.roads[i], ends[i]));
+    if (ground::Surface pavement = ground::pavement_of(chunk.roads[i], ends[i]); !pavement.rings.empty())
       surfaces.push_back(std::move(pavement));
   }
   for (const roads::Junction& junction : chunk.junctions) {
@@ -80,7 +81,7 @@ std::vector<ground::Surface> surfaces_of(const Chunk& chunk) {
     if (arms.empty() || arms.size() != junction.cuts.size()) continue;
     surfaces.push_back(junction_surface(junction, chunk.roads, arms));
   }
-  for (const roads::Road& stream : chunk.streams) surfaces.push_back(ground::surface_of(stream));
+  for (const roads::Strip& stream : chunk.streams) surfaces.push_back(ground::surface_of(stream));
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) surfaces.push_back(footprint_surface(building));
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const ground::Surface& a, const ground::Surface& b) {

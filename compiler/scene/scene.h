@@ -46,8 +46,9 @@ struct Header {
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  std::vector<ground::Surface> surfaces;    ///< Areas, and footprints of buildings that are anchored in other tiles.
-  std::vector<roads::Road> roads, streams;  ///< Strips of road and of water.
+  std::vector<ground::Surface> surfaces;  ///< Areas, and footprints of buildings that are anchored in other tiles.
+  std::vector<roads::Road> roads;
+  std::vector<roads::Strip> streams;  ///< Running water.
   std::vector<roads::Junction>
       junctions;  ///< Sorted by first arm. Those that may cover ground of the tile and that its roads
                   ///< can tell; the rest of those are surfaces. Beyond the tile there are none.

@@ -16,6 +16,13 @@ constexpr scene::TileKey kTile{3, -4};
 
 scene::Chunk made(std::uint64_t seed) { return SceneMaker(seed).chunk(kTile, 0x1p-10); }
 
+roads::Road one_lane(ObjectId id, Polyline axis) {
+  roads::Road road;
+  road.id = id, road.axis = std::move(axis);
+  road.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 3}}, 1.5};
+  return road;
+}
+
 // Which stream of a chunk with these streams is wrong; "" where none is.
 std::string wrong_in(const Streams& streams) {
   std::string wrong;
@@ -135,7 +142,23 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
   };
   const ObjectId id{{OsmType::kWay, 7}, 0};
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {{id, {{1, 2}}, {}, 3, false, false}}; }), "road points");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {one_lane(id, {{1, 2}})}; }), "road points");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {one_lane(id, {{1, 2}, {3, 4}})}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) {
+              c.roads = {one_lane(id, {{1, 2}, {3, 4}})};
+              c.roads[0].section.lanes[0].is_raised = true;
+            }),
+            "lanes");
+  EXPECT_EQ(wrong_with([&](auto& c) {
+              c.roads = {one_lane(id, {{1, 2}, {3, 4}})};
+              c.roads[0].section.axis_offset_m = 4;
+            }),
+            "lanes");
+  EXPECT_EQ(wrong_with([&](auto& c) {
+              c.roads = {one_lane(id, {{1, 2}, {3, 4}})};
+              c.roads[0].points = {{2, {}, 0}};
+            }),
+            "track vertex");
   EXPECT_EQ(wrong_with([&](auto& c) { c.surfaces = {{id, {}, 3, {}}}; }), "surface rings");
   EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 4, 0.5, 12}}; }), "");
   EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 0.1, 0.5, 12}}; }), "wood");
@@ -145,11 +168,12 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
 
 TEST(ChunkCodec, AFlagIsNoughtOrOne) {
   scene::Chunk chunk = made(7);
-  chunk.roads = {{{}, {{1, 2}, {3, 4}}, {}, 3, false, true}};
+  chunk.buildings.resize(1);
+  chunk.buildings[0].footprint.outer = {{0, 0}, {1, 0}, {0, 1}};
   Streams streams = encode_chunk(chunk);
-  ASSERT_EQ(streams["road ends"].size() % 2, 0u);
-  streams["road ends"].front() = 2;
-  EXPECT_EQ(wrong_in(streams), "road ends");
+  ASSERT_EQ(streams["building stands"].size(), 1u);
+  streams["building stands"].front() = 2;
+  EXPECT_EQ(wrong_in(streams), "building stands");
 }
 
 TEST(ChunkCodec, AHeightBeyond32BitsIsNamed) {

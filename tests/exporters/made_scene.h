@@ -23,7 +23,7 @@ class SceneMaker {
     for (auto i = below(4); i > 0; --i) c.surfaces.push_back({id(), surface(), number(90000), {ring(), ring()}});
     for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
     for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
-    for (auto i = below(2); i > 0; --i) c.streams.push_back(road());
+    for (auto i = below(2); i > 0; --i) c.streams.push_back({id(), line(), surface(), metres(20), metres(20)});
     for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
@@ -88,7 +88,25 @@ class SceneMaker {
     return points;
   }
   roads::Road road() {
-    return {id(), line(), surface(), metres(20), below(2) == 0, below(2) == 0, below(256) / 4.0, below(9) / 4.0};
+    roads::Road r;
+    r.id = id(), r.axis = line(), r.surface = surface(), r.section = section();
+    r.side = static_cast<map::DrivingSide>(below(2)), r.is_lit = below(2) == 0, r.is_link = below(2) == 0, r.is_roundabout = below(2) == 0;
+    if (below(3) == 0) r.passed_m = metres(9000);
+    for (auto i = below(3); i > 0; --i)
+      r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
+    for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
+    return r;
+  }
+  map::CrossSection section() {
+    map::CrossSection s;
+    const std::uint32_t left = below(3), middle = 1 + below(4), right = below(3);
+    for (std::uint32_t i = 0; i < left + middle + right; ++i) {
+      const bool is_raised = i < left || i >= left + middle;
+      s.lanes.push_back({pick(map::LaneKind::kCount), static_cast<map::LaneWay>(below(3)), metres(5),
+                         static_cast<std::uint16_t>(below(1024)), is_raised});
+    }
+    s.axis_offset_m = map::carriageway_width_m(s) * below(2);
+    return s;
   }
   std::optional<map::Srgb> colour() {
     if (below(2) == 0) return std::nullopt;

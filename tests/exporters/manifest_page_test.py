@@ -113,9 +113,10 @@ class Chunk:
         self.point_step = 2**-7 if self.plain("point step") else 2**-10
         self.heights = self.read_heights()
         self.surfaces = self.all("surfaces", self.surface)
+        self.road_kinds = self.all("road kinds", self.road_kind)
         self.roads = self.all("roads", self.road)
         self.junctions = self.all("junctions", self.junction)
-        self.waters = self.all("streams", self.road)
+        self.waters = self.all("streams", self.water)
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
         self.buildings = self.all("buildings", self.building)
@@ -169,8 +170,19 @@ class Chunk:
                 self.all("surface rings", lambda: self.points("ring points")))
 
     def road(self):
-        return (self.id(), self.points("road points"), self.plain("road class"), self.metres("road width"),
-                self.plain("road ends"), self.plain("road ends"), self.plain("pavements") / 4, self.plain("pavements") / 4)
+        return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("passed") / 1024,
+                self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))))
+
+    def road_kind(self):
+        return (self.plain("road surface"), self.plain("road traits"), self.metres("axis offset"), self.all("lanes", self.lane))
+
+    def lane(self):
+        kind, raised = divmod(self.plain("lane kind"), 2)
+        return *divmod(kind, 3), raised, self.metres("lane width"), self.plain("lane turns")
+
+    def water(self):
+        return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
+                self.metres("water sides"))
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),

@@ -5,13 +5,18 @@
 #include <cmath>
 
 #include "compiler/geometry/overlay.h"
+#include "compiler/roads/network.h"
+#include "compiler/roads/trim.h"
+#include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::roads {
 namespace {
 
 Road road(Polyline axis, double left_m = 0, double right_m = 0) {
-  return {{}, std::move(axis), map::SurfaceClass::kResidentialRoad, 6, false, false, left_m, right_m};
+  return made_road(1, std::move(axis), 6, map::SurfaceClass::kResidentialRoad, left_m, right_m);
 }
+
+std::vector<Ring> stroke_of(const Road& road) { return stroke(carriageway_of(road)); }
 
 double area_of(const std::vector<Ring>& rings) {
   std::vector<OwnedSegment> segments;
@@ -23,14 +28,51 @@ double area_of(const std::vector<Ring>& rings) {
 }
 
 TEST(RoadStrip, CoversItsAxisAsWideAsItIs) {
-  EXPECT_DOUBLE_EQ(area_of(stroke(road({{0, 0}, {100, 0}}))), 600);
+  EXPECT_DOUBLE_EQ(area_of(stroke_of(road({{0, 0}, {100, 0}}))), 600);
   // a right bend to the left: the inner corner counts once, the outer one is filled
-  EXPECT_NEAR(area_of(stroke(road({{0, 0}, {100, 0}, {110, 50}}))), 6 * (100 + std::sqrt(2600.0)), 0.2);
+  EXPECT_NEAR(area_of(stroke_of(road({{0, 0}, {100, 0}, {110, 50}}))), 6 * (100 + std::sqrt(2600.0)), 0.2);
 }
 
 TEST(RoadStrip, IsMadeOfCounterClockwiseRings) {
-  for (const Ring& ring : stroke(road({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}})))
+  for (const Ring& ring : stroke_of(road({{0, 0}, {20, 3}, {5, 9}, {40, 9}, {41, 60}})))
     EXPECT_GT(signed_area_m2(ring), 0);
+}
+
+TEST(RoadStrip, LiesAboutItsAxisAsItsLanesDo) {
+  Road shifted = road({{0, 0}, {100, 0}});
+  shifted.section.axis_offset_m = 1;
+  EXPECT_EQ(box_of(stroke_of(shifted).front()), (Box2{{0, -5}, {100, 1}}));
+}
+
+TEST(RoadStrip, IsJoinedToWhereItGoesOn) {
+  const double apart = area_of(stroke_of(road({{0, 0}, {100, 0}}))),
+               bent = apart + 9 * std::tan(0.25 * std::acos(-1.0) / 2);
+  const Vec2 beyond{200, 100};
+  EXPECT_NEAR(area_of(stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond})), bent, 9);
+  // its own half of the joint and the other's make a whole: nothing is open between them
+  std::vector<Ring> both = stroke(carriageway_of(road({{0, 0}, {100, 0}})), {false, {}, beyond});
+  for (Ring& ring : stroke(carriageway_of(road({{100, 0}, beyond})), {false, Vec2{0, 0}, {}})) both.push_back(ring);
+  EXPECT_NEAR(area_of(both), area_of(stroke_of(road({{0, 0}, {100, 0}, beyond}))), 0.01);
+}
+
+TEST(RoadsEnds, JoinWhereTwoMeetAndNoMore) {
+  const std::vector<Road> two = {road({{0, 0}, {100, 0}}), road({{100, 0}, {200, 9}})};
+  const std::vector<Ends> ends = ends_of(two);
+  EXPECT_EQ(ends[0].to, (Vec2{200, 9}));
+  EXPECT_EQ(ends[1].from, (Vec2{0, 0}));
+  EXPECT_FALSE(ends[0].from || ends[1].to);
+  const std::vector<Road> three = {two[0], two[1], road({{100, 0}, {100, 50}})};
+  for (const Ends& end : ends_of(three)) EXPECT_FALSE(end.from || end.to);
+}
+
+TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {
+  Road whole = road({{0, 0}, {10, 0}, {20, 0}, {2000, 0}, {2010, 0}});
+  whole.points = {{1, map::TrackPointKind::kZebra, 0}, {3, map::TrackPointKind::kStop, 1}};
+  const auto parts = trimmed_to(whole, {{2004, -1}, {2006, 1}});
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].axis, (Polyline{{20, 0}, {2000, 0}, {2010, 0}}));
+  EXPECT_EQ(parts[0].passed_m, 20);
+  EXPECT_EQ(parts[0].points, (std::vector<map::TrackPoint>{{1, map::TrackPointKind::kStop, 1}}));
 }
 
 TEST(Pavements, LieBesideTheStripOnTheirSide) {

@@ -64,7 +64,7 @@ struct Faults {
 inline double beyond_reach_m(std::span<const Road> roads) {
   double widest = 0;
   for (const Road& road : roads)
-    if (family_of(road.surface) != Family::kOther) widest = std::max(widest, road.width_m);
+    if (family_of(road.surface) != Family::kOther) widest = std::max(widest, width_m(road));
   return 0.75 * widest;
 }
 

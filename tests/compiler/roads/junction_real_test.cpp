@@ -41,7 +41,7 @@ class Squares {
     squares_.resize(static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(all_.height() / kSide_m) + 3));
     for (const Road& road : roads)
       if (family_of(road.surface) != Family::kOther)
-        visit(box_of(road.axis).widened(road.width_m), [&](auto& square) { square.push_back(&road); });
+        visit(box_of(road.axis).widened(width_m(road)), [&](auto& square) { square.push_back(&road); });
   }
 
   std::vector<const Road*> near(const Box2& box) {
@@ -74,7 +74,7 @@ double beyond_strips_m2(const Polygon& outline, Squares& squares) {
   const Box2 box = box_of(outline.outer);
   std::vector<GEOSGeometry*> strips;
   for (const Road* road : squares.near(box))
-    for (const Ring& ring : stroke(*road))
+    for (const Ring& ring : stroke(carriageway_of(*road)))
       if (box_of(ring).touches(box)) strips.push_back(shape({ring, {}}).release());
   const Shape all(GEOSGeom_createCollection(GEOS_MULTIPOLYGON, strips.data(), static_cast<unsigned>(strips.size())));
   const Shape covered(GEOSUnaryUnion(all.get()));
@@ -109,7 +109,7 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   for (const auto& polygons : outlines)
     for (const Polygon& polygon : polygons) beyond += beyond_strips_m2(polygon, squares);
   for (const Road& road : roads)
-    if (family_of(road.surface) != Family::kOther) strips += length_m(road.axis) * road.width_m;
+    if (family_of(road.surface) != Family::kOther) strips += length_m(road.axis) * width_m(road);
   EXPECT_LT(beyond, 0.03 * strips);
   std::printf(
       "%zu junctions; self-crossing %d, spikes %d, beyond reach %d, largest overlap %.6f m2; paved area beyond strips "

@@ -7,6 +7,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "tests/compiler/roads/junction_claims.h"
+#include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::roads {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using map::SurfaceClass;
 
 Road road(std::int64_t id, Polyline axis, double width_m = 6, SurfaceClass surface = SurfaceClass::kResidentialRoad) {
-  return {{{OsmType::kWay, id}, 0}, std::move(axis), surface, width_m};
+  return made_road(id, std::move(axis), width_m, surface);
 }
 
 struct Outlined {
