@@ -10,6 +10,7 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
 #include "compiler/map/heightfield.h"
+#include "compiler/map/lanes.h"
 #include "compiler/map/surface_class.h"
 #include "compiler/materials/material.h"
 
@@ -19,6 +20,26 @@ namespace citykiln::map {
 using Srgb = std::array<std::uint8_t, 3>;
 
 enum class Passage : std::uint8_t { kGround, kBridge, kTunnel };
+
+/// What a node says about the ways through it.
+enum class TrackPointKind : std::uint8_t {
+  kZebra,          ///< A crossing striped along the road.
+  kCrossing,       ///< Marked otherwise, with signals, or nobody says how.
+  kSignals,        ///< Of the road's own traffic.
+  kStop,           ///< A stop sign.
+  kGiveWay,        ///< A sign to give way.
+  kLevelCrossing,  ///< Rails and a road or path; on the tracks of both.
+  kTurningCircle,  ///< Room to turn, round or with an island.
+  kMiniRoundabout
+};
+
+/// A node of a track with something to say.
+struct TrackPoint {
+  std::uint32_t vertex = 0;  ///< Of the track's axis.
+  TrackPointKind kind{};
+  std::int8_t facing = 0;  ///< For those who go along the way 1, against it -1, both or untold 0.
+  auto operator<=>(const TrackPoint&) const = default;
+};
 
 /// A way to drive, walk or ride on: road, path, rail. One polyline a way, not split at junctions.
 struct Track {
@@ -31,6 +52,11 @@ struct Track {
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
   double pavement_left_m = 0, pavement_right_m = 0;  ///< Beyond the kerbs; multiples of 1/4 m.
+  bool is_roundabout = false;                        ///< junction=roundabout or circular.
+  bool is_link = false;                              ///< A ramp or slip road: highway=*_link.
+  std::vector<TrackPoint> points;                    ///< Sorted. Those of a closed axis at its first vertex, once.
+  CrossSection section;                              ///< As the tags tell it; width_m is its carriageway.
+  DrivingSide side{};                                ///< Of its traffic.
 };
 
 /// A building's outline, or a part of one.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compiler/map/lanes.h"
+#include "compiler/map/osm_reader.h"
 
 namespace citykiln::map {
 

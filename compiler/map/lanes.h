@@ -26,9 +26,12 @@
 #include <string>
 #include <vector>
 
-#include "compiler/map/osm_reader.h"
+#include "compiler/contract/stable_id.h"
+#include "compiler/source/osm_data.h"
 
 namespace citykiln::map {
+
+struct Reading;
 
 enum class LaneKind : std::uint8_t {
   kDriving,

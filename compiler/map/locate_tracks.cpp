@@ -5,6 +5,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/each_line.h"
 #include "compiler/map/lanes.h"
+#include "compiler/map/track_points.h"
 #include "compiler/map/track_rules.h"
 
 namespace citykiln::map {
@@ -48,23 +49,31 @@ double raised_m(std::span<const Lane> lanes) {
   return std::min(kMostRaised_m, snapped_to(0.25, width));
 }
 
-void take_section(const CrossSection& section, Track& track) {
+void take_section(CrossSection&& section, Track& track) {
   track.width_m = std::max(kQuantum_m, carriageway_width_m(section));
   track.pavement_left_m = raised_m(section.lanes);
   track.pavement_right_m = raised_m(std::vector(section.lanes.rbegin(), section.lanes.rend()));
+  track.section = std::move(section);
 }
 
 Track track_of(const Reading& reading, DrivingSide side, const source::Way& way, const TrackRow& row,
                LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
-  Track track{{id, 0}, std::move(line.axis), std::move(line.node_ids), row.surface};
+  Track track;
+  track.id = {id, 0};
+  track.axis = std::move(line.axis);
+  track.node_ids = std::move(line.node_ids);
   track.surface = surfaced(row.surface, reading.tag(way.tags, "surface"));
+  track.side = side;
   take_section(cross_section_of(reading, id, way.tags, side), track);
   track.layer = tagged_layer(reading, id, way.tags);
   track.passage = tagged_passage(reading, way.tags);
   track.is_oneway = says_yes(reading.tag(way.tags, "oneway"));
   track.is_lit = says_yes(reading.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
+  const std::string_view junction = reading.tag(way.tags, "junction");
+  track.is_roundabout = junction == "roundabout" || junction == "circular";
+  track.is_link = row.value.ends_with("_link");
   return track;
 }
 
@@ -72,13 +81,16 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
 
 std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side) {
   std::vector<Track> tracks;
+  const std::vector<NodeMark> marks = node_marks(reading);
   for_each_line(
       reading, "track", [&](const source::Way& way) { return carries_track_key(reading, way); },
       [&](const source::Way& way) {
         return track_row([&](std::string_view key) { return reading.tag(way.tags, key); });
       },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
+        std::vector<TrackPoint> points = points_of(reading, way, line, marks);
         tracks.push_back(track_of(reading, side, way, row, std::move(line)));
+        tracks.back().points = std::move(points);
       });
   return tracks;
 }

@@ -45,9 +45,11 @@ LocatedLine located(const Reading& reading, const source::Way& way) {
   LocatedLine line;
   for (const source::NodeRef& node : reading.osm.nodes_of(way)) {
     const Vec2 p = brought_near(reading.plane.snapped_forward(node.at), reading.region);
-    if (!line.axis.empty() && line.axis.back() == p) continue;
-    line.axis.push_back(p);
-    line.node_ids.push_back(node.id);
+    if (line.axis.empty() || line.axis.back() != p) {
+      line.axis.push_back(p);
+      line.node_ids.push_back(node.id);
+    }
+    line.vertices.push_back(static_cast<std::uint32_t>(line.axis.size() - 1));
   }
   return line;
 }

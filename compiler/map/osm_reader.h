@@ -26,7 +26,8 @@ struct Reading {
 /// A line of the plane and the nodes it was made from: snapped, without repeated neighbours.
 struct LocatedLine {
   Polyline axis;
-  std::vector<std::int64_t> node_ids;
+  std::vector<std::int64_t> node_ids;   ///< Of each point.
+  std::vector<std::uint32_t> vertices;  ///< The point of each node of the way.
 };
 LocatedLine located(const Reading& reading, const source::Way& way);
 

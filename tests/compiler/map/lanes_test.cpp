@@ -7,6 +7,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/osm_reader.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -137,6 +138,34 @@ TEST(LocateReal, FootprintsAreAsManyAsTheTagsSay) {
                {"small/frederiksted.osm.pbf", 325}};
   for (const auto& c : cases)
     EXPECT_EQ(located_extract(c.name).report.account("map", "footprint").in, c.footprints) << c.name;
+}
+
+// Nodes of highways, railways and aeroways of track_rules.inc inside a box, once for each way, as counted by a script
+// over `osmium cat -f osm`.
+TEST(LocateReal, NodesOfTracksSayWhatTheTagsSay) {
+  NEEDS_DATA();
+  const struct {
+    const char* name;
+    source::LonLatBox box;
+    std::array<int, 8> counts;  // by TrackPointKind
+  } cases[] = {{"helsinki/Helsinki.osm.pbf", {24.9353, 60.1643, 24.9533, 60.179}, {371, 913, 179, 0, 20, 12, 2, 0}},
+               {"berlin/berlin-neukolln.osm", {13.4255, 52.4696, 13.4477, 52.4848}, {2, 11, 4, 0, 0, 0, 0, 0}},
+               {"monaco/monaco-2023.osm.pbf", {7.409, 43.723, 7.449, 43.752}, {654, 251, 26, 10, 49, 0, 4, 2}},
+               {"chicago-loop/chicago_loop.osm.pbf",
+                {-87.6384, 41.8676, -87.6054, 41.8907},
+                {1294, 1677, 1096, 147, 2, 73, 12, 0}}};
+  for (const auto& c : cases) {
+    const Located located = located_extract(c.name);
+    std::array<int, 8> counts{};
+    for (const Track& track : located.features.tracks)
+      for (const TrackPoint& point : track.points) {
+        const LonLat at = located.plane.backward(track.axis[point.vertex]);
+        const bool is_inside = at.lon_deg >= c.box.west && at.lon_deg <= c.box.east && at.lat_deg >= c.box.south &&
+                               at.lat_deg <= c.box.north;
+        counts[static_cast<std::size_t>(point.kind)] += is_inside ? 1 : 0;
+      }
+    EXPECT_EQ(counts, c.counts) << c.name;
+  }
 }
 
 TEST(LocateReal, MonacosSeaIsSeaAndItsRockIsNot) {

@@ -59,6 +59,22 @@ TEST(LocateTracks, PassageAndLayerComeFromTags) {
   EXPECT_TRUE(track_of("highway=residential lit=yes").is_lit);
 }
 
+TEST(LocateTracks, RoundaboutsAndLinksAreKnown) {
+  EXPECT_TRUE(track_of("highway=primary junction=roundabout").is_roundabout);
+  EXPECT_TRUE(track_of("highway=residential junction=circular").is_roundabout);
+  EXPECT_FALSE(track_of("highway=primary junction=jughandle").is_roundabout);
+  EXPECT_TRUE(track_of("highway=motorway_link").is_link);
+  EXPECT_TRUE(track_of("highway=tertiary_link").is_link);
+  EXPECT_FALSE(track_of("highway=tertiary").is_link);
+}
+
+TEST(LocateTracks, TheCrossSectionIsKeptWhole) {
+  const Track track = track_of("highway=residential lanes=3 sidewalk=right cycleway:left=lane");
+  EXPECT_EQ(to_string(track.section), "cddd|s vv-^|-");
+  EXPECT_EQ(track.width_m, carriageway_width_m(track.section));
+  EXPECT_EQ(track.side, DrivingSide::kRight);
+}
+
 TEST(LocateTracks, BadValuesAreDiagnosedAndTheClassesValuesUsed) {
   for (const char* bad : {"width=wide", "width=-1", "width=0", "lanes=0", "lanes=many", "layer=top", "layer=99"}) {
     Report report;

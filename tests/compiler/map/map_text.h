@@ -163,6 +163,10 @@ inline std::string text_of(const Features& f) {
     text += fmt::format("track {} {} {:a} {} {} {}{}{}{}", id(t.id), values_of(t.surface).name, t.width_m, t.layer,
                         static_cast<int>(t.passage), t.is_oneway, t.is_lit, t.is_rail, line(t.axis));
     for (const std::int64_t node : t.node_ids) text += fmt::format(" n{}", node);
+    text += fmt::format(" {}{} side {} {} {:a}", t.is_roundabout, t.is_link, static_cast<int>(t.side),
+                        to_string(t.section), t.section.axis_offset_m);
+    for (const TrackPoint& p : t.points)
+      text += fmt::format(" p{}.{}.{}", p.vertex, static_cast<int>(p.kind), p.facing);
     text += '\n';
   }
   for (const Footprint& p : f.footprints)
