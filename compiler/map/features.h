@@ -30,7 +30,8 @@ enum class TrackPointKind : std::uint8_t {
   kGiveWay,        ///< A sign to give way.
   kLevelCrossing,  ///< Rails and a road or path; on the tracks of both.
   kTurningCircle,  ///< Room to turn, round or with an island.
-  kMiniRoundabout
+  kMiniRoundabout,
+  kCount
 };
 
 /// A node of a track with something to say.

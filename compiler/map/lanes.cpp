@@ -66,6 +66,8 @@ char letter_of(LaneKind kind) {
       return 'f';
     case LaneKind::kRail:
       return 'r';
+    case LaneKind::kCount:
+      break;
   }
   return '?';
 }

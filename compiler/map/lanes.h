@@ -44,6 +44,7 @@ enum class LaneKind : std::uint8_t {
   kSidewalk,  ///< A road's pavement. Always raised.
   kFoot,      ///< The whole of a footway, path, bridleway, pedestrian street or stairs.
   kRail,      ///< The whole of a track of rails.
+  kCount
 };
 
 enum class LaneWay : std::uint8_t { kForward, kBackward, kBoth };  ///< As seen along the way's direction.
@@ -63,11 +64,13 @@ struct Lane {
   double width_m = 0;       ///< > 0, a multiple of 2^-10.
   std::uint16_t turns = 0;  ///< LaneTurn bits.
   bool is_raised = false;   ///< Outside the kerb: pavements and cycle tracks.
+  bool operator==(const Lane&) const = default;
 };
 
 struct CrossSection {
   std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 40 in all.
   double axis_offset_m = 0;  ///< From the left edge of the carriageway (of the lanes that are not raised) to the way.
+  bool operator==(const CrossSection&) const = default;
 };
 
 enum class DrivingSide : std::uint8_t { kRight, kLeft };

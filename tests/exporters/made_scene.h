@@ -90,7 +90,8 @@ class SceneMaker {
   roads::Road road() {
     roads::Road r;
     r.id = id(), r.axis = line(), r.surface = surface(), r.section = section();
-    r.side = static_cast<map::DrivingSide>(below(2)), r.is_lit = below(2) == 0, r.is_link = below(2) == 0, r.is_roundabout = below(2) == 0;
+    r.side = static_cast<map::DrivingSide>(below(2)), r.is_lit = below(2) == 0, r.is_link = below(2) == 0,
+    r.is_roundabout = below(2) == 0;
     if (below(3) == 0) r.passed_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
