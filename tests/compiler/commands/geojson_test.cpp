@@ -53,7 +53,8 @@ TEST(GeoJson, JunctionsAreNamedAfterTheirMainRoad) {
     track.axis = {{y, 0}, {0, 0}, {0, y}};
     track.node_ids = {1, 2, 3};
     track.surface = map::SurfaceClass::kResidentialRoad;
-    track.width_m = y < 0 ? 8 : 6;
+    const double width_m = y < 0 ? 8 : 6;
+    track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, width_m}}, width_m / 2};
   }
   const Result<Layer> layer = layer_of(features, "junctions");
   ASSERT_TRUE(layer);
