@@ -1,0 +1,54 @@
+// Pieces: a road as faces of the ground in its own coordinates, u across and v along.
+//
+//       left edge  +-------+---+-------------+      strips (lane_strips.h) times stretches (stretches.h) times the
+//                  |   1   | 2 |      3     /|\     segments of the axis; at a bend neighbours meet on its mitre, so
+//        axis  ----+-------+---+-----------+-+ \    that u and v go on from one into the next
+//                  |   4   | 5 |    6     /   \ \   .
+//      right edge  +-------+---+---------+  7  \
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/roads/expand.h"
+#include "compiler/roads/lane_strips.h"
+#include "compiler/roads/stretches.h"
+
+namespace citykiln::roads {
+
+/// Where a piece lies in its strip.
+struct Frame {
+  Vec2 at, along;                  ///< A point of the axis, and the axis' unit direction there.
+  double left_m = 0, width_m = 0;  ///< The strip's left edge from the axis, and how wide it is.
+  /// Where the piece begins and ends, along the axis from `at`, on its left edge and on its right one.
+  double start_left_m = 0, start_right_m = 0, end_left_m = 0, end_right_m = 0;
+  double start_v_m = 0, end_v_m = 0;
+};
+
+/// Metres across from the strip's left edge, and along its pattern. Across the start and the end of a piece v is
+/// constant, and u exact.
+Vec2 uv_at(const Frame& frame, Vec2 p);
+
+inline constexpr std::uint32_t kNoPattern = 0xffffffffu;
+
+struct Piece {
+  map::SurfaceClass surface{};
+  Ring ring;  ///< Counter-clockwise, snapped.
+  Frame frame;
+  std::uint32_t pattern = kNoPattern;  ///< One of those of RoadPieces.
+  std::uint32_t run = 0;               ///< The same for neighbours along one strip and stretch.
+};
+
+struct RoadPieces {
+  std::vector<Piece> pieces;      ///< Along the road; what lies over what is for whoever orders them.
+  std::vector<Pattern> patterns;  ///< Of strips that are marked.
+};
+
+/// All of a road from its left edge to its right one.
+///
+/// Guarantees: pieces cover what stroke() and stroke_pavements() cover, but for snapping and for the inside of bends
+/// too sharp for a mitre; neighbours share their corners exactly; no case fails: where a mitre does not fit, both
+/// segments end square and a joint fills the wedge. O(points · strips).
+RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tolerance_m);
+
+}  // namespace citykiln::roads
