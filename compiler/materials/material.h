@@ -32,5 +32,7 @@ inline constexpr Tint kNoTint = {255, 255, 255, 255};
 
 /// sRGB 0…255 to linear reflectance 0…1 by table (no libm, same bytes on every CPU).
 float linear_of_srgb(std::uint8_t value);
+/// The sRGB value whose linear reflectance is nearest; what is beyond 0…1 becomes 0 or 255. Inverse of linear_of_srgb.
+std::uint8_t srgb_of_linear(double reflectance);
 
 }  // namespace citykiln::materials

@@ -1,0 +1,54 @@
+#include "compiler/roads/markings.h"
+
+#include "compiler/roads/marking_rules.h"
+#include "compiler/roads/markings_parts.h"
+
+namespace citykiln::roads {
+namespace {
+
+Marks paint_of(const Pattern& pattern) {
+  Marks marks;
+  if (pattern.stretch == Stretch::kZebra) {
+    add_zebra(pattern, marks);
+    return marks;
+  }
+  if (pattern.stretch == Stretch::kCrossing) {
+    add_crossing(pattern, marks);
+    return marks;
+  }
+  add_tints(pattern, marks);
+  add_hatching(pattern, marks);
+  add_bays(pattern, marks);
+  add_lane_lines(pattern, marks);
+  if (pattern.stretch != Stretch::kEnd) return marks;
+  add_stop_lines(pattern, marks);
+  add_arrows(pattern, marks);
+  add_symbols(pattern, marks);
+  return marks;
+}
+
+}  // namespace
+
+Marks marks_of(const Pattern& pattern) {
+  if (!(width_m(pattern) > 0)) return {};
+  if (pattern.stretch == Stretch::kStart)
+    return turned_round(marks_of(turned_round(pattern)), width_m(pattern), length_m(pattern));
+  Marks marks;
+  if (takes_paint(pattern)) marks = paint_of(pattern);
+  add_rails(pattern, marks);
+  return marks;
+}
+
+bool is_marked(const Pattern& pattern) { return !marks_of(pattern).empty(); }
+
+materials::Sheet::Texel base_colour_of(const Pattern& pattern) {
+  const bool is_level_crossing = pattern.stretch == Stretch::kLevelCrossing;
+  const materials::Material material =
+      is_level_crossing ? materials::Material::kAsphalt : map::values_of(pattern.surface).material;
+  materials::Sheet::Texel colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i)
+    colour[i] = materials::srgb_of_linear(materials::values_of(material).base_colour[i]);
+  return colour;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,45 @@
+// Sheet layout: patterns side by side on one sheet.
+//
+//     gg|  .  |gggg|  :  :  |gg      g: gutters, the pattern's outermost texels repeated
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/materials/sheet.h"
+#include "compiler/roads/pattern.h"
+
+namespace citykiln::roads {
+
+/// No line of the rules is thinner than four of these.
+inline constexpr double kFinestTexel_m = 0.03;
+/// Of no use for lines any more: where even these do not fit, patterns go without a column.
+inline constexpr double kCoarsestTexel_m = 0.5;
+/// On both sides of a column: four mip levels stay apart (a texel of the fourth is as wide as both gutters).
+inline constexpr std::uint32_t kGutter_texels = 4;
+/// What every GPU takes across, and 16 MB of RGBA before mip levels.
+inline constexpr std::uint32_t kMostColumns = 8192;
+inline constexpr std::uint64_t kMostTexels = 4'000'000;
+/// Of a pattern that has no column.
+inline constexpr double kNoColumn_m = -1;
+
+struct SheetLayout {
+  materials::Sheet sheet;      ///< kPatternLength_m along. Empty where there are no patterns.
+  std::vector<double> left_m;  ///< Of each pattern's u = 0 on the sheet; kNoColumn_m where it has none.
+};
+
+/// Draws the patterns into a sheet.
+///
+/// @param patterns     Sorted, each once.
+/// @param tolerance_m  Of the tile.
+///
+/// Texels are as large as the tolerance, but never finer than kFinestTexel_m, and a whole number of them is
+/// kPatternLength_m. Where the sheet would break kMostColumns or kMostTexels they grow until it fits: at 3 cm some 245
+/// m of strips fit side by side (24 carriageways of 10 m), at 6 cm 490 m, at 12 cm 980 m, less 8 texels a pattern.
+/// Where kCoarsestTexel_m do not do (900 carriageways do not fit), the last patterns get no column.
+///
+/// Guarantees: columns and their gutters never overlap; both budgets hold; same bytes on every machine and whatever was
+/// drawn before. O(texels).
+SheetLayout lay_out(std::span<const Pattern> patterns, double tolerance_m);
+
+}  // namespace citykiln::roads
