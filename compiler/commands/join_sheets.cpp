@@ -10,8 +10,6 @@ namespace {
 
 using materials::Sheet;
 
-constexpr std::uint64_t kWidest_px = 16384;
-
 // Either side of where two sheets meet; keeps them apart down to the third level of a prefiltered sheet.
 constexpr std::uint32_t kGutter_px = 4;
 
@@ -39,7 +37,7 @@ struct Placed {
     const std::uint64_t first = columns + (sheets.empty() ? 0 : 2 * kGutter_px);
     sheets.push_back(&sheet), firsts.push_back(static_cast<std::int64_t>(first));
     columns = first + sheet.columns;
-    rows = std::min(std::lcm(rows, std::uint64_t{sheet.rows}), kWidest_px + 1);
+    rows = std::min(std::lcm(rows, std::uint64_t{sheet.rows}), std::uint64_t{materials::kWidestSheet_px} + 1);
     return firsts.back();
   }
 };
@@ -55,11 +53,12 @@ Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
     if (!sheet->texels.empty() && sheet->texel_m != placed.sheets.front()->texel_m)
       return Error{"", "sheets of different texels cannot be in one file: bake to a folder"};
   }
-  if (placed.columns > kWidest_px || placed.rows > kWidest_px)
+  if (std::max(placed.columns, placed.rows) > materials::kWidestSheet_px ||
+      placed.columns * placed.rows > materials::kMostTexels)
     return Error{"",
-                 fmt::format("the tiles' sheets would be {} by {} texels, more than the {} that graphics cards take: "
-                             "bake fewer tiles, or a folder",
-                             placed.columns, placed.rows, kWidest_px)};
+                 fmt::format("the tiles' sheets would be {} by {} texels as one, too many: bake fewer tiles, or to a "
+                             "folder",
+                             placed.columns, placed.rows)};
   if (placed.sheets.empty()) return joined;
   joined.sheet.texel_m = placed.sheets.front()->texel_m;
   joined.sheet.columns = static_cast<std::uint32_t>(placed.columns);

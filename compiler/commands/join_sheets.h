@@ -22,8 +22,7 @@ struct JoinedSheets {
 
 /// Guarantees: every texel of every sheet is in the joined one, at its v and its u plus the offset; equal sheets are in
 /// it once; sheets without texels take no room. @param sheets  Where the joined one will be drawn, in this order.
-/// Errors: texels of different sizes, or more than 16384 of them across or along, which graphics cards do not take.
-/// O(texels of the product).
+/// Errors: texels of different sizes; more of them than a sheet may have. O(texels of the product).
 Result<JoinedSheets> join_sheets(std::span<const materials::Sheet* const> sheets);
 
 }  // namespace citykiln::commands
