@@ -3,16 +3,19 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <optional>
 
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
+#include "exporters/png.h"
 #include "exporters/tinygltf_switches.h"
 
 namespace citykiln::exporters {
 namespace {
 
 using bake::BakedTile;
+using bake::Float2;
 using bake::Float3;
 using bake::Float4;
 using bake::Instanced;
@@ -64,11 +67,16 @@ std::vector<T> values_of(Source& source, int accessor_number, int component, int
 }
 
 template <typename T>
-std::vector<T> turned(std::vector<T> values) {
-  for (T& v : values) {
+std::vector<T> finite(std::vector<T> values) {
+  for (const T& v : values)
     for (const float c : v) expect(std::isfinite(c), "finite numbers");
-    v = from_gltf(v);
-  }
+  return values;
+}
+
+template <typename T>
+std::vector<T> turned(std::vector<T> values) {
+  values = finite(std::move(values));
+  for (T& v : values) v = from_gltf(v);
   return values;
 }
 
@@ -108,10 +116,13 @@ double element(const Value& array, std::size_t i) {
   return number(array.Get(i));
 }
 
-materials::Material material_named(const std::string& name) {
+// Whether it has uvs is not for the material to say.
+bake::PrimitiveKey key_named(const std::string& name) {
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
-    if (materials::values_of(static_cast<materials::Material>(m)).name == name)
-      return static_cast<materials::Material>(m);
+    for (const bool is_on_sheet : {false, true}) {
+      const bake::PrimitiveKey key{static_cast<materials::Material>(m), is_on_sheet, is_on_sheet};
+      if (material_name(key) == name) return key;
+    }
   throw Wrong{"a material that citykiln has, not \"" + name + "\""};
 }
 
@@ -137,20 +148,27 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int acces
 
 Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
-  out.material = material_named(item(source.model.materials, p.material, "a material that exists").name);
+  const bake::PrimitiveKey key = key_named(item(source.model.materials, p.material, "a material that exists").name);
+  out.material = key.material, out.is_on_sheet = key.is_on_sheet;
   out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
   out.normals = turned(
       values_of<Float3>(source, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.colours = values_of<materials::Tint>(source, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  if (p.attributes.count("TEXCOORD_0") != 0)
+    out.uvs = finite(values_of<Float2>(source, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                       TINYGLTF_TYPE_VEC2));
   if (p.attributes.count("_FEATURE_ID_0") != 0)
     out.features = as_numbers(values_of<float>(source, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
                               features);
   const std::size_t n = out.positions.size();
-  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n),
+  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
+             (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
+  expect(!out.is_on_sheet || (!out.uvs.empty() && !source.model.images.empty()),
+         "a sheet, and a place on it, for each corner that is on it");
   out.triangles = triangles_of(source, p.indices, n);
   return out;
 }
@@ -180,6 +198,18 @@ std::vector<OsmId> features_of(Source& source) {
     std::memcpy(&features[i].id, ids.data() + 8 * i, 8);
   }
   return features;
+}
+
+// The size of a texel stands beside the picture.
+materials::Sheet sheet_of(Source& source) {
+  if (source.model.images.empty()) return {};
+  expect(source.model.images.size() == 1, "one sheet at most");
+  const tinygltf::Image& image = source.model.images.front();
+  auto sheet = decode_png(std::as_bytes(bytes_of(source, image.bufferView)), "");
+  if (!sheet) throw Wrong{"a sheet: " + to_string(sheet.error())};
+  sheet->texel_m = number(member(image.extras, "texel_m"));
+  expect(sheet->texel_m > 0 && std::isfinite(sheet->texel_m), "texels with a size");
+  return *sheet;
 }
 
 Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {
@@ -251,6 +281,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
   add_instances(source, root, tile);
+  tile.sheet = sheet_of(source);
   return tile;
 }
 
@@ -274,6 +305,36 @@ int depth_of(std::span<const std::byte> json) {
   return deepest;
 }
 
+// A whole number of JSON, which must be there; `otherwise` where it may be left out.
+std::uint64_t json_number(const nlohmann::json& object, const char* name, std::optional<std::uint64_t> otherwise = {}) {
+  if (otherwise && object.is_object() && !object.contains(name)) return *otherwise;
+  expect(object.is_object() && object.contains(name) && object[name].is_number_unsigned(),
+         "a sheet inside the buffer, as citykiln writes it");
+  return object[name].get<std::uint64_t>();
+}
+
+// tinygltf takes the address of a picture's first byte before anyone can ask whether it is in the buffer.
+void expect_pictures_inside(std::span<const std::byte> json) {
+  const auto* text = reinterpret_cast<const char*>(json.data());
+  const auto keeps = [](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& key) {
+    return depth != 1 || event != nlohmann::json::parse_event_t::key || key == "images" || key == "bufferViews" ||
+           key == "buffers";
+  };
+  const auto model = nlohmann::json::parse(text, text + json.size(), keeps, false);
+  if (!model.is_object() || !model.contains("images")) return;
+  const auto buffers = model.value("buffers", nlohmann::json::array()),
+             views = model.value("bufferViews", nlohmann::json::array());
+  expect(model["images"].is_array() && buffers.is_array() && views.is_array() && buffers.size() == 1 &&
+             buffers[0].is_object() && !buffers[0].contains("uri"),
+         "a sheet inside the buffer, as citykiln writes it");
+  for (const auto& image : model["images"]) {
+    const std::uint64_t number = json_number(image, "bufferView");
+    expect(number < views.size() && json_number(views[number], "buffer") == 0 &&
+               json_number(views[number], "byteOffset", 0) < json_number(buffers[0], "byteLength"),
+           "a sheet inside the buffer, as citykiln writes it");
+  }
+}
+
 // Two chunks that fill the file: tinygltf reads up to eight bytes behind one that is a little too long.
 void expect_frame(std::span<const std::byte> bytes) {
   constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
@@ -284,6 +345,13 @@ void expect_frame(std::span<const std::byte> bytes) {
   expect(json <= size - begin - kChunkBytes && json + number_at(bytes, begin + json) == size - begin - kChunkBytes,
          "two chunks, JSON and its buffer, that fill the file");
   expect(depth_of(bytes.subspan(begin, json)) <= kDeepest, "JSON that is not nested deeper than glTF ever is");
+  expect_pictures_inside(bytes.subspan(begin, json));
+}
+
+// Pictures are left where they are, for sheet_of.
+bool leave_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                   void*) {
+  return true;
 }
 
 }  // namespace
@@ -297,7 +365,9 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
     std::string error, warning;
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     const auto size = static_cast<unsigned int>(bytes.size());
-    if (!tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning, data, size))
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(leave_picture, nullptr);
+    if (!loader.LoadBinaryFromMemory(&model, &error, &warning, data, size))
       throw Wrong{"binary glTF: " + error.substr(0, error.find('\n'))};
     return tile_of(model);
   } catch (const Wrong& wrong) {

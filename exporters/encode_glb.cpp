@@ -7,6 +7,7 @@
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
+#include "exporters/png.h"
 #include "exporters/tinygltf_switches.h"
 
 namespace citykiln::exporters {
@@ -103,14 +104,30 @@ Value feature_ids(Filling& f, const char* extension) {
   return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
 }
 
-int material_number(Filling& f, materials::Material material) {
-  const auto& values = values_of(material);
+// The sheet as a texture whose coordinates are metres.
+tinygltf::TextureInfo sheet_texture(Filling& f) {
+  const materials::Sheet& sheet = f.tile.sheet;
+  const Array scale = {number(1 / (sheet.columns * sheet.texel_m)), number(1 / (sheet.rows * sheet.texel_m))};
+  f.extensions.insert("KHR_texture_transform");
+  tinygltf::TextureInfo texture;
+  texture.index = 0;
+  texture.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
+  return texture;
+}
+
+// What is on the sheet keeps the default colour, white: the sheet says how much light each place sends back.
+int material_number(Filling& f, const bake::PrimitiveKey& key) {
+  const auto& values = values_of(key.material);
+  const std::string name = material_name(key);
   auto& all = f.model.materials;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].name == values.name) return static_cast<int>(i);
+    if (all[i].name == name) return static_cast<int>(i);
   tinygltf::Material m;
-  m.name = values.name;
-  m.pbrMetallicRoughness.baseColorFactor = {values.base_colour[0], values.base_colour[1], values.base_colour[2], 1};
+  m.name = name;
+  if (key.is_on_sheet)
+    m.pbrMetallicRoughness.baseColorTexture = sheet_texture(f);
+  else
+    m.pbrMetallicRoughness.baseColorFactor = {values.base_colour[0], values.base_colour[1], values.base_colour[2], 1};
   m.pbrMetallicRoughness.roughnessFactor = values.roughness, m.pbrMetallicRoughness.metallicFactor = values.metallic;
   all.push_back(m);
   return static_cast<int>(all.size()) - 1;
@@ -119,11 +136,13 @@ int material_number(Filling& f, materials::Material material) {
 tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  out.material = material_number(f, p.material);
+  out.material = material_number(f, key_of(p));
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  if (!p.uvs.empty())
+    out.attributes["TEXCOORD_0"] = f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] =
         f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
@@ -178,6 +197,23 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
     node.extras = Value(Object{{"feature", whole(instanced.features[i])}});
     children.push_back(add_node(f, std::move(node)));
   }
+}
+
+// The sheet, its texels' size beside it: what scale it has is rounded. Strips lie side by side, so it repeats along v
+// alone.
+void add_sheet(Filling& f) {
+  const materials::Sheet& sheet = f.tile.sheet;
+  if (sheet.texels.empty()) return;
+  tinygltf::Image image;
+  image.name = "sheet", image.mimeType = "image/png", image.bufferView = f.add_view(encode_png(sheet), 0);
+  image.extras = Value(Object{{"texel_m", number(sheet.texel_m)}});
+  tinygltf::Sampler sampler;
+  sampler.wrapS = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
+  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+  tinygltf::Texture texture;
+  texture.sampler = 0, texture.source = 0;
+  f.model.images.push_back(image), f.model.samplers.push_back(sampler), f.model.textures.push_back(texture);
 }
 
 // Which OSM element each feature is: row 0 is none.
@@ -244,6 +280,7 @@ void fill(Filling& f, Instancing instancing) {
                                          : add_single_nodes(f, instanced, mesh, children);
   }
   f.model.nodes[0].children = children;
+  add_sheet(f);
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
   f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());
   tinygltf::Scene scene;
@@ -253,6 +290,10 @@ void fill(Filling& f, Instancing instancing) {
 }
 
 }  // namespace
+
+std::string material_name(const bake::PrimitiveKey& key) {
+  return std::string(values_of(key.material).name) + (key.is_on_sheet ? "Marked" : "");
+}
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
   Filling f{tile, header, {}, {}};

@@ -15,10 +15,15 @@ namespace citykiln::exporters {
 /// (Blender, Godot).
 enum class Instancing { kExtension, kNodes };
 
-/// One glTF mesh whose primitives are merged by material; instances as asked; features as _FEATURE_ID_0
+/// The material under which a primitive is written: "Asphalt", and "AsphaltMarked" where it is on the sheet.
+std::string material_name(const bake::PrimitiveKey& key);
+
+/// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
 /// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
 /// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras;
-/// attribution in asset.copyright. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
+/// attribution in asset.copyright; uvs in metres as TEXCOORD_0; the sheet as a PNG inside, which what is on it shows
+/// with KHR_texture_transform from metres to the picture: its row 0, v = 0, is the picture's top. Same input, same
+/// bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing);
 
 /// A tile back from a .glb that encode_glb made; read(encode(tile)) == tile for either way of instancing.

@@ -94,12 +94,13 @@ struct Crowd::Calls {
   }
 };
 
-Crowd::Crowd(RTCDevice device, const bake::Instanced& shape) : shape_(&shape), scene_(rtcNewScene(device)) {
+Crowd::Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture)
+    : shape_(&shape), scene_(rtcNewScene(device)) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   low_ = {kFar, kFar, kFar}, high_ = {-kFar, -kFar, -kFar};
   for (const bake::Primitive& primitive : shape.primitives) {
     if (primitive.triangles.empty()) continue;
-    parts_.push_back(moved(primitive, {}));
+    parts_.push_back(moved(primitive, {}, texture));
     for (const bake::Float3& p : primitive.positions) {
       low_ = {std::min<double>(low_.x, p[0]), std::min<double>(low_.y, p[1]), std::min<double>(low_.z, p[2])};
       high_ = {std::max<double>(high_.x, p[0]), std::max<double>(high_.y, p[1]), std::max<double>(high_.z, p[2])};
@@ -112,7 +113,10 @@ Crowd::Crowd(RTCDevice device, const bake::Instanced& shape) : shape_(&shape), s
 
 Crowd::~Crowd() { rtcReleaseScene(scene_); }
 
-bool Crowd::is_of(const bake::Instanced& shape) const { return shape_->primitives == shape.primitives; }
+bool Crowd::is_of(const bake::Instanced& shape, const SheetTexture* texture) const {
+  const auto is_on_it = [&](const MeshPart& part) { return !part.primitive->is_on_sheet || part.texture == texture; };
+  return shape_->primitives == shape.primitives && std::ranges::all_of(parts_, is_on_it);
+}
 
 void Crowd::add(const bake::Instanced& instanced, Vec3 offset) {
   places_.reserve(places_.size() + instanced.translations.size());
@@ -138,10 +142,10 @@ void Crowd::attach_to(RTCDevice device, RTCScene top, unsigned first) {
   rtcReleaseGeometry(geometry);
 }
 
-Hit Crowd::hit_in_world(const RTCHit& found) const {
+Hit Crowd::hit_in_world(const RTCHit& found, const Beam& beam) const {
   const Place& place = places_[found.instID[0] - first_];
   const Turn turn = turn_of(place.rotation);
-  Hit hit = hit_on(parts_[found.geomID], found);
+  Hit hit = hit_on(parts_[found.geomID], found, {turn.in(beam.direction), beam.across_m / place.scale});
   // in the copy's frame the ray's origin is rounded once more
   constexpr double kRounding = 0x1p-24;
   hit.rounding_m = place.scale * (hit.rounding_m + 2 * kRounding * length(hit.position));

@@ -19,13 +19,14 @@ struct Place {
 /// A shape and its places.
 class Crowd {
  public:
-  Crowd(RTCDevice device, const bake::Instanced& shape);
+  /// @param texture  The sheet of the shape's tile, if any.
+  Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture);
   ~Crowd();
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Is it the same shape, triangle by triangle?
-  bool is_of(const bake::Instanced& shape) const;
+  /// Is it the same shape, triangle by triangle, and on the same sheet, if on any?
+  bool is_of(const bake::Instanced& shape, const SheetTexture* texture) const;
   /// Adds the places of a tile whose origin is at `offset` in the world.
   void add(const bake::Instanced& instanced, Vec3 offset);
   /// Adds all places to the uncommitted top scene. They are numbered from `first` in RTCHit::instID; the crowd must
@@ -35,7 +36,7 @@ class Crowd {
   unsigned first() const { return first_; }
   std::size_t size() const { return places_.size(); }
   /// A hit in the world's frame on the copy that found.instID names.
-  Hit hit_in_world(const RTCHit& found) const;
+  Hit hit_in_world(const RTCHit& found, const Beam& beam) const;
 
  private:
   struct Calls;

@@ -19,22 +19,52 @@ double plane_error_m(Vec3 edge1, Vec3 edge2, Vec3 across) {
   return std::min(kRoundings * kRounding * std::max({a, b, length(edge2 - edge1)}) * a * b / area, kLargest_m);
 }
 
-void set_material(Hit& hit, const bake::Primitive& primitive, const std::array<std::uint32_t, 3>& corners,
-                  const std::array<double, 3>& weights) {
+Vec2 widened(const bake::Float2& v) { return {v[0], v[1]}; }
+
+// A vector in a triangle's plane as one of its uvs, which change with the place as they do along two edges.
+Vec2 in_uvs(Vec3 v, Vec3 edge1, Vec3 edge2, Vec2 uv_edge1, Vec2 uv_edge2) {
+  const double aa = dot(edge1, edge1), ab = dot(edge1, edge2), bb = dot(edge2, edge2), area2 = aa * bb - ab * ab;
+  if (!(area2 > 0)) return {};
+  const double va = dot(v, edge1), vb = dot(v, edge2);
+  return uv_edge1 * ((va * bb - vb * ab) / area2) + uv_edge2 * ((vb * aa - va * ab) / area2);
+}
+
+// What a beam covers of the sheet: the flatter it comes, the longer.
+Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
+               const Beam& beam) {
+  constexpr double kFlattest = 0.005;
+  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
+  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
+  const Vec3 edge1 = at(1) - at(0), edge2 = at(2) - at(0), normal = unit(cross(edge1, edge2));
+  const Vec2 uv_edge1 = uv(1) - uv(0), uv_edge2 = uv(2) - uv(0);
+  const double cosine = dot(normal, beam.direction);
+  const Vec3 along =
+      unit(beam.direction - normal * cosine) * (beam.across_m / 2 / std::max(std::abs(cosine), kFlattest));
+  return {uv(0) + uv_edge1 * found.u + uv_edge2 * found.v, in_uvs(along, edge1, edge2, uv_edge1, uv_edge2),
+          beam.across_m};
+}
+
+void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners,
+                  const std::array<double, 3>& weights, const RTCHit& found, const Beam& beam) {
+  const bake::Primitive& primitive = *part.primitive;
   const materials::MaterialValues& values = values_of(primitive.material);
+  const auto& own = values.base_colour;
+  const std::array<double, 3> colour = part.texture != nullptr
+                                           ? part.texture->mean(patch_of(part, corners, found, beam))
+                                           : std::array<double, 3>{own[0], own[1], own[2]};
   hit.material = primitive.material;
   hit.roughness = values.roughness;
   for (int c = 0; c < 3; ++c) {
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
-    hit.albedo[c] = values.base_colour[c] * tint / 255;
+    hit.albedo[c] = colour[c] * tint / 255;
   }
 }
 
 }  // namespace
 
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset) {
-  MeshPart part{&primitive, {}};
+MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture) {
+  MeshPart part{&primitive, {}, primitive.is_on_sheet ? texture : nullptr};
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
     part.corners.push_back({static_cast<float>(p[0] + offset.x), static_cast<float>(p[1] + offset.y),
@@ -55,7 +85,7 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
   rtcReleaseGeometry(geometry);
 }
 
-Hit hit_on(const MeshPart& part, const RTCHit& found) {
+Hit hit_on(const MeshPart& part, const RTCHit& found, const Beam& beam) {
   const auto& corners = part.primitive->triangles[found.primID];
   const double u = found.u, v = found.v;
   const std::array<double, 3> weights = {1 - u - v, u, v};
@@ -68,7 +98,7 @@ Hit hit_on(const MeshPart& part, const RTCHit& found) {
   for (int i = 0; i < 3; ++i)
     hit.shading_normal = hit.shading_normal + widened(part.primitive->normals[corners[i]]) * weights[i];
   hit.rounding_m = plane_error_m(edge1, edge2, across);
-  set_material(hit, *part.primitive, corners, weights);
+  set_material(hit, part, corners, weights, found, beam);
   return hit;
 }
 

@@ -6,24 +6,33 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
+#include "preview/sheet_texture.h"
 #include "preview/world.h"
 
 namespace citykiln::preview {
 
-/// Triangles, and their corners about another origin. Refers to the primitive.
+/// Triangles, and their corners about another origin. Refers to the primitive and the texture.
 struct MeshPart {
   const bake::Primitive* primitive = nullptr;
-  std::vector<bake::Float3> corners;  ///< One a position, and one more: Embree reads 16 bytes at each.
+  std::vector<bake::Float3> corners;      ///< One a position, and one more: Embree reads 16 bytes at each.
+  const SheetTexture* texture = nullptr;  ///< What colours it instead of its material, if any.
 };
 
-/// The primitive's positions plus `offset`, rounded once.
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset);
+/// What a ray covers where it hits.
+struct Beam {
+  Vec3 direction;  ///< Unit.
+  double across_m = 0;
+};
+
+/// The primitive's positions plus `offset`, rounded once. @param texture  Its tile's sheet, if there is one: taken
+/// where the primitive is on it.
+MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture);
 
 /// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);
 
 /// A hit in the part's own frame; normals not turned towards the ray, distance not set. `rounding_m` covers what the
 /// triangle adds: Embree's plane of it lies at most so far from the exact one.
-Hit hit_on(const MeshPart& part, const RTCHit& found);
+Hit hit_on(const MeshPart& part, const RTCHit& found, const Beam& beam);
 
 }  // namespace citykiln::preview

@@ -78,7 +78,7 @@ Rgb mirrored_light(const Stage& stage, const Hit& hit, const Mirror& mirror, Pat
   const UnitPair chance = draw.next(), sun_chance = draw.next();
   Rgb light{};
   const Vec3 out = mirror.draw(chance);
-  const auto met = stage.world.first_hit(leave(hit, out), out);
+  const auto met = stage.world.first_hit(leave(hit, out), out, mirror.alpha);
   if (met)
     light = stage.lights.through_air(body_light(stage, *met, std::min(stage.bounces, 1), draw), out, met->distance_m);
   else
@@ -103,7 +103,7 @@ Rgb surface_light(const Stage& stage, const Hit& hit, Vec3 direction, PathDraw& 
 }  // namespace
 
 Rgb trace(const Stage& stage, Vec3 from, Vec3 direction, PathDraw& draw) {
-  const auto hit = stage.world.first_hit(from, direction);
+  const auto hit = stage.world.first_hit(from, direction, stage.pixel_rad);
   if (!hit) return stage.lights.seen(direction);
   Rgb light = stage.lights.through_air(surface_light(stage, *hit, direction, draw), direction, hit->distance_m);
   // not std::min: a channel that is not a number becomes the limit's other side, not the picture's

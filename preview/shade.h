@@ -11,7 +11,7 @@ struct Stage {
   const World& world;
   const Lights& lights;
   int bounces = 3;           ///< Surfaces that pass light on between the first and the sky.
-  double pixel_rad = 0.001;  ///< What one pixel covers.
+  double pixel_rad = 0.001;  ///< What one pixel covers: finer waves blur, finer paint is mixed.
 };
 
 /// Radiance towards `from` along a unit direction, one sample; each channel in [0, 12].

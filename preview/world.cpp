@@ -51,6 +51,7 @@ struct World::Scene {
   Vec3 origin;
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene top = rtcNewScene(device);
+  std::vector<std::unique_ptr<SheetTexture>> textures;
   std::vector<MeshPart> fixed;                 // geometry ids 0 … n - 1
   std::vector<std::unique_ptr<Crowd>> crowds;  // geometry ids n …
 
@@ -60,15 +61,25 @@ struct World::Scene {
     rtcReleaseDevice(device);
   }
 
+  // Tiles with equal sheets share one.
+  const SheetTexture* texture_of(const bake::BakedTile& tile) {
+    if (tile.sheet.texels.empty()) return nullptr;
+    const auto same = std::ranges::find_if(textures, [&](const auto& other) { return other->sheet() == tile.sheet; });
+    if (same != textures.end()) return same->get();
+    return textures.emplace_back(std::make_unique<SheetTexture>(tile.sheet)).get();
+  }
+
   void add_fixed(const bake::BakedTile& tile) {
+    const SheetTexture* texture = texture_of(tile);
     for (const bake::Primitive& primitive : tile.primitives)
-      if (!primitive.triangles.empty()) fixed.push_back(moved(primitive, tile.origin - origin));
+      if (!primitive.triangles.empty()) fixed.push_back(moved(primitive, tile.origin - origin, texture));
   }
 
   void add_crowds(const bake::BakedTile& tile) {
+    const SheetTexture* texture = texture_of(tile);
     for (const bake::Instanced& instanced : tile.instanced) {
-      auto crowd = std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced); });
-      if (crowd == crowds.end()) crowd = crowds.insert(crowd, std::make_unique<Crowd>(device, instanced));
+      auto crowd = std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced, texture); });
+      if (crowd == crowds.end()) crowd = crowds.insert(crowd, std::make_unique<Crowd>(device, instanced, texture));
       (*crowd)->add(instanced, tile.origin - origin);
     }
   }
@@ -85,11 +96,11 @@ struct World::Scene {
     rtcCommitScene(top);
   }
 
-  Hit hit_of(const RTCHit& found) const {
-    if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) return hit_on(fixed[found.geomID], found);
+  Hit hit_of(const RTCHit& found, const Beam& beam) const {
+    if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) return hit_on(fixed[found.geomID], found, beam);
     const auto after =
         std::ranges::upper_bound(crowds, found.instID[0], {}, [](const auto& crowd) { return crowd->first(); });
-    return (*(after - 1))->hit_in_world(found);
+    return (*(after - 1))->hit_in_world(found, beam);
   }
 };
 
@@ -104,7 +115,7 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 Vec3 World::origin() const { return scene_->origin; }
 
-std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction) const {
+std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction, double spread_rad) const {
   RTCRayHit found{ray_of(from, direction), {}};
   if (!is_sound(found.ray)) return std::nullopt;
   RTCIntersectContext context;
@@ -112,7 +123,7 @@ std::optional<Hit> World::first_hit(Vec3 from, Vec3 direction) const {
   found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_->top, &context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  Hit hit = scene_->hit_of(found.hit);
+  Hit hit = scene_->hit_of(found.hit, {direction, found.ray.tfar * spread_rad});
   turn_normals(hit, direction);
   hit.distance_m = found.ray.tfar;
   hit.rounding_m += rounding_off_plane_m(hit.position, hit.geometric_normal);

@@ -15,12 +15,15 @@ struct Hit {
   Vec3 position;                   ///< On the triangle, not along the ray: its error does not grow with the distance.
   Vec3 geometric_normal;           ///< Unit, towards where the ray came from.
   Vec3 shading_normal;             ///< Unit, interpolated, on the same side.
-  std::array<double, 3> albedo{};  ///< Linear: base colour times tint.
+  std::array<double, 3> albedo{};  ///< Linear: base colour, or the sheet's, times tint.
   float roughness = 1;
   materials::Material material{};
   double distance_m = 0;
   double rounding_m = 0;  ///< How far off its plane single precision may put a ray's origin here, and the plane itself.
 };
+
+/// Of light that a diffuse surface has thrown back: a few of its rays stand for all directions.
+inline constexpr double kScattered_rad = 0.2;
 
 /// Immutable once built; safe to ask from many threads. Refers to the tiles, which must outlive it.
 class World {
@@ -36,7 +39,8 @@ class World {
 
   Vec3 origin() const;
   /// The first surface along a ray. Directions are unit vectors; rays that are not finite, or go nowhere, meet nothing.
-  std::optional<Hit> first_hit(Vec3 from, Vec3 direction) const;
+  /// @param spread_rad  How wide a cone the ray stands for: a sheet is smoothed over what that covers of it.
+  std::optional<Hit> first_hit(Vec3 from, Vec3 direction, double spread_rad = kScattered_rad) const;
   /// Is there anything at all along the ray?
   bool is_blocked(Vec3 from, Vec3 direction) const;
 

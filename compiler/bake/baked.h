@@ -3,20 +3,23 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/materials/material.h"
+#include "compiler/materials/sheet.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
 
+using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
-/// All triangles of one material. Frame: x east, y north, z up, metres from the tile's origin (archetypes: from their
-/// own). Vertices are shared.
+/// All triangles of one key. Frame: x east, y north, z up, metres from the tile's origin (archetypes: from their own).
+/// Vertices are shared.
 struct Primitive {
   materials::Material material{};
   std::vector<Float3> positions;
@@ -24,8 +27,21 @@ struct Primitive {
   std::vector<materials::Tint> colours;  ///< One a position.
   std::vector<std::uint32_t> features;   ///< One a position: index into BakedTile::features.
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// One a position, or empty: metres across and along, of the sheet or of the road (dressed_mesh.h). Rounded once, to
+  /// float32: by at most 0.5 mm up to 16 km.
+  std::vector<Float2> uvs{};
+  bool is_on_sheet = false;  ///< Coloured by BakedTile::sheet times `colours`; then it has uvs, and the sheet texels.
   bool operator==(const Primitive&) const = default;
 };
+
+/// What tells the primitives of a mesh apart, in the order in which they are kept.
+struct PrimitiveKey {
+  materials::Material material{};
+  bool has_uvs = false, is_on_sheet = false;
+  auto operator<=>(const PrimitiveKey&) const = default;
+};
+
+inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empty(), p.is_on_sheet}; }
 
 /// A mesh that stands in many places.
 struct Instanced {
@@ -44,8 +60,9 @@ struct BakedTile {
   double tolerance_m = 0;             ///< Asked for.
   double error_m = 0;                 ///< Certified: Hausdorff, both ways, to the full-detail shape.
   std::vector<OsmId> features;        ///< Sorted; index 0 is always the none feature.
-  std::vector<Primitive> primitives;  ///< Sorted by material, at most one each.
+  std::vector<Primitive> primitives;  ///< Sorted by key, at most one each.
   std::vector<Instanced> instanced;
+  materials::Sheet sheet{};  ///< What primitives on the sheet are coloured by; no texels: there are none.
   bool operator==(const BakedTile&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// Dressed meshes become few primitives: one a material, in single precision about an origin.
+// Dressed meshes become few primitives: one a key, in single precision about an origin.
 #pragma once
 
 #include <map>
@@ -10,15 +10,15 @@
 
 namespace citykiln::bake {
 
-/// The primitive of each material so far.
-using Merged = std::map<materials::Material, Primitive>;
+/// The primitive of each key so far.
+using Merged = std::map<PrimitiveKey, Primitive>;
 
-/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position and
-/// normal are shared. Triangles that single precision makes degenerate are left out. `feature` is the number written
-/// for every vertex.
+/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position of
+/// the mesh, which has one uv, and the same normal are shared. Triangles that single precision makes degenerate are
+/// left out. `feature` is the number written for every vertex. A mesh without triangles adds nothing.
 void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature);
 
-/// Sorted by material.
+/// Sorted by key.
 std::vector<Primitive> primitives_of(Merged&& merged);
 
 Float3 offset_from(Vec3 origin, Vec3 p);

@@ -69,7 +69,8 @@ Json describe(const bake::BakedTile& tile) {
                {"features", tile.features.size() - 1}};
   json["materials"] = Json::object();
   for (const bake::Primitive& primitive : tile.primitives) {
-    json["materials"][std::string(materials::values_of(primitive.material).name)] = primitive.triangles.size();
+    Json& count = json["materials"][exporters::material_name(bake::key_of(primitive))];
+    count = (count.is_null() ? 0 : count.get<std::size_t>()) + primitive.triangles.size();
   }
   json["instanced"] = Json::object();
   for (const bake::Instanced& instanced : tile.instanced)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "compiler/commands/join_sheets.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -28,15 +30,18 @@ bake::Float3 moved(const bake::Float3& p, Vec3 by, double& reach_m) {
   return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
 }
 
+bake::Float2 slid(const bake::Float2& uv, double across_m) { return {static_cast<float>(uv[0] + across_m), uv[1]}; }
+
 /// A tile on its way into the joined one.
 struct Guest {
   const bake::BakedTile& tile;
   Vec3 offset;                          ///< From the joined origin to the tile's.
+  double sheet_m;                       ///< From the joined sheet's left edge to that of the tile's.
   std::vector<std::uint32_t> features;  ///< The tile's numbers to the joined ones.
 };
 
-Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined) {
-  Guest guest{tile, tile.origin - joined.origin, {}};
+Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, double sheet_m) {
+  Guest guest{tile, tile.origin - joined.origin, sheet_m, {}};
   for (const OsmId feature : tile.features) {
     guest.features.push_back(
         static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
@@ -50,6 +55,7 @@ void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest
   to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
   to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
   for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
+  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(from.is_on_sheet ? slid(uv, guest.sheet_m) : uv);
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
@@ -60,18 +66,28 @@ void add_instanced(bake::Instanced& to, const bake::Instanced& from, const Guest
   for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
 }
 
-bake::Primitive& primitive_of(bake::BakedTile& joined, materials::Material material) {
-  const auto place = std::ranges::lower_bound(joined.primitives, material, {}, &bake::Primitive::material);
-  if (place != joined.primitives.end() && place->material == material) return *place;
-  return *joined.primitives.insert(place, bake::Primitive{material, {}, {}, {}, {}, {}});
+bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
+  const auto place = std::ranges::lower_bound(joined.primitives, key, {}, bake::key_of);
+  if (place != joined.primitives.end() && bake::key_of(*place) == key) return *place;
+  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.is_on_sheet});
+}
+
+/// A shared mesh as it lies on the joined sheet.
+std::vector<bake::Primitive> slid(std::vector<bake::Primitive> primitives, double across_m) {
+  for (bake::Primitive& primitive : primitives) {
+    if (!primitive.is_on_sheet) continue;
+    for (bake::Float2& uv : primitive.uvs) uv = slid(uv, across_m);
+  }
+  return primitives;
 }
 
 /// The shared mesh of that name and shape: tiles may cut the same archetype differently.
-bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like) {
+bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, double sheet_m) {
+  std::vector<bake::Primitive> primitives = slid(like.primitives, sheet_m);
   for (bake::Instanced& instanced : joined.instanced) {
-    if (instanced.name == like.name && instanced.primitives == like.primitives) return instanced;
+    if (instanced.name == like.name && instanced.primitives == primitives) return instanced;
   }
-  return joined.instanced.emplace_back(bake::Instanced{like.name, like.primitives, {}, {}, {}, {}});
+  return joined.instanced.emplace_back(bake::Instanced{like.name, std::move(primitives), {}, {}, {}, {}});
 }
 
 }  // namespace
@@ -82,11 +98,20 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());
   joined.features.assign(features.begin(), features.end());
 
+  std::vector<const materials::Sheet*> sheets;
+  for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.sheet);
+  Result<JoinedSheets> joined_sheets = join_sheets(sheets);
+  if (!joined_sheets) return joined_sheets.error();
+  joined.sheet = std::move(joined_sheets->sheet);
+
   double reach_m = 0;
-  for (const bake::BakedTile& tile : tiles) {
-    const Guest guest = guest_of(tile, joined);
-    for (const bake::Primitive& p : tile.primitives) add_primitive(primitive_of(joined, p.material), p, guest, reach_m);
-    for (const bake::Instanced& i : tile.instanced) add_instanced(instanced_of(joined, i), i, guest, reach_m);
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    const bake::BakedTile& tile = tiles[t];
+    const Guest guest = guest_of(tile, joined, joined_sheets->offsets_m[t]);
+    for (const bake::Primitive& p : tile.primitives)
+      add_primitive(primitive_of(joined, bake::key_of(p)), p, guest, reach_m);
+    for (const bake::Instanced& i : tile.instanced)
+      add_instanced(instanced_of(joined, i, guest.sheet_m), i, guest, reach_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
   }
   if (reach_m > kExactReach_m) {

@@ -1,8 +1,11 @@
 // A mesh, what it is made of, and whose it is: what every expand door hands out.
 #pragma once
 
+#include <vector>
+
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/mesh.h"
+#include "compiler/geometry/vec.h"
 #include "compiler/materials/material.h"
 
 namespace citykiln::materials {
@@ -12,6 +15,11 @@ struct DressedMesh {
   Material material{};
   Tint tint = kNoTint;
   OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
+  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. Elsewhere, on plain
+  /// road surfaces: x across the road, y along it.
+  std::vector<Vec2> uvs{};
+  bool is_on_sheet =
+      false;  ///< Drawn with the tile's sheet (sheet.h) instead of the material's colour; then it has uvs.
 };
 
 }  // namespace citykiln::materials

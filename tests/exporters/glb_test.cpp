@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "tests/exporters/made_tile.h"
@@ -46,8 +48,9 @@ Bytes with_json(const Bytes& bytes, std::string json) {
 }
 
 // What the reader says of a tile in whose JSON a text, which must be there, is another.
-std::string refusal_with(Instancing instancing, const std::string& text, const std::string& other) {
-  const Bytes bytes = encoded(made_tile(1), instancing);
+std::string refusal_with(Instancing instancing, const std::string& text, const std::string& other,
+                         const BakedTile& tile = made_tile(1)) {
+  const Bytes bytes = encoded(tile, instancing);
   std::string json = json_of(bytes);
   const auto at = json.find(text);
   EXPECT_NE(at, std::string::npos) << text << " in " << json;
@@ -58,11 +61,56 @@ std::string refusal_with(Instancing instancing, const std::string& text, const s
 TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
   for (std::uint32_t seed = 0; seed < 100; ++seed)
     for (const Instancing instancing : kBoth) {
-      const BakedTile tile = made_tile(seed);
-      const auto back = decoded(encoded(tile, instancing));
-      ASSERT_TRUE(back) << refusal(back);
-      ASSERT_EQ(*back, tile);
+      for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed)}) {
+        const auto back = decoded(encoded(tile, instancing));
+        ASSERT_TRUE(back) << refusal(back);
+        ASSERT_EQ(*back, tile);
+      }
     }
+}
+
+nlohmann::json gltf_of(const BakedTile& tile) {
+  return nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+}
+
+TEST(GlbSheet, IsWrittenOnceForAllThatIsOnIt) {
+  const auto gltf = gltf_of(made_marked_tile(1));
+  EXPECT_EQ(gltf["images"].size(), 1u);
+  EXPECT_EQ(gltf["textures"].size(), 1u);
+  EXPECT_EQ(gltf["images"][0]["mimeType"], "image/png");
+  EXPECT_EQ(gltf["samplers"],
+            nlohmann::json::parse(R"([{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 10497}])"));
+}
+
+TEST(GlbSheet, MarkedMaterialsShowItInMetres) {
+  const BakedTile tile = made_marked_tile(1);
+  const auto gltf = gltf_of(tile);
+  int marked = 0;
+  for (const auto& material : gltf["materials"]) {
+    const bool is_marked = material["name"].get<std::string>().ends_with("Marked");
+    const auto& colours = material["pbrMetallicRoughness"];
+    EXPECT_EQ(colours.contains("baseColorTexture"), is_marked);
+    if (!is_marked) continue;
+    ++marked;
+    EXPECT_EQ(colours.value("baseColorFactor", nlohmann::json({1, 1, 1, 1})), nlohmann::json({1, 1, 1, 1}));
+    const auto scale = colours["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"];
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.sheet.columns * tile.sheet.texel_m));
+    EXPECT_EQ(scale[1].get<double>(), 1 / (tile.sheet.rows * tile.sheet.texel_m));
+  }
+  EXPECT_EQ(marked, 3);
+}
+
+TEST(GlbSheet, TilesWithoutOneDoNotMentionIt) {
+  const std::string json = json_of(encoded(made_tile(1), Instancing::kExtension));
+  for (const char* word : {"TEXCOORD_0", "KHR_texture_transform", "images", "textures", "samplers", "Marked"})
+    EXPECT_EQ(json.find(word), std::string::npos) << word;
+}
+
+TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    for (const bool is_on_sheet : {false, true})
+      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, is_on_sheet})).second);
 }
 
 TEST(Glb, BothWaysOfInstancingAreOneTile) {
@@ -107,16 +155,18 @@ TEST(Glb, ATileWithoutGroundOrInstancesIsWhole) {
 }
 
 TEST(GlbDamage, EveryTruncationIsRefused) {
-  const Bytes bytes = encoded(made_tile(2), Instancing::kExtension);
-  for (std::size_t size = 0; size < bytes.size(); ++size)
-    ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+  for (const BakedTile& tile : {made_tile(2), made_marked_tile(2)}) {
+    const Bytes bytes = encoded(tile, Instancing::kExtension);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+  }
 }
 
 // Tiles have no checksum, so a changed byte may make another tile: one that can be written and read.
 TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
   std::mt19937 dice(4);
   for (const Instancing instancing : kBoth) {
-    const Bytes bytes = encoded(made_tile(3), instancing);
+    const Bytes bytes = encoded(instancing == Instancing::kNodes ? made_tile(3) : made_marked_tile(3), instancing);
     for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
       Bytes changed = bytes;
       changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
@@ -166,6 +216,75 @@ TEST(GlbDamage, NumbersBeyondTheirTypeAreRefused) {
             "tile.glb: expected a whole number");
   EXPECT_EQ(refusal_with(Instancing::kNodes, "\"translation\":[0.25", "\"translation\":[1e300"),
             "tile.glb: expected places in single precision");
+}
+
+std::string marked_refusal_with(const std::string& text, const std::string& other) {
+  return refusal_with(Instancing::kExtension, text, other, made_marked_tile(1));
+}
+
+std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
+
+TEST(GlbSheetDamage, WhatIsOnASheetThatIsNotThereIsRefused) {
+  const std::string expected = "tile.glb: expected a sheet, and a place on it, for each corner that is on it";
+  EXPECT_EQ(marked_refusal_with("\"images\"", "\"imagos\""), expected);
+  EXPECT_EQ(marked_refusal_with("\"name\":\"Grass\"", "\"name\":\"GrassMarked\""), expected);
+}
+
+TEST(GlbSheetDamage, PlacesForOtherCornersAreRefused) {
+  bake::BakedTile tile = made_marked_tile(1);
+  tile.primitives.back().uvs.pop_back();
+  EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))),
+            "tile.glb: expected as many values in each attribute");
+}
+
+TEST(GlbSheetDamage, PlacesThatAreNotFiniteAreRefused) {
+  for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    bake::BakedTile tile = made_marked_tile(1);
+    tile.primitives.back().uvs.back()[1] = bad;
+    EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))), "tile.glb: expected finite numbers");
+  }
+}
+
+TEST(GlbSheetDamage, ASecondSheetIsRefused) {
+  const std::string images = images_of(made_marked_tile(1)), one = images.substr(1, images.size() - 2);
+  EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"), "tile.glb: expected one sheet at most");
+}
+
+TEST(GlbSheetDamage, TexelsWithoutASizeAreRefused) {
+  EXPECT_EQ(marked_refusal_with("\"texel_m\"", "\"texel_n\""),
+            "tile.glb: expected the extras and extensions that citykiln writes");
+  for (const char* bad : {"-0.", "0,\"other\":0."})
+    EXPECT_EQ(marked_refusal_with("\"texel_m\":0.", std::string("\"texel_m\":") + bad),
+              "tile.glb: expected texels with a size");
+}
+
+TEST(GlbSheetDamage, APictureThatIsNoneIsRefused) {
+  Bytes bytes = encoded(made_marked_tile(1), Instancing::kExtension);
+  const std::string signature = "\x89PNG", header = "IHDR";
+  const auto find = [&](const std::string& word) {
+    return std::search(bytes.begin(), bytes.end(), word.begin(), word.end(),
+                       [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+  };
+  for (const std::string& word : {header, signature}) {
+    const auto at = find(word);
+    ASSERT_NE(at, bytes.end());
+    *at ^= std::byte{1};
+    EXPECT_EQ(refusal(decoded(bytes)).substr(0, 50), "tile.glb: expected a sheet: expected a PNG picture");
+  }
+}
+
+TEST(GlbSheetDamage, APictureOutsideTheBufferIsRefused) {
+  const std::string expected = "tile.glb: expected a sheet inside the buffer, as citykiln writes it";
+  const auto gltf = gltf_of(made_marked_tile(1));
+  const auto view = gltf["images"][0]["bufferView"].get<std::size_t>();
+  const std::string offset = "\"byteOffset\":" + gltf["bufferViews"][view]["byteOffset"].dump();
+  for (const char* bad : {"\"byteOffset\":99999999", "\"byteOffset\":18446744073709551615", "\"byteOffset\":-1"})
+    EXPECT_EQ(marked_refusal_with(offset, bad), expected) << bad;
+  const std::string number = "\"bufferView\":" + std::to_string(view) + ",\"extras\"";
+  for (const char* bad : {"\"bufferView\":9999,\"extras\"", "\"bufferView\":-1,\"extras\"", "\"extras\""})
+    EXPECT_EQ(marked_refusal_with(number, bad), expected) << bad;
+  EXPECT_EQ(marked_refusal_with("\"buffers\":[{", "\"buffers\":[{\"uri\":\"x\","), expected);
+  EXPECT_EQ(marked_refusal_with("\"buffers\":[{", "\"buffers\":[{},{"), expected);
 }
 
 TEST(GlbDamage, ABufferViewReadTwiceIsRefused) {

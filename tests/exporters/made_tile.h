@@ -47,4 +47,33 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   return tile;
 }
 
+/// A sheet of few colours, whose texels' size is no sum of halves.
+inline materials::Sheet made_sheet(std::mt19937& dice) {
+  materials::Sheet sheet{0.02 + 0.001 * (dice() % 10), 5 + static_cast<std::uint32_t>(dice()) % 20, 48, {}};
+  for (std::uint32_t i = 0; i < sheet.columns * sheet.rows; ++i) {
+    const auto grey = static_cast<std::uint8_t>(60 + 60 * (dice() % 4));
+    sheet.texels.push_back({grey, grey, 77});
+  }
+  return sheet;
+}
+
+/// The same with a road on a sheet, one that has places along it only, and a copied mesh of which a part is on the
+/// sheet.
+inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
+  std::mt19937 dice(seed + 1000);
+  bake::BakedTile tile = made_tile(seed);
+  tile.sheet = made_sheet(dice);
+  const auto laid_out = [&](materials::Material material, bool is_on_sheet, std::uint32_t features) {
+    bake::Primitive p = made_primitive(dice, material, 12, features);
+    for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
+    p.is_on_sheet = is_on_sheet;
+    return p;
+  };
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, false, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, true, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kPaving, true, 4));
+  tile.instanced[0].primitives.push_back(laid_out(materials::Material::kPaintedMetal, true, 0));
+  return tile;
+}
+
 }  // namespace citykiln::exporters

@@ -14,6 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
 from citykiln_program import TOWN, ProgramTest, run  # noqa: E402
 
 BLENDER = shutil.which("blender")
+# writes tiles with a sheet
+MADE_GLB = os.environ.get("MADE_GLB")
 SCRIPT = Path(__file__).resolve().parent / "import_blender.py"
 
 # Places on a grid of 2^-10 m, passed through Blender's single precision, 1 km from the plane's origin.
@@ -36,14 +38,15 @@ def box_of(gltf, mesh):
     return [min(c[i] for c in corners) for i in range(3)], [max(c[i] for c in corners) for i in range(3)]
 
 
-class BlenderImport(ProgramTest):
+class BlenderTest(ProgramTest):
+    """What Blender holds of the files that `written` writes."""
+
     @classmethod
     def setUpClass(cls):
         cls.keeper = ProgramTest()
         cls.keeper.setUp()
         cls.addClassCleanup(cls.keeper.doCleanups)
-        out = cls.keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--instancing", "nodes")
-        cls.paths = sorted((out / "glb").glob("*.glb"))
+        cls.paths = cls.written(cls.keeper)
         facts = cls.keeper.folder / "facts.json"
         cls.done = subprocess.run([BLENDER, "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P", SCRIPT, "--", facts, *cls.paths],
                                   capture_output=True, text=True, check=False,
@@ -56,6 +59,13 @@ class BlenderImport(ProgramTest):
     def assert_near(self, a, b, near=NEAR_M):
         for x, y in zip(a, b, strict=True):
             self.assertLess(abs(x - y), near, (a, b))
+
+
+class BlenderImport(BlenderTest):
+    @classmethod
+    def written(cls, keeper):
+        out = keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--instancing", "nodes")
+        return sorted((out / "glb").glob("*.glb"))
 
     def test_nothing_is_complained_about(self):
         self.assertGreater(len(self.tiles), 1)
@@ -83,11 +93,13 @@ class BlenderImport(ProgramTest):
         roofs = 0
         for _, gltf, facts in self.tiles:
             base = gltf["nodes"][0]["translation"][1]
+            heights = {}
             for primitive in gltf["meshes"][gltf["nodes"][0]["mesh"]]["primitives"]:
-                name = gltf["materials"][primitive["material"]]["name"]
                 accessor = gltf["accessors"][primitive["attributes"]["POSITION"]]
+                heights.setdefault(gltf["materials"][primitive["material"]]["name"], []).extend([accessor["min"][1], accessor["max"][1]])
+            for name, z in heights.items():
                 found = facts["tile"]["materials"][name]
-                self.assert_near(found["z_m"], [base + accessor["min"][1], base + accessor["max"][1]])
+                self.assert_near(found["z_m"], [base + min(z), base + max(z)])
                 roofs += name in ("RoofTile", "Slate", "FlatRoof", "MetalRoof") and found["z_m"][1] > base + 5
         self.assertGreater(roofs, 0)
 
@@ -134,13 +146,44 @@ class BlenderImport(ProgramTest):
             self.assertEqual(sorted(facts["materials"]), sorted(material["name"] for material in gltf["materials"]))
             for material in gltf["materials"]:
                 values, found = material["pbrMetallicRoughness"], facts["materials"][material["name"]]
-                self.assert_near(found["colour"], values["baseColorFactor"][:3], 1e-5)
+                if "baseColorTexture" not in values:
+                    self.assert_near(found["colour"], values["baseColorFactor"][:3], 1e-5)
                 self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
 
     def test_the_tile_says_what_it_is(self):
         for _, gltf, facts in self.tiles:
             self.assertEqual(facts["extras"], sorted(gltf["nodes"][0]["extras"]))
             self.assertEqual(facts["root"], gltf["nodes"][0]["name"])
+
+
+@unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
+class BlenderSheet(BlenderTest):
+    @classmethod
+    def written(cls, keeper):
+        subprocess.run([MADE_GLB, keeper.folder], check=True)
+        return [keeper.folder / "marked_nodes.glb"]
+
+    def test_what_is_on_the_sheet_shows_one_picture_in_metres(self):
+        [(_, gltf, facts)] = self.tiles
+        marked = [material for material in gltf["materials"] if material["name"].endswith("Marked")]
+        self.assertEqual(len(marked), 3)
+        self.assertEqual(len(facts["pictures"]), 1)
+        for material in marked:
+            found = facts["materials"][material["name"]]
+            scale = material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"]
+            self.assertTrue(found["has_pixels"])
+            self.assertEqual(found["picture_px"], facts["pictures"][0])
+            self.assert_near(found["scale"][:2], scale, 1e-6)
+            # v runs down from the picture's top, Blender's up from its bottom
+            self.assert_near(found["location"][:2], [0, 1 - scale[1]], 1e-6)
+
+    def test_places_on_the_sheet_are_metres(self):
+        # made_tile.h lays its roads out by their corners' x, and 16 km and their y
+        [(_, _, facts)] = self.tiles
+        for name in ("AsphaltMarked", "PavingMarked"):
+            self.assertEqual(len(facts["uvs"][name]), 12)
+            for (x, y, _), (u, v) in facts["uvs"][name]:
+                self.assert_near([u, 1 - v], [x, 16000 + y], 0.003)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,16 @@ def material_name(mesh, polygon):
     return mesh.materials[polygon.material_index].name
 
 
+def facts_of_uvs(mesh):
+    """By material: corners with their place, and where they lie on the picture, from its lower left corner as Blender has it."""
+    by_material = {}
+    for polygon in mesh.polygons:
+        row = by_material.setdefault(material_name(mesh, polygon), [])
+        for loop in polygon.loop_indices:
+            row.append([list(mesh.vertices[mesh.loops[loop].vertex_index].co), list(mesh.uv_layers[0].data[loop].uv)])
+    return by_material
+
+
 def facts_of_ground_and_buildings(tile):
     """The tile's own mesh, in Blender's world: metres, z up."""
     mesh, world = tile.data, tile.matrix_world
@@ -40,6 +50,12 @@ def facts_of_ground_and_buildings(tile):
 def base_colour(material):
     """What the colours of the corners are multiplied by on the way into the shader."""
     shader = material.node_tree.nodes["Principled BSDF"]
+    pictures = [node for node in material.node_tree.nodes if node.type == "TEX_IMAGE"]
+    if pictures:
+        # between it and the picture stand nodes that repeat it one way only
+        [mapping] = [node for node in material.node_tree.nodes if node.type == "MAPPING"]
+        return {"roughness": shader.inputs["Roughness"].default_value, "picture_px": list(pictures[0].image.size), "has_pixels": len(pictures[0].image.pixels) > 0,
+                "scale": list(mapping.inputs["Scale"].default_value), "location": list(mapping.inputs["Location"].default_value)}
     link = shader.inputs["Base Color"].links[0].from_node
     constants = [tuple(i.default_value) for i in link.inputs if i.type == "RGBA" and not i.is_linked]
     if len(constants) != 1:
@@ -74,7 +90,8 @@ def facts_of(path):
     return {"root": tiles[0].name, "unit_m": bpy.context.scene.unit_settings.scale_length,
             "extras": sorted(key for key in tiles[0].keys()), "meshes": len(bpy.data.meshes),
             "materials": {name: base_colour(material) for name, material in bpy.data.materials.items()},
-            "tile": facts_of_ground_and_buildings(tiles[0]),
+            "tile": facts_of_ground_and_buildings(tiles[0]), "pictures": [list(image.size) for image in bpy.data.images],
+            "uvs": facts_of_uvs(tiles[0].data) if tiles[0].data.uv_layers else {},
             "copies": facts_of_copies(thing for thing in bpy.data.objects if thing.parent is not None)}
 
 

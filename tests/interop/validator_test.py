@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Khronos' glTF validator finds nothing to say about the town's tiles, at any level and either way of placing copies."""
+import os
 import shutil
 import subprocess
 import sys
@@ -7,6 +8,8 @@ import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+# writes tiles with a sheet
+MADE_GLB = os.environ.get("MADE_GLB")
 sys.path.insert(0, str(HERE.parent / "properties"))
 from citykiln_program import TOWN, ProgramTest  # noqa: E402
 
@@ -32,6 +35,11 @@ class Validator(ProgramTest):
 
     def test_a_node_a_copy_is_valid(self):
         self.assert_valid(self.tiles("--lods", "0.1,12.5", "--instancing", "nodes"))
+
+    @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
+    def test_a_tile_with_a_sheet_is_valid(self):
+        subprocess.run([MADE_GLB, self.folder], check=True)
+        self.assert_valid([self.folder / "marked.glb", self.folder / "marked_nodes.glb"])
 
     def test_a_broken_tile_is_noticed(self):
         tile = self.tiles("--lods", "12.5")[0]

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace citykiln::commands {
 namespace {
 
@@ -59,13 +61,58 @@ TEST(JoinTiles, SharesMeshesThatAreTheSame) {
   EXPECT_EQ(joined->instanced[0].translations, (std::vector<bake::Float3>{{2, 2, 0}, {1026, 2, 0}}));
 }
 
+/// With a road on a sheet of one colour, and one that is not on it.
+bake::BakedTile marked_at(Vec3 origin, std::uint8_t grey) {
+  bake::BakedTile tile = tile_at(origin, way(5), 0);
+  for (const bool is_on_sheet : {false, true}) {
+    tile.primitives.push_back(tile.primitives[0]);
+    tile.primitives.back().uvs = {{0, 7}, {0.5f, 7}, {1, 9}};
+    tile.primitives.back().is_on_sheet = is_on_sheet;
+  }
+  tile.instanced[0].primitives.push_back(tile.primitives.back());
+  tile.instanced[0].primitives.back().features.clear();
+  tile.sheet = {0.5, 2, 1, {{grey, grey, grey}, {grey, grey, grey}}};
+  return tile;
+}
+
+TEST(JoinTiles, EveryRoadShowsItsOwnTilesSheet) {
+  const std::vector tiles = {marked_at({0, 0, 0}, 50), tile_at({1024, 0, 0}, way(3), 0), marked_at({2048, 0, 0}, 200)};
+  const Result<bake::BakedTile> joined = join_tiles(tiles);
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->primitives.size(), 3u);
+  const auto shown = [&](const bake::Primitive& road, std::size_t v) {
+    return joined->sheet.texels.at(static_cast<std::size_t>(road.uvs[v][0] / 0.5))[0];
+  };
+  const bake::Primitive& marked = joined->primitives[2];
+  ASSERT_EQ(marked.uvs.size(), 6u);
+  for (const std::size_t v : {0u, 1u}) EXPECT_EQ(shown(marked, v), 50);
+  for (const std::size_t v : {3u, 4u}) EXPECT_EQ(shown(marked, v), 200);
+  EXPECT_EQ(marked.uvs[5][1], 9);
+  // places along a road without markings are no places on a sheet
+  EXPECT_EQ(joined->primitives[1].uvs[3], tiles[2].primitives[1].uvs[0]);
+  ASSERT_EQ(joined->instanced.size(), 3u);
+  EXPECT_EQ(shown(joined->instanced[0].primitives[1], 0), 50);
+  EXPECT_EQ(shown(joined->instanced[2].primitives[1], 0), 200);
+}
+
+TEST(JoinTiles, KeepsPrimitivesSortedOneAKey) {
+  const std::vector tiles = {tile_at({1024, 0, 0}, way(3), 0), marked_at({0, 0, 0}, 50), marked_at({2048, 0, 0}, 50)};
+  const Result<bake::BakedTile> joined = join_tiles(tiles);
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->primitives.size(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(joined->primitives, {}, bake::key_of));
+  EXPECT_EQ(joined->sheet, tiles[1].sheet);
+}
+
 TEST(JoinTiles, RefusesWhatFloat32CannotHold) {
   EXPECT_FALSE(join_tiles(std::vector{tile_at({0, 0, 0}, way(1), 0), tile_at({16384, 0, 0}, way(2), 0)}));
 }
 
 TEST(JoinTiles, OfOneIsThatOne) {
-  const std::vector tiles = {tile_at({1024, 0, 7}, way(5), 0.1)};
-  EXPECT_EQ(*join_tiles(tiles), tiles[0]);
+  for (const bake::BakedTile& tile : {tile_at({1024, 0, 7}, way(5), 0.1), marked_at({1024, 0, 7}, 50)}) {
+    const std::vector tiles = {tile};
+    EXPECT_EQ(*join_tiles(tiles), tiles[0]);
+  }
 }
 
 }  // namespace

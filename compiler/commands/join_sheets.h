@@ -1,0 +1,28 @@
+// The sheets of several tiles as one, side by side.
+//
+//     +-----+ +---+      +-----+-+---+
+//     |  a  | | b |  ->  |  a  |g| b |   g: a gutter of a's and b's last texels, so that smoothing mixes in nothing
+//     else
+//     +-----+ |   |      |  a  |g|   |   shorter sheets repeat, as they do along v anyway
+//             +---+      +-----+-+---+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/contract/result.h"
+#include "compiler/materials/sheet.h"
+
+namespace citykiln::commands {
+
+struct JoinedSheets {
+  materials::Sheet sheet;
+  std::vector<double> offsets_m;  ///< One a sheet: what to add to its u.
+};
+
+/// Guarantees: every texel of every sheet is in the joined one, at its v and its u plus the offset; equal sheets are in
+/// it once; sheets without texels take no room. @param sheets  Where the joined one will be drawn, in this order.
+/// Errors: texels of different sizes; more of them than a sheet may have. O(texels of the product).
+Result<JoinedSheets> join_sheets(std::span<const materials::Sheet* const> sheets);
+
+}  // namespace citykiln::commands

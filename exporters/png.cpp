@@ -1,0 +1,83 @@
+#include "exporters/png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+namespace citykiln::exporters {
+namespace {
+
+using materials::Sheet;
+
+// A picture as libpng takes it.
+png_image picture_of(const Sheet& sheet) {
+  png_image picture{};
+  picture.version = PNG_IMAGE_VERSION;
+  picture.width = sheet.columns, picture.height = sheet.rows, picture.format = PNG_FORMAT_RGB;
+  return picture;
+}
+
+// Each colour's number, in order; more than 256 are no palette, and given up.
+std::map<Sheet::Texel, std::uint8_t> palette_of(const Sheet& sheet) {
+  constexpr std::size_t kMost = 256;
+  std::map<Sheet::Texel, std::uint8_t> palette;
+  for (const Sheet::Texel& texel : sheet.texels) {
+    palette.emplace(texel, std::uint8_t{0});
+    if (palette.size() > kMost) return {};
+  }
+  std::uint8_t number = 0;
+  for (auto& [texel, place] : palette) place = number++;
+  return palette;
+}
+
+std::vector<std::byte> written(png_image& picture, const void* pixels, const void* palette) {
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(picture);
+  std::vector<std::byte> bytes(size);
+  [[maybe_unused]] const int done = png_image_write_to_memory(&picture, bytes.data(), &size, 0, pixels, 0, palette);
+  assert(done != 0);
+  bytes.resize(size);
+  return bytes;
+}
+
+// No file holds more: eight pixels a byte, which deflate makes a thousandth of.
+std::uint64_t most_texels_in(std::size_t bytes) {
+  return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMostTexels);
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png(const Sheet& sheet) {
+  assert(sheet.texels.size() == std::size_t{sheet.columns} * sheet.rows && !sheet.texels.empty());
+  png_image picture = picture_of(sheet);
+  const std::map<Sheet::Texel, std::uint8_t> palette = palette_of(sheet);
+  if (palette.empty()) return written(picture, sheet.texels.data(), nullptr);
+  std::vector<Sheet::Texel> colours;
+  for (const auto& [texel, number] : palette) colours.push_back(texel);
+  std::vector<std::uint8_t> numbers;
+  for (const Sheet::Texel& texel : sheet.texels) numbers.push_back(palette.at(texel));
+  picture.format = PNG_FORMAT_RGB_COLORMAP;
+  picture.colormap_entries = static_cast<png_uint_32>(colours.size());
+  return written(picture, numbers.data(), colours.data());
+}
+
+Result<Sheet> decode_png(std::span<const std::byte> bytes, const std::string& name) {
+  png_image picture{};
+  picture.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
+    return Error{name, std::string("expected a PNG picture: ") + picture.message};
+  const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
+  if (std::max(picture.width, picture.height) > materials::kWidestSheet_px || texels > most_texels_in(bytes.size())) {
+    png_image_free(&picture);
+    return Error{name, "expected a picture of no more texels than a sheet may have"};
+  }
+  Sheet sheet{0, picture.width, picture.height, std::vector<Sheet::Texel>(texels)};
+  picture.format = PNG_FORMAT_RGB;
+  const png_color black{};
+  if (png_image_finish_read(&picture, &black, sheet.texels.data(), 0, nullptr) == 0)
+    return Error{name, std::string("expected a whole PNG picture: ") + picture.message};
+  return sheet;
+}
+
+}  // namespace citykiln::exporters

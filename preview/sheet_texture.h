@@ -1,0 +1,49 @@
+// A sheet as rays see it: smoothed as far as what a ray covers.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "compiler/geometry/vec.h"
+#include "compiler/materials/sheet.h"
+
+namespace citykiln::preview {
+
+/// A patch of a sheet, as a ray covers it: an ellipse about `centre`, `across_m` wide and drawn out along `along`.
+struct Patch {
+  Vec2 centre;          ///< Metres on the sheet.
+  Vec2 along;           ///< From the middle to the far end; zero: a disk.
+  double across_m = 0;  ///< Diameter. 0: the texels themselves.
+};
+
+/// Method: levels of half as many texels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each of them the exact
+/// mean of the whole; between texels and between levels linear, in linear light. A long patch is several round ones in
+/// a row (McCormack et al., "Feline", SIGGRAPH 1999), at most 16. Across the sheet its edge goes on, along it repeats.
+///
+/// Refers to the sheet, which must outlive it. Memory: 4 bytes a texel. Cost: O(texels), then O(1) a patch.
+class SheetTexture {
+ public:
+  /// @param sheet  With texels.
+  explicit SheetTexture(const materials::Sheet& sheet);
+
+  const materials::Sheet& sheet() const { return *sheet_; }
+  /// Linear reflectance, mean over a patch. What is not finite gives the sheet's mean.
+  std::array<double, 3> mean(const Patch& patch) const;
+
+ private:
+  using Texel = std::array<float, 3>;
+  struct Level {
+    std::size_t columns, rows;
+    std::vector<Texel> texels;  // none at the finest: there they are the sheet's
+  };
+
+  Texel texel(const Level& level, std::size_t column, std::size_t row) const;
+  Level halved(const Level& level) const;
+  std::array<double, 3> smooth(const Level& level, Vec2 at) const;
+  std::array<double, 3> disk(Vec2 at, double across_m) const;
+
+  const materials::Sheet* sheet_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace citykiln::preview

@@ -1,0 +1,98 @@
+#include "compiler/bake/merge.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace citykiln::bake {
+namespace {
+
+using materials::DressedMesh;
+using materials::Material;
+
+/// Two triangles that share an edge: a square of 2 m, flat unless normals are asked for.
+DressedMesh square(Material material, bool is_smooth = true) {
+  DressedMesh dressed;
+  dressed.mesh.positions = {{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}};
+  if (is_smooth) dressed.mesh.normals.assign(4, {0, 0, 1});
+  dressed.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  dressed.material = material;
+  return dressed;
+}
+
+DressedMesh laid_out(Material material, bool is_on_sheet) {
+  DressedMesh dressed = square(material);
+  dressed.uvs = {{0, 100}, {2, 100}, {2, 102}, {0, 102}};
+  dressed.is_on_sheet = is_on_sheet;
+  return dressed;
+}
+
+std::vector<Primitive> merged(const std::vector<DressedMesh>& meshes) {
+  Merged all;
+  for (const DressedMesh& mesh : meshes) merge(all, mesh, {}, 0);
+  return primitives_of(std::move(all));
+}
+
+TEST(Merge, OnePrimitiveAKeySortedByKey) {
+  const auto primitives =
+      merged({laid_out(Material::kAsphalt, true), square(Material::kBark), laid_out(Material::kAsphalt, false),
+              square(Material::kAsphalt), laid_out(Material::kAsphalt, true), square(Material::kGrass)});
+  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, false},
+                                              {Material::kAsphalt, false, false},
+                                              {Material::kAsphalt, true, false},
+                                              {Material::kAsphalt, true, true},
+                                              {Material::kBark, false, false}};
+  ASSERT_EQ(primitives.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(key_of(primitives[i]), expected[i]) << i;
+  EXPECT_EQ(primitives[3].positions.size(), 8u);
+}
+
+TEST(Merge, EachVertexHasTheUvOfItsPosition) {
+  const auto primitives = merged({laid_out(Material::kAsphalt, false), laid_out(Material::kAsphalt, false)});
+  ASSERT_EQ(primitives.size(), 1u);
+  ASSERT_EQ(primitives[0].uvs.size(), primitives[0].positions.size());
+  for (std::size_t v = 0; v < primitives[0].uvs.size(); ++v) {
+    const Float3& at = primitives[0].positions[v];
+    EXPECT_EQ(primitives[0].uvs[v], (Float2{at[0], at[1] + 100}));
+  }
+}
+
+TEST(Merge, MeshesWithoutUvsGetNone) {
+  for (const Primitive& p : merged({square(Material::kGrass), laid_out(Material::kAsphalt, true)}))
+    EXPECT_EQ(p.uvs.size(), p.is_on_sheet ? p.positions.size() : 0);
+}
+
+TEST(Merge, SharesVerticesOfOneNormal) {
+  EXPECT_EQ(merged({square(Material::kGrass, true)})[0].positions.size(), 4u);
+  DressedMesh folded = square(Material::kGrass, false);
+  folded.mesh.positions[3].z = 6;
+  EXPECT_EQ(merged({folded})[0].positions.size(), 6u);
+}
+
+TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
+  DressedMesh seam = laid_out(Material::kAsphalt, true);
+  seam.mesh.positions.push_back(seam.mesh.positions[0]);
+  seam.mesh.normals.push_back(seam.mesh.normals[0]);
+  seam.uvs.push_back({7, 100});
+  seam.mesh.triangles[1][0] = 4;
+  const Primitive primitive = merged({seam})[0];
+  EXPECT_EQ(primitive.positions.size(), 5u);
+  EXPECT_EQ(std::set<Float2>(primitive.uvs.begin(), primitive.uvs.end()).size(), 5u);
+}
+
+TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
+  DressedMesh far = laid_out(Material::kAsphalt, true);
+  for (Vec2& uv : far.uvs) uv.y = 16383.123456 + uv.y / 1000;
+  for (const Primitive& p : merged({far}))
+    for (std::size_t v = 0; v < p.uvs.size(); ++v)
+      EXPECT_NEAR(p.uvs[v][1], 16383.123456 + (p.positions[v][1] + 100.0) / 1000, 0.0005);
+}
+
+TEST(Merge, LeavesOutTrianglesWithoutArea) {
+  DressedMesh thin = laid_out(Material::kAsphalt, true);
+  thin.mesh.triangles = {{0, 1, 1}};
+  EXPECT_TRUE(merged({thin}).empty());
+}
+
+}  // namespace
+}  // namespace citykiln::bake

@@ -1,0 +1,79 @@
+#include "compiler/commands/join_sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace citykiln::commands {
+namespace {
+
+using materials::Sheet;
+
+Sheet made(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed, double texel_m = 0.25) {
+  std::mt19937 dice(seed);
+  Sheet sheet{texel_m, columns, rows, {}};
+  for (std::uint32_t i = 0; i < columns * rows; ++i)
+    sheet.texels.push_back({static_cast<std::uint8_t>(dice()), static_cast<std::uint8_t>(dice()), 1});
+  return sheet;
+}
+
+Result<JoinedSheets> joined(const std::vector<Sheet>& sheets) {
+  std::vector<const Sheet*> pointers;
+  for (const Sheet& sheet : sheets) pointers.push_back(&sheet);
+  return join_sheets(pointers);
+}
+
+// As it is drawn: the edge goes on across, all repeats along.
+Sheet::Texel texel(const Sheet& sheet, std::int64_t column, std::uint32_t row) {
+  column = std::clamp<std::int64_t>(column, 0, sheet.columns - 1);
+  return sheet.texels[row % sheet.rows * sheet.columns + static_cast<std::size_t>(column)];
+}
+
+TEST(JoinSheets, EverySheetIsShownAtItsOffsetAndAGutterAround) {
+  const std::vector<Sheet> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
+  const auto all = joined(sheets);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->sheet.rows, 12u);
+  EXPECT_EQ(all->sheet.texels.size(), std::size_t{all->sheet.columns} * 12);
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    const double first = all->offsets_m[s] / 0.25;
+    ASSERT_EQ(first, std::floor(first));
+    const auto columns = static_cast<std::int64_t>(sheets[s].columns);
+    for (std::int64_t column = -4; column < columns + 4; ++column)
+      for (std::uint32_t row = 0; row < 12; ++row)
+        ASSERT_EQ(texel(all->sheet, static_cast<std::int64_t>(first) + column, row), texel(sheets[s], column, row))
+            << s << ": " << column << ", " << row;
+  }
+}
+
+TEST(JoinSheets, EqualOnesAreThereOnce) {
+  const auto all = joined({made(20, 6, 1), made(20, 6, 1), made(20, 6, 1)});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->sheet, made(20, 6, 1));
+  EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 0, 0}));
+}
+
+TEST(JoinSheets, TilesWithoutOneTakeNoRoom) {
+  const auto all = joined({{}, made(20, 6, 1), {}});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->sheet, made(20, 6, 1));
+  EXPECT_EQ(joined({{}, {}})->sheet, Sheet{});
+}
+
+TEST(JoinSheets, TexelsOfTwoSizesAreRefused) {
+  const auto all = joined({made(20, 6, 1), made(20, 6, 1, 0.5)});
+  ASSERT_FALSE(all);
+  EXPECT_EQ(to_string(all.error()), "sheets of different texels cannot be in one file: bake to a folder");
+}
+
+TEST(JoinSheets, MoreThanGraphicsCardsTakeIsRefused) {
+  EXPECT_TRUE(joined({made(8184, 2, 1), made(8192, 2, 2)}));
+  EXPECT_FALSE(joined({made(8185, 2, 1), made(8192, 2, 2)}));
+  EXPECT_FALSE(joined({made(1, 127, 1), made(1, 131, 2)}));
+  EXPECT_FALSE(joined({made(8000, 90, 1), made(8000, 91, 2)}));
+}
+
+}  // namespace
+}  // namespace citykiln::commands
