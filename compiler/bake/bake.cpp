@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "compiler/bake/dress_ground.h"
 #include "compiler/bake/fire_ground.h"
 #include "compiler/bake/merge.h"
 #include "compiler/buildings/expand.h"
@@ -52,13 +53,15 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
-void fire_ground(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box, int threads,
-                 Report& report) {
+void fire_ground(Firing& firing, const Box2& box, int threads, Report& report) {
+  const scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
+  Markings markings = lay_out_markings(cover, firing.tolerance_m);
   for (const ground::GroundMesh& ground :
-       expand_cells(firing.chunk, surfaces, box, firing.tolerance_m, threads, report)) {
+       expand_cells(firing.chunk, cover.surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(ground.error_m);
-    firing.take(dress(ground, surfaces, firing.header.seed));
+    firing.take(dress(ground, cover, markings, firing.header.seed));
   }
+  firing.tile.sheet = std::move(markings.sheet);
 }
 
 std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
@@ -150,7 +153,7 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
   Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
 
-  fire_ground(firing, surfaces, box, threads, report);
+  fire_ground(firing, box, threads, report);
   fire_each(firing, chunk.bridges, "bridge", report,
             [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
   fire_each(firing, chunk.buildings, "building", report,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compiler/contract/draw.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/plan.h"
 #include "compiler/map/locate.h"
@@ -47,13 +46,6 @@ std::vector<std::vector<std::uint32_t>> candidates_of(std::span<const Surface> s
   return candidates;
 }
 
-// Brightness drawn for a surface, within its material's variation.
-materials::Tint tint_of(const Surface& surface, materials::Material material, std::uint64_t seed) {
-  const double darker = values_of(material).variation * Draw(seed, stable_id(surface.id), "ground tint").unit(0);
-  const auto level = static_cast<std::uint8_t>(255 * (1 - darker) + 0.5);
-  return {level, level, level, 255};
-}
-
 }  // namespace
 
 std::vector<Box2> cells_of(const Box2& tile) {
@@ -86,40 +78,6 @@ std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::spa
     grounds.push_back(std::move(slot.ground));
   }
   return grounds;
-}
-
-std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, std::span<const Surface> surfaces,
-                                          std::uint64_t seed) {
-  // faces by surface, each surface a mesh over its own vertices
-  std::vector<std::uint32_t> order(ground.face_surface.size());
-  for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto f, auto g) { return ground.face_surface[f] < ground.face_surface[g]; });
-  std::vector<std::uint32_t> place(ground.mesh.positions.size()), whose(ground.mesh.positions.size(), kNoSurface - 1);
-  std::vector<materials::DressedMesh> dressed;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t number = ground.face_surface[order[i]];
-    if (i == 0 || ground.face_surface[order[i - 1]] != number) {
-      materials::DressedMesh& mesh = dressed.emplace_back();
-      const map::SurfaceClass surface = number == kNoSurface ? map::SurfaceClass::kUnknown : surfaces[number].surface;
-      mesh.material = values_of(surface).material;
-      if (number != kNoSurface)
-        mesh.tint = tint_of(surfaces[number], mesh.material, seed), mesh.feature = surfaces[number].id.osm;
-    }
-    Mesh& mesh = dressed.back().mesh;
-    Triangle triangle = ground.mesh.triangles[order[i]];
-    for (std::uint32_t& v : triangle) {
-      if (whose[v] != number) {
-        whose[v] = number;
-        place[v] = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(ground.mesh.positions[v]);
-        mesh.normals.push_back(ground.mesh.normals[v]);
-      }
-      v = place[v];
-    }
-    mesh.triangles.push_back(triangle);
-  }
-  return dressed;
 }
 
 }  // namespace citykiln::bake

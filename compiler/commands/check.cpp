@@ -13,6 +13,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/expand.h"
+#include "compiler/scene/ground_cover.h"
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
@@ -77,14 +78,14 @@ const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
 }
 
 /// The cells of one tile, put together again: their areas must add up.
-double ground_area_m2(const scene::Chunk& chunk, const Box2& box, double tolerance_m) {
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+double ground_area_m2(const scene::Header& header, const scene::Chunk& chunk, const Box2& box, double tolerance_m) {
+  const scene::GroundCover cover = scene::cover_of(header, chunk, tolerance_m);
   double area = 0;
   Report ignored;
   for (double y = box.min.y; y < box.max.y; y += map::kCell_m) {
     for (double x = box.min.x; x < box.max.x; x += map::kCell_m) {
       const Box2 cell{{x, y}, {x + map::kCell_m, y + map::kCell_m}};
-      const ground::GroundMesh ground = ground::expand_cell(surfaces, chunk.heights, cell, tolerance_m, ignored);
+      const ground::GroundMesh ground = ground::expand_cell(cover.surfaces, chunk.heights, cell, tolerance_m, ignored);
       for (const Triangle& t : ground.mesh.triangles) {
         const auto corner = [&](std::size_t i) { return in_plan(ground.mesh.positions[t[i]]); };
         area += 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
@@ -98,7 +99,7 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
                   const std::string& name, Findings& findings) {
   const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
   const double tile_m2 = box.width() * box.height();
-  const double ground_m2 = ground_area_m2(chunk, box, tile.tolerance_m);
+  const double ground_m2 = ground_area_m2(subject.scene.header, chunk, box, tile.tolerance_m);
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
                      fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 

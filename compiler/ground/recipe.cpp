@@ -6,7 +6,7 @@ namespace citykiln::ground {
 
 bool covers(const Surface& a, const Surface& b) {
   const auto rank = [](const Surface& s) {
-    return std::tuple(-static_cast<int>(map::values_of(s.surface).priority), s.area_m2, s.id, s.surface);
+    return std::tuple(-static_cast<int>(map::values_of(s.surface).priority), s.area_m2, s.id, s.surface, s.piece);
   };
   return rank(a) < rank(b);
 }

@@ -15,14 +15,15 @@ namespace citykiln::ground {
 struct Surface {
   ObjectId id;
   map::SurfaceClass surface{};
-  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; kStripArea_m2 for strips, 0 for
+  std::uint32_t area_m2 = 0;  ///< Of the whole, before any trimming, rounded; the constants below for strips and
                               ///< junctions. Of two surfaces with one priority the smaller wins, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
+  std::uint32_t piece = 0;  ///< Tells the pieces of one road apart, which are made when it is baked: 1, 2 … along it.
   bool operator==(const Surface&) const = default;
 };
 
-/// Strips lie over areas of their priority, junctions over strips.
-inline constexpr std::uint32_t kStripArea_m2 = 1;
+/// Strips lie over areas of their priority, junctions over strips, but for those that a road goes through.
+inline constexpr std::uint32_t kJunctionArea_m2 = 0, kStripArea_m2 = 1, kPassedJunctionArea_m2 = 2;
 
 /// True where `a` lies on top of `b`. A strict total order of different ids and classes.
 bool covers(const Surface& a, const Surface& b);

@@ -22,9 +22,9 @@ inline constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26;
 struct Sheet {
   using Texel = std::array<std::uint8_t, 3>;  ///< sRGB reflectance.
 
-  double texel_m = 0;  ///< Size of a texel, both ways. > 0 where there are texels.
+  double texel_m = 0;                   ///< Size of a texel, both ways. > 0 where there are texels.
   std::uint32_t columns = 0, rows = 0;  ///< At most kWidestSheet_px, and kMostTexels together.
-  std::vector<Texel> texels;  ///< Row by row; texel (0, 0) covers u and v from 0 to texel_m.
+  std::vector<Texel> texels;            ///< Row by row; texel (0, 0) covers u and v from 0 to texel_m.
   bool operator==(const Sheet&) const = default;
 };
 

@@ -43,9 +43,7 @@ struct Cutting {
   std::size_t segments() const { return road.axis.size() - 1; }
 
   std::optional<Vec2> mitre_at(std::size_t i) const {
-    const Vec2 before = i > 0 ? direction(i - 1)
-                        : ends.from ? unit(road.axis.front() - *ends.from)
-                                    : direction(0);
+    const Vec2 before = i > 0 ? direction(i - 1) : ends.from ? unit(road.axis.front() - *ends.from) : direction(0);
     const Vec2 after = i < segments() ? direction(i) : ends.to ? unit(*ends.to - road.axis.back()) : before;
     return mitre(before, after);
   }

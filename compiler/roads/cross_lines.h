@@ -24,7 +24,7 @@ struct Slice {
 
 /// A bend that no mitre fits: both its segments end square, and the wedge on its outside is open.
 struct OpenBend {
-  Vec2 at, before, after;  ///< The point, and the directions of its segments.
+  Vec2 at, before, after;   ///< The point, and the directions of its segments.
   std::uint32_t slice = 0;  ///< The one that ends there.
 };
 

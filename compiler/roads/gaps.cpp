@@ -3,6 +3,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/stretches.h"
+#include "compiler/roads/through_road.h"
 
 namespace citykiln::roads {
 namespace {
@@ -87,10 +88,11 @@ std::vector<std::vector<Gap>> gaps_of(std::span<const Road> roads, std::span<con
     const bool is_told = junctions[j].family == Family::kStreet && arms[j].size() == junctions[j].cuts.size();
     if (!is_told || arms[j].empty()) continue;
     const Road& main = main_road(roads, arms[j]);
-    const bool signals = has_signals(roads, arms[j]);
+    const bool signals = has_signals(roads, arms[j]), is_passed = has_through_road(junctions[j], roads, arms[j]);
     for (std::size_t a = 0; a < arms[j].size(); ++a) {
       const Arm& arm = arms[j][a];
       const Road& road = roads[arm.road];
+      if (is_passed && priority_of(road) == priority_of(main)) continue;
       const std::vector<double> along = distances_along(road);
       const double taken = taken_m(road, along, arm, junctions[j].cuts[a], junctions[j]);
       // two arms are one road that changes: nobody waits there

@@ -26,8 +26,8 @@ std::vector<LaneStrip> runs_of(const Road& road) {
   double edge_m = left_m(road) + raised_left_m(road);
   for (const map::Lane& lane : road.section.lanes) {
     const SurfaceClass surface = surface_of(road, lane);
-    const bool goes_on = !strips.empty() && strips.back().surface == surface &&
-                         strips.back().lanes.back().is_raised == lane.is_raised;
+    const bool goes_on =
+        !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
     if (!goes_on) strips.push_back({surface, {}, edge_m, edge_m});
     strips.back().lanes.push_back(lane);
     edge_m -= lane.width_m;
@@ -77,8 +77,10 @@ std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, 
       ++i;
       continue;
     }
-    if (i < middle) strips[i + 1].left_m = strips[i].left_m, --middle;
-    else strips[i - 1].right_m = strips[i].right_m;
+    if (i < middle)
+      strips[i + 1].left_m = strips[i].left_m, --middle;
+    else
+      strips[i - 1].right_m = strips[i].right_m;
     strips.erase(strips.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return strips;

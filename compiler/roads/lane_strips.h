@@ -20,8 +20,8 @@ struct LaneStrip {
   bool has_kerb_left = false, has_kerb_right = false;
 };
 
-/// Left to right, without gaps: from the left edge of what is raised to the right one. Where something is raised, a kerb
-/// of its width stands before it. Strips narrower than the tolerance are part of their inner neighbour. O(lanes).
+/// Left to right, without gaps: from the left edge of what is raised to the right one. Where something is raised, a
+/// kerb of its width stands before it. Strips narrower than the tolerance are part of their inner neighbour. O(lanes).
 std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m);
 
 }  // namespace citykiln::roads

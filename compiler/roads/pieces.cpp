@@ -115,6 +115,8 @@ RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const Stretch
     for (std::size_t s = 0; s < making.strips.size(); ++s) making.add(s, slice, ring_of(slice, making.strips[s]));
   for (const OpenBend& bend : all.bends)
     for (std::size_t s = 0; s < making.strips.size(); ++s) add_joint(bend, all.slices[bend.slice], s, making);
+  // neighbours along one strip follow each other
+  std::ranges::stable_sort(making.made.pieces, {}, &Piece::run);
   return std::move(making.made);
 }
 

@@ -1,10 +1,10 @@
 // Pieces: a road as faces of the ground in its own coordinates, u across and v along.
 //
-//       left edge  +-------+---+-------------+      strips (lane_strips.h) times stretches (stretches.h) times the
-//                  |   1   | 2 |      3     /|\     segments of the axis; at a bend neighbours meet on its mitre, so
-//        axis  ----+-------+---+-----------+-+ \    that u and v go on from one into the next
-//                  |   4   | 5 |    6     /   \ \   .
-//      right edge  +-------+---+---------+  7  \
+//      left edge  +-------+---+-----------+      strips (lane_strips.h) times stretches (stretches.h) times the
+//                 |   1   | 2 |     3    / .     segments of the axis; at a bend neighbours meet on its mitre, so that
+//           axis  +-------+---+---------+   .    u and v go on from one into the next
+//                 |   4   | 5 |    6   / 7   .
+//     right edge  +-------+---+-------+       .
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct Piece {
 };
 
 struct RoadPieces {
-  std::vector<Piece> pieces;      ///< Along the road; what lies over what is for whoever orders them.
+  std::vector<Piece> pieces;      ///< Sorted by run, then along the road; what lies over what is for others to say.
   std::vector<Pattern> patterns;  ///< Of strips that are marked.
 };
 

@@ -131,10 +131,11 @@ bool overlaps(const StretchRun& a, const StretchRun& b) { return a.from_m < b.to
 void add_midway(Course& course) {
   for (std::size_t i = 0; i < course.road.points.size(); ++i) {
     const map::TrackPoint& point = course.road.points[i];
+    const bool is_street = family_of(course.road.surface) == Family::kStreet;
     const bool is_rail = map::values_of(course.road.surface).group == map::SurfaceGroup::kRail;
     const bool is_level = is_rail && point.kind == TrackPointKind::kLevelCrossing;
     const auto crossing = crossing_of(point.kind);
-    if (course.is_used[i] || (!crossing && !is_level)) continue;
+    if (course.is_used[i] || (!crossing && !is_level) || (crossing && !is_street)) continue;
     const double half = is_level ? kHalfLevelCrossing_m : kCrossingLength_m / 2, at = course.along[point.vertex];
     StretchRun run{at - half, at + half, is_level ? Stretch::kLevelCrossing : *crossing};
     run.zero_m = run.from_m;

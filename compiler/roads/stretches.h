@@ -15,7 +15,7 @@ namespace citykiln::roads {
 
 /// Where a junction lies on a road. Distances along the way, from its own beginning.
 struct Gap {
-  double at_m = 0;                  ///< Of the junction's place.
+  double at_m = 0;                   ///< Of the junction's place.
   double before_m = 0, after_m = 0;  ///< How far the junction reaches from there.
   Control before{}, after{};         ///< What drivers meet who come along the road; who come against it.
 };

@@ -6,6 +6,7 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"
+#include "compiler/scene/ground_cover.h"
 
 namespace citykiln::scene {
 namespace {
@@ -150,13 +151,11 @@ std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vecto
   return runs;
 }
 
-std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted& sorted,
-                                           std::span<const ground::Surface> junctions, std::size_t t,
+std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted& sorted, std::size_t t,
                                            const Box2& tile) {
   std::vector<roads::Junction> told;
   for (const std::uint32_t i : sorted.junctions[t])
-    if (covers_tile(junctions[i], tile) && is_told_by_roads(recipes.junctions[i], tile))
-      told.push_back(recipes.junctions[i]);
+    if (is_told_by_roads(recipes.junctions[i], tile)) told.push_back(recipes.junctions[i]);
   return told;
 }
 
@@ -187,7 +186,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, std::span<const gro
   chunk.heights = map::window_of(recipes.heights, reach);
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile.widened(kRoadHalo_m));
-  chunk.junctions = junctions_for(recipes, sorted, junctions, t, tile);
+  chunk.junctions = junctions_for(recipes, sorted, t, tile);
   chunk.streams = strips_for(recipes.streams, sorted.streams[t], reach);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);

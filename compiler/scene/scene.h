@@ -42,16 +42,16 @@ struct Header {
 
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
-/// junctions in every chunk whose ground they may cover; everything else is in the chunk of its anchor alone.
+/// junctions in every chunk within 32 m; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
   std::vector<ground::Surface> surfaces;  ///< Areas, and footprints of buildings that are anchored in other tiles.
   std::vector<roads::Road> roads;
   std::vector<roads::Strip> streams;  ///< Running water.
-  std::vector<roads::Junction>
-      junctions;  ///< Sorted by first arm. Those that may cover ground of the tile and that its roads
-                  ///< can tell; the rest of those are surfaces. Beyond the tile there are none.
+  /// Sorted by first arm. All whose arms the roads can tell: those within roads::kKnown_m at least. Others that cover
+  /// ground of the tile are surfaces.
+  std::vector<roads::Junction> junctions;
   std::vector<structures::Span> bridges, tunnels;
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;
@@ -74,13 +74,5 @@ std::vector<TileKey> tiles_of(const Header& header);
 /// The chunk's junctions whose first place lies in its tile: each of a scene's junctions that its roads can tell is in
 /// one tile's.
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk);
-/// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
-ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
-                                 std::span<const roads::Arm> arms);
-/// The ground that a building covers.
-ground::Surface footprint_surface(const buildings::Building& building);
-/// Everything that covers a chunk's ground: its surfaces, its roads' strips, the footprints of its buildings that stand
-/// on the ground. Sorted by id, then class.
-std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
 
 }  // namespace citykiln::scene

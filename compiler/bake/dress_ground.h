@@ -1,0 +1,34 @@
+// What the ground is made of: materials, tints, and on roads the coordinates of what is painted there.
+#pragma once
+
+#include <vector>
+
+#include "compiler/ground/expand.h"
+#include "compiler/materials/dressed_mesh.h"
+#include "compiler/materials/sheet.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln::bake {
+
+/// A pattern's column on the sheet.
+struct Column {
+  double left_m = 0;                 ///< Where u = 0 of the pattern lies; < 0: it has none.
+  bool is_turned = false;            ///< Drawn as its strip turned round.
+  double width_m = 0, length_m = 0;  ///< Of the pattern.
+};
+
+/// The markings of a tile, and where each of the cover's patterns is on the sheet.
+struct Markings {
+  materials::Sheet sheet;
+  std::vector<Column> columns;
+};
+
+/// Patterns that look alike share a column. Same bytes for the same patterns in any order.
+Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m);
+
+/// A cell's ground: a mesh a surface, and for roads one a run of pieces, with texture coordinates; tinted by (seed,
+/// surface). On the sheet where a piece is marked.
+std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,
+                                          const Markings& markings, std::uint64_t seed);
+
+}  // namespace citykiln::bake

@@ -1,0 +1,113 @@
+#include "compiler/scene/ground_cover.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/ground/plan.h"
+#include "compiler/roads/network.h"
+#include "compiler/roads/through_road.h"
+
+namespace citykiln::scene {
+namespace {
+
+using ground::Surface;
+
+// Surfaces that are one object's (the runs of a trimmed road) become one.
+void join_equal(std::vector<Surface>& surfaces) {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < surfaces.size(); ++i) {
+    Surface& last = surfaces[kept];
+    if (last.id == surfaces[i].id && last.surface == surfaces[i].surface && last.piece == surfaces[i].piece) {
+      last.rings.insert(last.rings.end(), surfaces[i].rings.begin(), surfaces[i].rings.end());
+    } else if (++kept != i) {
+      surfaces[kept] = std::move(surfaces[i]);
+    }
+  }
+  surfaces.resize(std::min(surfaces.size(), kept + 1));
+}
+
+void add(Surface surface, std::vector<Surface>& surfaces) {
+  if (!surface.rings.empty()) surfaces.push_back(std::move(surface));
+}
+
+// What is no road: areas, junctions, water, buildings.
+std::vector<Surface> but_roads(const Chunk& chunk) {
+  std::vector<Surface> surfaces = chunk.surfaces;
+  const auto arms = roads::arms_of(chunk.junctions, chunk.roads);
+  for (std::size_t j = 0; j < chunk.junctions.size(); ++j) {
+    // a manifest that names places where no road passes
+    if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
+    add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+  }
+  for (const roads::Strip& stream : chunk.streams) add(ground::surface_of(stream), surfaces);
+  for (const buildings::Building& building : chunk.buildings)
+    if (building.stands_on_ground) add(footprint_surface(building), surfaces);
+  return surfaces;
+}
+
+void sort_and_join(std::vector<Surface>& surfaces) {
+  std::ranges::stable_sort(surfaces, {}, [](const Surface& s) { return std::tuple(s.id, s.surface, s.piece); });
+  join_equal(surfaces);
+}
+
+// A road's pieces, after those of the roads before it.
+void add_pieces(const roads::Road& road, roads::RoadPieces&& made, GroundCover& cover) {
+  const auto first_pattern = static_cast<std::uint32_t>(cover.patterns.size());
+  std::ranges::move(made.patterns, std::back_inserter(cover.patterns));
+  for (roads::Piece& piece : made.pieces) {
+    if (piece.pattern != roads::kNoPattern) piece.pattern += first_pattern;
+    cover.surfaces.push_back({road.id, piece.surface, ground::kStripArea_m2, {piece.ring}});
+    cover.pieces.push_back(std::move(piece));
+    cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
+  }
+}
+
+}  // namespace
+
+ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                 std::span<const roads::Arm> arms) {
+  // apart from all parts that a way is cut into
+  constexpr std::uint32_t kJunctionPart = 0x80000000u;
+  const roads::Road& main = roads::main_road(roads, arms);
+  const bool is_passed = roads::has_through_road(junction, roads, arms);
+  return {{main.id.osm, main.id.part | kJunctionPart},
+          main.surface,
+          is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
+          roads::stroke(junction, roads, arms)};
+}
+
+ground::Surface footprint_surface(const buildings::Building& building) {
+  ground::Surface surface{building.id,
+                          map::SurfaceClass::kBuilding,
+                          static_cast<std::uint32_t>(std::min(area_m2(building.footprint), 4.0e9)),
+                          {building.footprint.outer}};
+  surface.rings.insert(surface.rings.end(), building.footprint.holes.begin(), building.footprint.holes.end());
+  return surface;
+}
+
+std::vector<Surface> surfaces_of(const Chunk& chunk) {
+  std::vector<Surface> surfaces = but_roads(chunk);
+  const std::vector<roads::Ends> ends = roads::ends_of(chunk.roads);
+  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
+    add(ground::surface_of(chunk.roads[i], ends[i]), surfaces);
+    add(ground::pavement_of(chunk.roads[i], ends[i]), surfaces);
+  }
+  sort_and_join(surfaces);
+  return surfaces;
+}
+
+GroundCover cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
+  if (tolerance_m >= kPlainRoads_m) return {surfaces_of(chunk), {}, {}};
+  GroundCover cover{but_roads(chunk), {}, {}};
+  const std::vector<roads::Ends> ends = roads::ends_of(chunk.roads);
+  const auto gaps = roads::gaps_of(chunk.roads, chunk.junctions);
+  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
+    const roads::Road& road = chunk.roads[i];
+    const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
+    add_pieces(road, roads::pieces_of(road, ends[i], stretches, tolerance_m), cover);
+  }
+  sort_and_join(cover.surfaces);
+  return cover;
+}
+
+}  // namespace citykiln::scene

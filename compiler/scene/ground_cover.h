@@ -1,0 +1,34 @@
+// What covers a chunk's ground, from its recipes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/roads/pieces.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::scene {
+
+/// Tolerances from this one on see roads as one surface from kerb to kerb: neither lines nor kerbs can be told.
+inline constexpr double kPlainRoads_m = 0.25;
+
+struct GroundCover {
+  std::vector<ground::Surface> surfaces;  ///< Sorted by id, then class, then piece. Each id, class and piece once.
+  std::vector<roads::Piece> pieces;       ///< Surface::piece 1, 2 …; its pattern is one of `patterns`.
+  std::vector<roads::Pattern> patterns;   ///< Of marked pieces; some may be equal.
+};
+
+/// Everything that covers the ground: surfaces, roads, junctions, streams, the footprints of buildings that stand on
+/// it. Below kPlainRoads_m roads come in pieces. Total. O(n log n).
+GroundCover cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
+
+/// The same with every road as one surface from kerb to kerb: for clearances, which no tolerance may change.
+std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
+
+/// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
+ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                 std::span<const roads::Arm> arms);
+/// The ground that a building covers.
+ground::Surface footprint_surface(const buildings::Building& building);
+
+}  // namespace citykiln::scene
