@@ -39,11 +39,13 @@ std::uint32_t finest_rows(std::span<const Pattern> patterns, double tolerance_m)
   return rows;
 }
 
-void repeat_outermost(Sheet& sheet, ColumnRange columns) {
+// A last texel that the strip covers in part only counts as gutter.
+void repeat_outermost(Sheet& sheet, ColumnRange columns, std::uint32_t whole_columns) {
+  const std::uint32_t end = columns.first + std::max(1u, whole_columns);
   for (std::size_t row = 0; row < sheet.rows; ++row) {
     Sheet::Texel* texels = &sheet.texels[row * sheet.columns];
     std::fill_n(texels + columns.first - kGutter_texels, kGutter_texels, texels[columns.first]);
-    std::fill_n(texels + columns.end, kGutter_texels, texels[columns.end - 1]);
+    std::fill(texels + end, texels + columns.end + kGutter_texels, texels[end - 1]);
   }
 }
 
@@ -55,7 +57,7 @@ void draw(const Pattern& pattern, ColumnRange columns, Sheet& sheet) {
   };
   paint(rectangle({0, 0}, {(columns.end - columns.first) * sheet.texel_m, kPatternLength_m}), base_colour_of(pattern));
   for (const Mark& mark : marks_of(pattern)) paint(mark.ring, mark.colour);
-  repeat_outermost(sheet, columns);
+  repeat_outermost(sheet, columns, static_cast<std::uint32_t>(width_m(pattern) / sheet.texel_m + 1e-6));
 }
 
 }  // namespace
