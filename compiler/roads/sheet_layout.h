@@ -36,7 +36,7 @@ struct SheetLayout {
 /// Texels are as large as the tolerance, but never finer than kFinestTexel_m, and a whole number of them is
 /// kPatternLength_m. Where the sheet would break kMostColumns or kMostTexels they grow until it fits: at 3 cm some 245
 /// m of strips fit side by side (24 carriageways of 10 m), at 6 cm 490 m, at 12 cm 980 m, less 8 texels a pattern.
-/// Where kCoarsestTexel_m do not do (900 carriageways do not fit), the last patterns get no column.
+/// Where kCoarsestTexel_m do not do (more than 290 carriageways of 10 m), the last patterns get no column.
 ///
 /// Guarantees: columns and their gutters never overlap; both budgets hold; same bytes on every machine and whatever was
 /// drawn before. O(texels).
