@@ -25,10 +25,10 @@ std::uint64_t columns_of(const Pattern& pattern, double texel_m) {
 
 // How many of the patterns, from the first, fit.
 std::size_t fitting(std::span<const Pattern> patterns, std::uint32_t rows) {
-  const std::uint64_t most = std::min<std::uint64_t>(kMostColumns, kMostTexels / rows);
   std::uint64_t columns = 0;
   std::size_t count = 0;
-  while (count < patterns.size() && (columns += columns_of(patterns[count], kPatternLength_m / rows)) <= most) ++count;
+  while (count < patterns.size() && (columns += columns_of(patterns[count], kPatternLength_m / rows)) <= kMostColumns)
+    ++count;
   return count;
 }
 
