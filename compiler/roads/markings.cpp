@@ -1,5 +1,7 @@
 #include "compiler/roads/markings.h"
 
+#include <algorithm>
+
 #include "compiler/roads/marking_rules.h"
 #include "compiler/roads/markings_parts.h"
 
@@ -27,6 +29,12 @@ Marks paint_of(const Pattern& pattern) {
   return marks;
 }
 
+// Lines about the sides of lanes that are narrower than the line are cut at the strip's sides.
+void keep_between(double low_m, double high_m, Marks& marks) {
+  for (Mark& mark : marks)
+    for (Vec2& p : mark.ring) p.x = std::clamp(p.x, low_m, high_m);
+}
+
 }  // namespace
 
 Marks marks_of(const Pattern& pattern) {
@@ -35,7 +43,8 @@ Marks marks_of(const Pattern& pattern) {
     return turned_round(marks_of(turned_round(pattern)), width_m(pattern), length_m(pattern));
   Marks marks;
   if (takes_paint(pattern)) marks = paint_of(pattern);
-  add_rails(pattern, marks);
+  if (length_m(pattern) == kPatternLength_m) add_rails(pattern, marks);
+  keep_between(0, width_m(pattern), marks);
   return marks;
 }
 

@@ -15,7 +15,7 @@ namespace citykiln::roads {
 namespace {
 
 constexpr double kStretch = 2.5, kFoot_m = 4.5;  // from the tail of the arrow to the stop line: 7 m
-constexpr double kShaft = 0.16;
+constexpr double kShaft = 0.18;
 constexpr double kLargestShare = 0.75;  // of the lane's width
 
 struct Branch {
@@ -26,21 +26,22 @@ struct Branch {
 };
 
 constexpr Branch kBranches[] = {
-    {map::kTurnThrough, 0, {{{0, 1.2}, {0, 1.4}}}, 2, 0.6, 0.5},
-    {map::kTurnSlightLeft, map::kTurnSlightRight, {{{0, 0.7}, {0, 0.85}, {0.25, 1.25}}}, 3, 0.5, 0.46},
-    {map::kTurnLeft, map::kTurnRight, {{{0, 0.6}, {0, 0.8}, {0.1, 0.94}, {0.3, 0.98}, {0.34, 0.98}}}, 5, 0.34, 0.56},
+    {map::kTurnThrough, 0, {{{0, 1.2}, {0, 1.35}}}, 2, 0.65, 0.56},
+    {map::kTurnSlightLeft, map::kTurnSlightRight, {{{0, 0.35}, {0, 0.5}, {0.34, 0.98}}}, 3, 0.48, 0.52},
+    {map::kTurnLeft, map::kTurnRight, {{{0, 0.5}, {0, 0.7}, {0.1, 0.85}, {0.3, 0.9}, {0.36, 0.9}}}, 5, 0.36, 0.62},
     {map::kTurnSharpLeft,
      map::kTurnSharpRight,
-     {{{0, 0.8}, {0, 1.1}, {0.1, 1.25}, {0.25, 1.25}, {0.38, 1.1}}},
+     {{{0, 0.5}, {0, 0.85}, {0.11, 1}, {0.28, 1}, {0.4, 0.86}}},
      5,
-     0.4,
-     0.46},
-    {map::kTurnMergeToLeft, map::kTurnMergeToRight, {{{0, 0.3}, {0, 0.45}, {0.35, 1.25}}}, 3, 0.55, 0.46},
+     0.42,
+     0.52},
+    {map::kTurnMergeToLeft, map::kTurnMergeToRight, {{{0, 0.3}, {0, 0.45}, {0.4, 1.25}}}, 3, 0.6, 0.52},
 };
 
-// A turn back goes to the side of the oncoming traffic: drawn for traffic on the left, where that is right.
+// A turn back goes to the side of the oncoming traffic, and is left out where an arrow points there already: drawn for
+// traffic on the left, where that is right.
 constexpr Branch kReverse = {
-    0, map::kTurnReverse, {{{0, 0.9}, {0, 1.3}, {0.22, 1.5}, {0.44, 1.3}, {0.44, 1.15}}}, 5, 0.5, 0.5};
+    0, map::kTurnReverse, {{{0, 0.9}, {0, 1.35}, {0.25, 1.6}, {0.5, 1.35}, {0.5, 1.2}}}, 5, 0.6, 0.54};
 
 using Drawing = std::vector<Ring>;
 
@@ -70,7 +71,9 @@ Drawing arrow_of(std::uint16_t turns, map::DrivingSide side) {
     if (turns & branch.left) add(branch, true);
     if (turns & branch.right) add(branch, false);
   }
-  if (turns & kReverse.right) add(kReverse, side == map::DrivingSide::kRight);
+  const bool is_right_hand = side == map::DrivingSide::kRight;
+  const bool has_its_side = (turns & (is_right_hand ? map::kTurnLeft : map::kTurnRight)) != 0;
+  if ((turns & kReverse.right) && !has_its_side) add(kReverse, is_right_hand);
   if (!arrow.empty()) arrow.push_back(rectangle({-kShaft / 2, 0}, {kShaft / 2, shaft}));
   return arrow;
 }

@@ -148,10 +148,11 @@ void add_tints(const Pattern& pattern, Marks& marks) {
   const std::vector<double> sides_m = lane_sides_m(pattern);
   // asphalt with a quarter of red stone in it
   const materials::Sheet::Texel base = base_colour_of(pattern);
-  const auto redder = static_cast<std::uint8_t>(std::min(255, base[0] + 34));
+  const materials::Sheet::Texel tint = {static_cast<std::uint8_t>(std::min(255, base[0] + 26)), base[1],
+                                        static_cast<std::uint8_t>(std::max(0, base[2] - 8))};
   for (std::size_t i = 0; i < pattern.lanes.size(); ++i)
     if (has_cars && pattern.lanes[i].kind == LaneKind::kCycle && !pattern.lanes[i].is_raised)
-      marks.push_back({rectangle({sides_m[i], 0}, {sides_m[i + 1], kPatternLength_m}), {redder, base[1], base[2]}});
+      marks.push_back({rectangle({sides_m[i], 0}, {sides_m[i + 1], kPatternLength_m}), tint});
 }
 
 void add_hatching(const Pattern& pattern, Marks& marks) {

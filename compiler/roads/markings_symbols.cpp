@@ -47,9 +47,9 @@ Symbol bicycle() {
   return symbol;
 }
 
-constexpr double kLetterStroke = 0.12, kLetterWidth = 0.4, kLetterHeight = 0.76, kLetterStep = 0.66;
+constexpr double kLetterStroke = 0.12, kLetterWidth = 0.4, kLetterStep = 0.66;
 
-// Letters as lines in a box of kLetterWidth by kLetterHeight.
+// Letters as lines kLetterWidth broad and 0.76 high.
 std::vector<Ring> letter_lines(char letter) {
   switch (letter) {
     case 'B':

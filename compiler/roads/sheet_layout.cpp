@@ -25,10 +25,10 @@ std::uint64_t columns_of(const Pattern& pattern, double texel_m) {
 
 // How many of the patterns, from the first, fit.
 std::size_t fitting(std::span<const Pattern> patterns, std::uint32_t rows) {
-  const std::uint64_t most = std::min<std::uint64_t>(kMostColumns, kMostTexels / rows);
   std::uint64_t columns = 0;
   std::size_t count = 0;
-  while (count < patterns.size() && (columns += columns_of(patterns[count], kPatternLength_m / rows)) <= most) ++count;
+  while (count < patterns.size() && (columns += columns_of(patterns[count], kPatternLength_m / rows)) <= kMostColumns)
+    ++count;
   return count;
 }
 
@@ -39,11 +39,13 @@ std::uint32_t finest_rows(std::span<const Pattern> patterns, double tolerance_m)
   return rows;
 }
 
-void repeat_outermost(Sheet& sheet, ColumnRange columns) {
+// A last texel that the strip covers in part only counts as gutter.
+void repeat_outermost(Sheet& sheet, ColumnRange columns, std::uint32_t whole_columns) {
+  const std::uint32_t end = columns.first + std::max(1u, whole_columns);
   for (std::size_t row = 0; row < sheet.rows; ++row) {
     Sheet::Texel* texels = &sheet.texels[row * sheet.columns];
     std::fill_n(texels + columns.first - kGutter_texels, kGutter_texels, texels[columns.first]);
-    std::fill_n(texels + columns.end, kGutter_texels, texels[columns.end - 1]);
+    std::fill(texels + end, texels + columns.end + kGutter_texels, texels[end - 1]);
   }
 }
 
@@ -55,7 +57,7 @@ void draw(const Pattern& pattern, ColumnRange columns, Sheet& sheet) {
   };
   paint(rectangle({0, 0}, {(columns.end - columns.first) * sheet.texel_m, kPatternLength_m}), base_colour_of(pattern));
   for (const Mark& mark : marks_of(pattern)) paint(mark.ring, mark.colour);
-  repeat_outermost(sheet, columns);
+  repeat_outermost(sheet, columns, static_cast<std::uint32_t>(width_m(pattern) / sheet.texel_m + 1e-6));
 }
 
 }  // namespace

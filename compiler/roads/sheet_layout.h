@@ -17,9 +17,8 @@ inline constexpr double kFinestTexel_m = 0.03;
 inline constexpr double kCoarsestTexel_m = 0.5;
 /// On both sides of a column: four mip levels stay apart (a texel of the fourth is as wide as both gutters).
 inline constexpr std::uint32_t kGutter_texels = 4;
-/// What every GPU takes across, and 16 MB of RGBA before mip levels.
+/// The budget: what every GPU takes across. With the finest texels that is 3.3 million of them, 13 MB of RGBA.
 inline constexpr std::uint32_t kMostColumns = 8192;
-inline constexpr std::uint64_t kMostTexels = 4'000'000;
 /// Of a pattern that has no column.
 inline constexpr double kNoColumn_m = -1;
 
@@ -34,11 +33,11 @@ struct SheetLayout {
 /// @param tolerance_m  Of the tile.
 ///
 /// Texels are as large as the tolerance, but never finer than kFinestTexel_m, and a whole number of them is
-/// kPatternLength_m. Where the sheet would break kMostColumns or kMostTexels they grow until it fits: at 3 cm some 245
+/// kPatternLength_m. Where the sheet would break kMostColumns they grow until it fits: at 3 cm some 245
 /// m of strips fit side by side (24 carriageways of 10 m), at 6 cm 490 m, at 12 cm 980 m, less 8 texels a pattern.
-/// Where kCoarsestTexel_m do not do (900 carriageways do not fit), the last patterns get no column.
+/// Where kCoarsestTexel_m do not do (more than 290 carriageways of 10 m), the last patterns get no column.
 ///
-/// Guarantees: columns and their gutters never overlap; both budgets hold; same bytes on every machine and whatever was
+/// Guarantees: columns and their gutters never overlap; the budget holds; same bytes on every machine and whatever was
 /// drawn before. O(texels).
 SheetLayout lay_out(std::span<const Pattern> patterns, double tolerance_m);
 

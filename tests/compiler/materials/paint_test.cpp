@@ -1,0 +1,72 @@
+#include "compiler/materials/paint.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/materials/material.h"
+
+namespace citykiln::materials {
+namespace {
+
+constexpr Sheet::Texel kBlack = {0, 0, 0}, kGrey = {75, 75, 77}, kWhite = {255, 255, 255}, kRed = {200, 0, 0};
+
+Sheet::Texel at(const Sheet& sheet, std::size_t column, std::size_t row) {
+  return sheet.texels[row * sheet.columns + column];
+}
+
+TEST(Paint, MixesInLinearLight) {
+  Sheet sheet = blank_sheet(1, 1, 1, kBlack);
+  paint(sheet, {0, 1}, {{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, kWhite);
+  // half of the light of white is sRGB 188
+  EXPECT_EQ(at(sheet, 0, 0), (Sheet::Texel{188, 188, 188}));
+}
+
+TEST(Paint, LinesThinnerThanATexelBecomeFaintNotLost) {
+  Sheet sheet = blank_sheet(1, 4, 1, kGrey);
+  paint(sheet, {0, 4}, {{1.4, 0}, {1.45, 0}, {1.45, 1}, {1.4, 1}}, kWhite);
+  EXPECT_GT(at(sheet, 1, 0)[0], kGrey[0]);
+  EXPECT_LT(at(sheet, 1, 0)[0], 130);
+}
+
+TEST(Paint, LaterLiesOverEarlier) {
+  const Ring all = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  Sheet sheet = blank_sheet(1, 2, 2, kBlack);
+  paint(sheet, {0, 2}, all, kWhite);
+  paint(sheet, {0, 2}, all, kRed);
+  for (const Sheet::Texel& texel : sheet.texels) EXPECT_EQ(texel, kRed);
+}
+
+TEST(Paint, StopsAtItsColumns) {
+  Sheet sheet = blank_sheet(1, 6, 2, kGrey);
+  paint(sheet, {2, 4}, {{-1, 0}, {9, 0}, {9, 2}, {-1, 2}}, kWhite);
+  for (std::size_t column = 0; column < 6; ++column)
+    EXPECT_EQ(at(sheet, column, 1), column == 2 || column == 3 ? kWhite : kGrey) << column;
+}
+
+TEST(Paint, BeyondTheSheetIsCut) {
+  Sheet sheet = blank_sheet(1, 2, 2, kGrey);
+  paint(sheet, {0, 9}, {{1, 0}, {9, 0}, {9, 1}, {1, 1}}, kWhite);
+  EXPECT_EQ(at(sheet, 0, 0), kGrey);
+  EXPECT_EQ(at(sheet, 1, 0), kWhite);
+}
+
+TEST(Paint, WhatLeavesAtTheEndComesInAtTheStart) {
+  Sheet over = blank_sheet(0.5, 4, 24, kGrey), under = over;
+  paint(over, {0, 4}, {{0.2, 11.3}, {1.7, 11.6}, {1.1, 13.1}}, kWhite);
+  paint(under, {0, 4}, {{0.2, -0.7}, {1.7, -0.4}, {1.1, 1.1}}, kWhite);
+  EXPECT_EQ(over, under);
+  EXPECT_NE(at(over, 2, 0), kGrey);
+  EXPECT_NE(at(over, 2, 23), kGrey);
+}
+
+TEST(Material, SrgbOfLinearIsTheInverseOfLinearOfSrgb) {
+  for (int value = 0; value < 256; ++value)
+    EXPECT_EQ(srgb_of_linear(linear_of_srgb(static_cast<std::uint8_t>(value))), value);
+  EXPECT_EQ(srgb_of_linear(-1), 0);
+  EXPECT_EQ(srgb_of_linear(2), 255);
+  // 0.2140 is the linear value of 127 and a half
+  EXPECT_EQ(srgb_of_linear(0.2139), 127);
+  EXPECT_EQ(srgb_of_linear(0.2160), 128);
+}
+
+}  // namespace
+}  // namespace citykiln::materials
