@@ -69,6 +69,7 @@ void add_arm(Gap arm_gap, std::vector<Gap>& gaps) {
   const auto same = std::ranges::find(gaps, arm_gap.at_m, &Gap::at_m);
   if (same == gaps.end()) return gaps.push_back(arm_gap);
   same->before_m = std::max(same->before_m, arm_gap.before_m), same->after_m = std::max(same->after_m, arm_gap.after_m);
+  same->is_change = same->is_change && arm_gap.is_change;
   same->before = std::max(same->before, arm_gap.before), same->after = std::max(same->after, arm_gap.after);
 }
 
@@ -95,10 +96,10 @@ std::vector<std::vector<Gap>> gaps_of(std::span<const Road> roads, std::span<con
       if (is_passed && priority_of(road) == priority_of(main)) continue;
       const std::vector<double> along = distances_along(road);
       const double taken = taken_m(road, along, arm, junctions[j].cuts[a], junctions[j]);
-      // two arms are one road that changes: nobody waits there
-      Control control = arms[j].size() == 2 ? Control::kNone : usual(road, main);
-      control = signals ? Control::kSignals : posted(road, along, arm, taken).value_or(control);
+      Control control = posted(road, along, arm, taken).value_or(usual(road, main));
+      if (signals) control = Control::kSignals;
       Gap gap{along[arm.vertex]};
+      gap.is_change = arms[j].size() == 2;
       (arm.step > 0 ? gap.after_m : gap.before_m) = taken;
       (arm.step > 0 ? gap.after : gap.before) = control;
       add_arm(gap, gaps[arm.road]);

@@ -77,11 +77,14 @@ std::optional<std::size_t> crossing_near(const Course& course, double at_m, doub
   return nearest;
 }
 
-// How far an arm has for itself: half the way to the next junction, or to the road's end.
+// How far an arm has for itself: half the way to the next junction, up to where the width changes, or to the road's end.
 double room_m(const Course& course, std::size_t gap, int step) {
   const double at = course.gaps[gap].at_m;
-  if (step > 0) return gap + 1 < course.gaps.size() ? (course.gaps[gap + 1].at_m - at) / 2 : course.last() - at;
-  return gap > 0 ? (at - course.gaps[gap - 1].at_m) / 2 : at - course.first();
+  const bool is_last = step > 0 ? gap + 1 == course.gaps.size() : gap == 0;
+  if (is_last) return step > 0 ? course.last() - at : at - course.first();
+  const Gap& next = course.gaps[step > 0 ? gap + 1 : gap - 1];
+  const double there = std::abs(next.at_m - at);
+  return next.is_change ? there - (step > 0 ? next.before_m : next.after_m) : there / 2;
 }
 
 // What an approach is made of, outwards from its junction's place.
@@ -101,7 +104,7 @@ void add_run(Course& course, double at_m, int step, double from_m, double to_m, 
 void add_approach(Course& course, std::size_t g, int step) {
   const Gap& gap = course.gaps[g];
   const double mouth = step > 0 ? gap.after_m : gap.before_m, room = room_m(course, g, step);
-  if (mouth <= 0) return;
+  if (mouth <= 0 || gap.is_change) return;
   Approach approach{mouth, mouth, mouth, 0};
   const auto crossing = crossing_near(course, gap.at_m, mouth, step);
   if (crossing) {

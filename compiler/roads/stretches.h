@@ -18,6 +18,7 @@ struct Gap {
   double at_m = 0;                   ///< Of the junction's place.
   double before_m = 0, after_m = 0;  ///< How far the junction reaches from there.
   Control before{}, after{};         ///< What drivers meet who come along the road; who come against it.
+  bool is_change = false;            ///< Nothing but another width: nobody waits there.
 };
 
 /// The junctions of streets on each road, sorted along it. O(n log n).
