@@ -1,5 +1,5 @@
-// The manifest, .kiln: the scene written down. Format: MANIFEST.md. FlatBuffers tables, one zstd frame a chunk, so that
-// a tile is read without the rest.
+// The manifest, .kiln: the scene written down. Format: MANIFEST.md. A header, and one zstd frame a chunk, so that a
+// tile is read without the rest.
 #pragma once
 
 #include <cstddef>

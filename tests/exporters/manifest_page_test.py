@@ -36,11 +36,19 @@ def fnv(data):
     return value
 
 
-def unzstd(frame, size):
-    library = ctypes.CDLL(ctypes.util.find_library("zstd"))
-    library.ZSTD_decompress.restype = ctypes.c_size_t
+ZSTD = ctypes.CDLL(ctypes.util.find_library("zstd"))
+ZSTD.ZSTD_getFrameContentSize.restype = ctypes.c_uint64
+ZSTD.ZSTD_decompress_usingDict.restype = ctypes.c_size_t
+ZSTD.ZSTD_createDCtx.restype = ctypes.c_void_p
+CONTEXT = ctypes.c_void_p(ZSTD.ZSTD_createDCtx())
+
+
+def unzstd(frame, dictionary=b""):
+    size = ZSTD.ZSTD_getFrameContentSize(frame, ctypes.c_size_t(len(frame)))
+    assert size <= 2**28
     raw = ctypes.create_string_buffer(size)
-    got = library.ZSTD_decompress(raw, ctypes.c_size_t(size), frame, ctypes.c_size_t(len(frame)))
+    got = ZSTD.ZSTD_decompress_usingDict(CONTEXT, raw, ctypes.c_size_t(size), frame, ctypes.c_size_t(len(frame)),
+                                         dictionary, ctypes.c_size_t(len(dictionary)))
     assert got == size
     return raw.raw
 
@@ -67,6 +75,16 @@ class Table:
         place = self.place(field)
         place += struct.unpack_from("<I", self.data, place)[0]
         return place + 4, struct.unpack_from("<I", self.data, place)[0]
+
+    def bytes(self, field):
+        if self.place(field) is None:
+            return b""
+        at, count = self.vector(field)
+        return self.data[at:at + count]
+
+    def table(self, field):
+        place = self.place(field)
+        return Table(self.data, place + struct.unpack_from("<I", self.data, place)[0])
 
 
 def root_of(data):
@@ -102,13 +120,12 @@ class Chunk:
     """One tile, walked in the page's order; each thing as a tuple of what the page lists."""
 
     def __init__(self, raw):
-        table = root_of(raw)
-        at, count = table.vector(0)
-        sizes = struct.unpack_from(f"<{count}I", raw, at)
-        at, _ = table.vector(1)
-        self.streams = {}
-        for name, size in zip(stream_names(), sizes, strict=True):
+        names, head = stream_names(), Stream(raw)
+        sizes = [head.plain() for _ in names]
+        self.streams, at = {}, head.at
+        for name, size in zip(names, sizes, strict=True):
             self.streams[name], at = Stream(raw[at:at + size]), at + size
+        assert at == len(raw)
         self.known, self.last = [], -1
         self.point_step = 2**-7 if self.plain("point step") else 2**-10
         self.heights = self.read_heights()
@@ -205,32 +222,40 @@ class Chunk:
                 self.metres("barrier height"), self.metres("barrier width"))
 
 
-def chunks_of(manifest):
+class Manifest:
     """Tile to Chunk; every hash, size and place on the way is checked."""
-    assert manifest[:8] == b"CITYKILN"
-    size, value = struct.unpack_from("<QQ", manifest, 8)
-    header, body = manifest[24:24 + size], manifest[24 + size:]
-    assert fnv(header) == value
-    table = root_of(header)
-    assert table.number(0, "H") == 1
-    at, count = table.vector(14)
-    chunks, end = {}, 0
-    for place in range(at, at + 4 * count, 4):
-        entry = Table(header, place + struct.unpack_from("<I", header, place)[0])
-        tile = entry.number(0, "i"), entry.number(1, "i")
-        offset, size, raw_size, value = (entry.number(field, "Q") for field in range(2, 6))
-        assert offset == end and fnv(body[offset:offset + size]) == value
-        assert not chunks or max(chunks) < tile
-        chunks[tile], end = Chunk(unzstd(body[offset:offset + size], raw_size)), offset + size
-    assert end == len(body)
-    return chunks
+
+    def __init__(self, manifest):
+        assert manifest[:8] == b"CITYKILN"
+        major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
+        assert major == 1
+        frame, body = manifest[24:24 + size], manifest[24 + size:]
+        assert fnv(manifest[:16] + frame) == value
+        header = root_of(unzstd(frame))
+        self.dictionary = header.bytes(13)
+        self.chunks, end = {}, 0
+        for tile, size, value in tiles_of(header.table(12)):
+            assert not self.chunks or max(self.chunks) < tile
+            frame, end = body[end:end + size], end + size
+            assert fnv(frame) == value
+            self.chunks[tile] = Chunk(unzstd(frame, self.dictionary))
+        assert end == len(body)
+
+
+def tiles_of(index):
+    """Each tile, the size of its frame and the hash of it."""
+    x, y, size = (Stream(index.bytes(field)) for field in range(3))
+    at, count = index.vector(3)
+    tiles = [((x.step(), y.step()), size.plain(), value) for value in struct.unpack_from(f"<{count}Q", index.data, at)]
+    assert all(stream.at == len(stream.data) for stream in (x, y, size))
+    return tiles
 
 
 class Page(ProgramTest):
     def read(self, case):
         heights = ["--dem", case / "heights.asc"] if (case / "heights.asc").exists() else []
         out = self.compiled(case.name, case / "map.osm", *heights, *(case / "args").read_text().split())
-        return chunks_of((out / "scene.kiln").read_bytes()), report_of(out)
+        return Manifest((out / "scene.kiln").read_bytes()).chunks, report_of(out)
 
     def test_says_all_that_a_reader_needs(self):
         for case in sorted(path.parent for path in GOLDEN.glob("*/args")):
@@ -241,6 +266,14 @@ class Page(ProgramTest):
             for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
                 read = sum(len(getattr(chunk, kind)) for chunk in chunks.values())
                 self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")
+
+    def test_says_how_tiles_share_a_dictionary(self):
+        town = ROOT / "examples" / "town"
+        out = self.compiled("town", town / "town.osm", "--tile", "128", "--emit", "kiln")
+        manifest = Manifest((out / "scene.kiln").read_bytes())
+        self.assertGreaterEqual(len(manifest.chunks), 64)
+        self.assertTrue(manifest.dictionary)
+        self.assertEqual(sum(len(chunk.buildings) for chunk in manifest.chunks.values()), report_of(out)["counts"]["buildings"])
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")

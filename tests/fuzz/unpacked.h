@@ -2,8 +2,6 @@
 // it at the door. `packed` puts them back, so that the readers are entered as always.
 #pragma once
 
-#include <zstd.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -14,6 +12,8 @@
 
 #include "exporters/chunk_codec.h"
 #include "exporters/manifest_generated.h"
+#include "exporters/streams.h"
+#include "exporters/zstd_frame.h"
 
 namespace citykiln::exporters::fuzz {
 
@@ -42,61 +42,101 @@ inline std::uint64_t checksum(ByteSpan bytes) {
   return hash;
 }
 
-/// A .kiln whose bytes are right where they guard others. An unpacked manifest is: a byte, whose lowest bit asks that
-/// the index is left as it is; four bytes, the header's size; the header; then each chunk's four bytes of size, and its
-/// FlatBuffer as it is before zstd.
-inline Bytes packed_manifest(ByteSpan unpacked) {
-  if (unpacked.size() < 5) return {unpacked.begin(), unpacked.end()};
-  const bool keeps_index = (unpacked[0] & 1) != 0;
-  ByteSpan rest = unpacked.subspan(5);
-  const ByteSpan header_span = take(rest, get(unpacked, 1, 4));
-  Bytes header(header_span.begin(), header_span.end()), body;
-  static ZSTD_CCtx* const context = ZSTD_createCCtx();
+constexpr std::size_t kMostChunks = 8;
+
+/// The header with an index of these frames, as far as it has one; as it is where it is none.
+inline Bytes with_index(const Bytes& header, const std::vector<std::vector<std::byte>>& frames) {
   flatbuffers::Verifier verifier(header.data(), header.size());
-  const bool has_index = verifier.VerifyBuffer<fbs::Header>(nullptr);
-  const auto* entries = has_index ? flatbuffers::GetRoot<fbs::Header>(header.data())->chunks() : nullptr;
-  for (std::uint32_t i = 0; entries != nullptr && i < std::min(entries->size(), 8u); ++i) {
-    const std::uint64_t size = rest.size() < 4 ? 0 : get(rest, 0, 4);
-    take(rest, 4);
-    const ByteSpan raw = take(rest, size);
-    Bytes frame(ZSTD_compressBound(raw.size()));
-    frame.resize(ZSTD_compressCCtx(context, frame.data(), frame.size(), raw.data(), raw.size(), 1));
-    // fields may lie on each other in a changed header, so each is written only while all is sound
-    const auto mend = [&](flatbuffers::voffset_t field, std::uint64_t value) {
-      flatbuffers::Verifier still(header.data(), header.size());
-      if (keeps_index || !still.VerifyBuffer<fbs::Header>(nullptr)) return;
-      const auto* now = flatbuffers::GetRoot<fbs::Header>(header.data())->chunks();
-      if (now == nullptr || i >= now->size()) return;
-      const auto* entry = reinterpret_cast<const flatbuffers::Table*>(now->Get(i));
-      const_cast<flatbuffers::Table*>(entry)->SetField<std::uint64_t>(field, value, 0);
-    };
-    using Entry = fbs::ChunkEntry;
-    mend(Entry::VT_OFFSET, body.size()), mend(Entry::VT_SIZE, frame.size());
-    mend(Entry::VT_RAW_SIZE, raw.size()), mend(Entry::VT_CHECKSUM, checksum(frame));
-    body.insert(body.end(), frame.begin(), frame.end());
+  if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return header;
+  fbs::HeaderT now;
+  flatbuffers::GetRoot<fbs::Header>(header.data())->UnPackTo(&now);
+  if (now.index == nullptr) return header;
+  StreamWriter sizes;
+  now.index->checksum.clear();
+  for (const auto& frame : frames) {
+    sizes.put(frame.size());
+    now.index->checksum.push_back(checksum({reinterpret_cast<const std::uint8_t*>(frame.data()), frame.size()}));
   }
+  now.index->size = sizes.bytes();
+  flatbuffers::FlatBufferBuilder builder;
+  builder.Finish(fbs::Header::Pack(builder, &now));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+/// The header's dictionary, made ready; none where the header or the dictionary is not sound.
+inline PackingDictionary dictionary_in(const Bytes& header) {
+  flatbuffers::Verifier verifier(header.data(), header.size());
+  if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return nullptr;
+  const auto* dictionary = flatbuffers::GetRoot<fbs::Header>(header.data())->dictionary();
+  if (dictionary == nullptr || unpacking_dictionary({dictionary->data(), dictionary->size()}) == nullptr)
+    return nullptr;
+  return packing_dictionary({dictionary->data(), dictionary->size()});
+}
+
+/// A .kiln whose bytes are right where they guard others. An unpacked manifest is: a byte, whose lowest bit asks that
+/// the index is left as it is; four bytes, the header's size; the header's FlatBuffer; then each chunk's four bytes of
+/// size, and its bytes as they are before zstd; at most eight chunks.
+inline Bytes packed_manifest(ByteSpan seed) {
+  if (seed.size() < 5) return {seed.begin(), seed.end()};
+  const bool keeps_index = (seed[0] & 1) != 0;
+  ByteSpan rest = seed.subspan(5);
+  const ByteSpan header_span = take(rest, get(seed, 1, 4));
+  Bytes header(header_span.begin(), header_span.end());
+  const PackingDictionary dictionary = dictionary_in(header);
+  std::vector<std::vector<std::byte>> frames;
+  while (rest.size() >= 4 && frames.size() < kMostChunks) {
+    const std::uint64_t size = get(rest, 0, 4);
+    take(rest, 4);
+    frames.push_back(packed(take(rest, size), dictionary));
+  }
+  if (!keeps_index) header = with_index(header, frames);
+  const std::vector<std::byte> frame = packed(header, nullptr);
   Bytes bytes{'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-  put(bytes, header.size(), 8), put(bytes, checksum(header), 8);
-  bytes.insert(bytes.end(), header.begin(), header.end());
-  bytes.insert(bytes.end(), body.begin(), body.end());
+  put(bytes, 1, 2), put(bytes, 0, 2), put(bytes, frame.size(), 4);
+  Bytes guarded = bytes;
+  const auto append = [](Bytes& to, const std::vector<std::byte>& from) {
+    for (const std::byte b : from) to.push_back(static_cast<std::uint8_t>(b));
+  };
+  append(guarded, frame);
+  put(bytes, checksum(guarded), 8);
+  append(bytes, frame);
+  for (const auto& one : frames) append(bytes, one);
   return bytes;
 }
 
-/// Of a sound manifest.
+/// The first numbers of a stream, as a stream.
+inline Bytes first_steps(const Bytes& stream, std::size_t count) {
+  StreamReader reader(stream);
+  for (std::size_t i = 0; i < count; ++i) reader.get();
+  return {stream.begin(), stream.end() - static_cast<std::ptrdiff_t>(reader.remaining())};
+}
+
+/// Of a sound manifest; of a large one, its first tiles.
 inline Bytes unpacked_manifest(ByteSpan bytes) {
-  const std::uint64_t size = get(bytes, 8, 8);
-  const ByteSpan header = bytes.subspan(24, size), body = bytes.subspan(24 + size);
-  Bytes unpacked{0};
-  put(unpacked, size, 4);
-  unpacked.insert(unpacked.end(), header.begin(), header.end());
-  const Bytes aligned(header.begin(), header.end());
-  for (const auto* entry : *flatbuffers::GetRoot<fbs::Header>(aligned.data())->chunks()) {
-    Bytes raw(entry->raw_size());
-    ZSTD_decompress(raw.data(), raw.size(), body.data() + entry->offset(), entry->size());
-    put(unpacked, raw.size(), 4);
-    unpacked.insert(unpacked.end(), raw.begin(), raw.end());
+  const auto file = std::as_bytes(bytes);
+  const std::uint64_t size = get(bytes, 12, 4);
+  fbs::HeaderT header;
+  flatbuffers::GetRoot<fbs::Header>(unpacked(file.subspan(24, size), nullptr, "")->data())->UnPackTo(&header);
+  const UnpackingDictionary dictionary = unpacking_dictionary(header.dictionary);
+  const std::size_t count = std::min(header.index->checksum.size(), kMostChunks);
+  StreamReader sizes(header.index->size);
+  Bytes chunks;
+  for (std::size_t i = 0, at = 24 + size; i < count; ++i) {
+    const std::size_t frame_size = sizes.get();
+    const auto raw = unpacked(file.subspan(at, frame_size), dictionary, "");
+    put(chunks, raw->size(), 4);
+    chunks.insert(chunks.end(), raw->begin(), raw->end());
+    at += frame_size;
   }
-  return unpacked;
+  header.index->x = first_steps(header.index->x, count), header.index->y = first_steps(header.index->y, count);
+  header.index->size.clear(), header.index->checksum.clear();
+  flatbuffers::FlatBufferBuilder builder;
+  builder.Finish(fbs::Header::Pack(builder, &header));
+  Bytes seed{0};
+  put(seed, builder.GetSize(), 4);
+  seed.insert(seed.end(), builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+  seed.insert(seed.end(), chunks.begin(), chunks.end());
+  return seed;
 }
 
 /// Streams of a chunk: each two bytes of size, and its bytes; those that are not there are empty.
