@@ -1,9 +1,13 @@
-// make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles.
+// make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles; and made-up tiles with
+// a sheet, and their sheets.
 #include <cstdio>
 #include <filesystem>
 
 #include "exporters/file.h"
+#include "exporters/glb.h"
 #include "exporters/manifest.h"
+#include "exporters/png.h"
+#include "tests/exporters/made_tile.h"
 #include "tests/fuzz/unpacked.h"
 
 namespace {
@@ -17,15 +21,29 @@ void write_seed(const std::filesystem::path& folder, const std::string& name, co
   if (!done) std::fprintf(stderr, "%s\n", to_string(done.error()).c_str());
 }
 
+fuzz::ByteSpan span_of(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+void write_made_seeds(const std::filesystem::path& folder) {
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    const auto tile = made_marked_tile(seed);
+    const auto glb = encode_glb(tile, {}, seed % 2 == 0 ? Instancing::kExtension : Instancing::kNodes);
+    const auto png = encode_png(tile.sheet);
+    write_seed(folder / "glb", "made_" + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
+    write_seed(folder / "png", "made_" + std::to_string(seed), {span_of(png).begin(), span_of(png).end()});
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   const std::filesystem::path folder = count > 1 ? words[1] : "";
+  write_made_seeds(folder);
   for (int i = 2; i < count; ++i) {
     const auto read = read_file(words[i]);
     if (!read) return std::fprintf(stderr, "%s\n", to_string(read.error()).c_str()), 1;
-    const auto* data = reinterpret_cast<const std::uint8_t*>(read->data());
-    const fuzz::ByteSpan bytes(data, read->size());
+    const fuzz::ByteSpan bytes = span_of(*read);
     const std::string name = std::to_string(i - 2);
     if (std::string_view(words[i]).ends_with(".glb")) {
       write_seed(folder / "glb", name, fuzz::unpacked_glb(bytes));

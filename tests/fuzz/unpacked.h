@@ -190,4 +190,23 @@ inline Bytes unpacked_glb(ByteSpan bytes) {
   return unpacked;
 }
 
+/// A PNG whose checksums are right, as far as its chunks are whole. Unpacked is: the file.
+inline Bytes packed_png(ByteSpan unpacked) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;
+  Bytes bytes(unpacked.begin(), unpacked.end());
+  for (std::size_t at = kSignature; at + kFrame <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
+    if (length > bytes.size() - at - kFrame) break;
+    std::uint32_t crc = 0xffffffffu;
+    for (std::size_t i = at + 4; i < at + 8 + length; ++i) {
+      crc ^= bytes[i];
+      for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? 0xedb88320u ^ crc >> 1 : crc >> 1;
+    }
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + 8 + length + i] = static_cast<std::uint8_t>(~crc >> 8 * (3 - i));
+    at += kFrame + length;
+  }
+  return bytes;
+}
+
 }  // namespace citykiln::exporters::fuzz

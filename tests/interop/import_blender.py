@@ -54,7 +54,8 @@ def base_colour(material):
     if pictures:
         # between it and the picture stand nodes that repeat it one way only
         [mapping] = [node for node in material.node_tree.nodes if node.type == "MAPPING"]
-        return {"roughness": shader.inputs["Roughness"].default_value, "picture_px": list(pictures[0].image.size), "has_pixels": len(pictures[0].image.pixels) > 0,
+        return {"roughness": shader.inputs["Roughness"].default_value,
+                "picture_px": list(pictures[0].image.size), "has_pixels": len(pictures[0].image.pixels) > 0,
                 "scale": list(mapping.inputs["Scale"].default_value), "location": list(mapping.inputs["Location"].default_value)}
     link = shader.inputs["Base Color"].links[0].from_node
     constants = [tuple(i.default_value) for i in link.inputs if i.type == "RGBA" and not i.is_linked]

@@ -1,0 +1,15 @@
+// The reader of pictures: whatever the bytes, a picture or an error; and a picture is written and read as itself.
+#include <cstdlib>
+
+#include "exporters/png.h"
+#include "tests/fuzz/unpacked.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace citykiln::exporters;
+  const auto bytes = fuzz::packed_png({data, size});
+  const auto sheet = decode_png(std::as_bytes(std::span(bytes)), "png");
+  if (!sheet) return 0;
+  const auto again = decode_png(encode_png(*sheet), "again");
+  if (!again || *again != *sheet) std::abort();
+  return 0;
+}
