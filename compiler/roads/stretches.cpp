@@ -116,8 +116,8 @@ void add_approach(Course& course, std::size_t g, int step) {
   // the next junction may halve what is wanted
   const double needed = 2 * (approach.line_m + kPatternLength_m);
   const auto along = [&](double out_m) { return gap.at_m + step * out_m; };
-  const auto [run_from, run_to] = std::minmax(along(approach.mouth_m), along(approach.end_m));
-  const auto [known_from, known_to] = std::minmax(along(0), along(needed));
+  const auto [run_from, run_to] = std::minmax({along(approach.mouth_m), along(approach.end_m)});
+  const auto [known_from, known_to] = std::minmax({along(0), along(needed)});
   if (!is_agreed(course, run_from, run_to, known_from, known_to)) return;
   if (crossing) {
     course.is_used[*crossing] = true;
