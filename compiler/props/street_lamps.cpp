@@ -38,12 +38,23 @@ Side lit_side(const Road& road, std::int64_t number) {
   return drives_left ? Side::kLeft : Side::kRight;
 }
 
-// From the axis to the foot of a lamp on that side.
+// What is raised on one side, from the kerb outward.
+std::vector<map::Lane> raised_lanes(const Road& road, Side side) {
+  std::vector<map::Lane> lanes = road.section.lanes;
+  if (side == Side::kRight) std::ranges::reverse(lanes);
+  lanes.erase(std::ranges::find(lanes, false, &map::Lane::is_raised), lanes.end());
+  std::ranges::reverse(lanes);
+  return lanes;
+}
+
+// From the axis to the foot of a lamp on that side: a raised cycle track is kept free.
 double offset_m(const Road& road, Side side) {
-  const bool is_left = side == Side::kLeft;
-  const double kerb_m = is_left ? left_m(road) : right_m(road);
-  const double raised_m = is_left ? raised_left_m(road) : raised_right_m(road);
-  return kerb_m + (raised_m > 0 ? std::min(kBehindKerb_m, raised_m / 2) : kBeyondEdge_m);
+  double edge_m = side == Side::kLeft ? left_m(road) : right_m(road);
+  for (const map::Lane& lane : raised_lanes(road, side)) {
+    if (lane.kind != map::LaneKind::kCycle) return edge_m + std::min(kBehindKerb_m, lane.width_m / 2);
+    edge_m += lane.width_m;
+  }
+  return edge_m + kBeyondEdge_m;
 }
 
 bool stands_in(const Box2& box, Vec2 p) {
@@ -153,7 +164,7 @@ bool bears_lamps(SurfaceClass surface) {
     case SurfaceGroup::kPath:
       return surface == SurfaceClass::kFootPath || surface == SurfaceClass::kPavedFootPath;
     default:
-      return true;
+      return surface != SurfaceClass::kParkingLane;
   }
 }
 

@@ -48,16 +48,16 @@ struct StreetLamp {
 /// there. None where the road is not lit.
 ///
 /// On carriageways wider than 9 m they alternate; else they stand on the side that has a pavement, where both or none
-/// have on that of the traffic. 0.5 m behind the kerb, or in the middle of a narrower pavement; where there is none,
-/// 0.75 m beyond the edge.
+/// have on that of the traffic. 0.5 m behind the kerb and any raised cycle track, or in the middle of a narrower
+/// pavement; where there is none, 0.75 m beyond the edge.
 ///
 /// Guarantees: runs that a way was trimmed to have together the lamps of the way, to the bit; boxes that share no
 /// points share no lamps. Total. O(points + lamps in the box).
 std::vector<StreetLamp> lamps_along(const roads::Road& road, const Box2& box);
 
-/// The lamps along all lit roads that find a place in the box: not on a carriageway, rails, water, steps, a track or
-/// cycle path, nor in a building; not within one spacing of a mapped lamp, which tells that the street's lamps are
-/// mapped; and along a path not where a lit street lights it. In the order of the roads.
+/// The lamps along all lit roads that find a place in the box: not on a carriageway, parked cars, rails, water, steps,
+/// a track or cycle path, nor in a building; not within one spacing of a mapped lamp, which tells that the street's
+/// lamps are mapped; and along a path not where a lit street lights it. In the order of the roads.
 ///
 /// @param mapped    Where lamps are mapped.
 /// @param surfaces  Must cover the box.

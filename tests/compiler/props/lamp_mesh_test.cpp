@@ -119,7 +119,8 @@ TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
 TEST(LampMesh, ClosesAllItsParts) {
   for (const LampKind kind : kAll)
     for (const double tolerance : kDetails)
-      for (const auto& [mesh, material, tint, feature] : lamp_mesh(kind, 1, tolerance).meshes) {
+      for (const auto& dressed : lamp_mesh(kind, 1, tolerance).meshes) {
+        const Mesh& mesh = dressed.mesh;
         std::map<std::pair<Vec3, Vec3>, int> open;
         double six = 0;
         for (const Triangle& t : mesh.triangles) {

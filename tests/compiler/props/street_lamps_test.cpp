@@ -108,6 +108,12 @@ TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
   EXPECT_EQ(feet_m(with(0, 2)), -3.5);
   EXPECT_EQ(feet_m(with(2, 2)), -3.5);
   EXPECT_EQ(feet_m(with(0, 0.5)), -3.25);
+  Road cycled = with(0, 2);
+  cycled.section.lanes.insert(cycled.section.lanes.begin() + 1,
+                              {map::LaneKind::kCycle, map::LaneWay::kForward, 1.5, 0, true});
+  EXPECT_EQ(feet_m(cycled), -5);
+  cycled.section.lanes.pop_back();
+  EXPECT_EQ(feet_m(cycled), -5.25);
   Road left_hand = with(2, 2);
   left_hand.side = map::DrivingSide::kLeft;
   EXPECT_EQ(feet_m(left_hand), 3.5);
