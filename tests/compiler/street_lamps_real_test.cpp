@@ -6,6 +6,7 @@
 
 #include "compiler/pipeline.h"
 #include "compiler/props/street_lamps.h"
+#include "compiler/scene/ground_cover.h"
 
 namespace citykiln {
 namespace {
