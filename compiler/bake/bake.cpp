@@ -90,9 +90,7 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
 }
 
 // Trees are placed before features are numbered, and written after.
-plants::Placed place_trees(Firing& firing, const std::vector<ground::Surface>& surfaces, const Box2& box,
-                           Report& report) {
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const Box2& box, Report& report) {
   const scene::Chunk& chunk = firing.chunk;
   plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, chunk.heights, box, firing.header.seed, report);
   for (const auto& placements : placed)
@@ -116,19 +114,51 @@ void fire_trees(Firing& firing, const plants::Placed& placed) {
   }
 }
 
-std::vector<Placement> place_lamps(Firing& firing) {
-  std::vector<Placement> placements;
-  for (const props::Lamp& lamp : firing.chunk.lamps) placements.push_back(props::place(lamp, firing.chunk.heights));
-  for (const Placement& p : placements) firing.features.insert(p.feature);
-  return placements;
+// Lamps are placed before features are numbered, too. Mapped ones first.
+struct Lamps {
+  std::vector<props::StreetLamp> standing;
+  std::size_t mapped = 0;
+};
+
+Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const Box2& box) {
+  const scene::Chunk& chunk = firing.chunk;
+  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
+  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
+  for (const props::StreetLamp& lamp : lamps.standing) firing.features.insert(lamp.feature);
+  return lamps;
 }
 
-void fire_lamps(Firing& firing, const std::vector<Placement>& placements) {
-  const double height_m = tallest(placements);
-  if (placements.empty()) return;
-  const props::Expanded lamp = props::lamp_mesh(height_m, firing.tolerance_m);
+// What stands of one kind; false where the tolerance leaves nothing of it.
+bool fire_lamps(Firing& firing, const Lamps& lamps, props::LampKind kind) {
+  constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
+  std::vector<Placement> placements;
+  for (const props::StreetLamp& lamp : lamps.standing)
+    if (lamp.kind == kind) placements.push_back(props::place(lamp, firing.chunk.heights));
+  const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
   firing.certify(lamp.error_m);
-  fire_instances(firing, "Lamp", lamp.meshes, placements);
+  fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
+  return !lamp.meshes.empty();
+}
+
+// Only what somebody mapped is named where the tolerance drops it.
+void fire_lamps(Firing& firing, const Lamps& lamps, Report& report) {
+  const bool is_left[] = {fire_lamps(firing, lamps, props::LampKind::kPostTop),
+                          fire_lamps(firing, lamps, props::LampKind::kArm)};
+  Account mapped, derived;
+  for (std::size_t i = 0; i < lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = lamps.standing[i];
+    Account& account = i < lamps.mapped ? mapped : derived;
+    ++account.in;
+    if (is_left[static_cast<std::size_t>(lamp.kind)])
+      ++account.out;
+    else if (i < lamps.mapped)
+      report.drop(account, Code::kBelowTolerance, lamp.feature, lamp.height_m);
+    else
+      ++account.dropped[Code::kBelowTolerance];
+  }
+  report.account("bake", "lamp") = mapped;
+  report.account("bake", "derived lamp") = derived;
 }
 
 void merge_meshes(Firing& firing) {
@@ -160,13 +190,14 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
             [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
   fire_each(firing, chunk.barriers, "barrier", report,
             [&](const auto& b) { return props::expand(b, chunk.heights, tolerance_m); });
-  const plants::Placed trees = place_trees(firing, surfaces, box, report);
-  const std::vector<Placement> lamps = place_lamps(firing);
+  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  const plants::Placed trees = place_trees(firing, map, box, report);
+  const Lamps lamps = place_lamps(firing, map, box);
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
   fire_trees(firing, trees);
-  fire_lamps(firing, lamps);
+  fire_lamps(firing, lamps, report);
   return tile;
 }
 

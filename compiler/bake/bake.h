@@ -8,8 +8,8 @@
 namespace citykiln::bake {
 
 /// A pure function of header, chunk and tolerance. Ledger "bake/bridge", "bake/building", "bake/tree", "bake/barrier",
-/// "bake/lamp": what the tolerance drops. Total. Cost: linear in what the tile holds at that tolerance, but for the
-/// ground's n log n.
+/// "bake/lamp" (mapped ones), "bake/derived lamp" (along lit streets): what the tolerance drops. Total. Cost: linear in
+/// what the tile holds at that tolerance, but for the ground's n log n.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
 
 }  // namespace citykiln::bake

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/geometry/trig.h"
 #include "compiler/props/follow_ground.h"
 
 namespace citykiln::props {
@@ -63,20 +62,6 @@ void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std
   mesh.triangles.push_back({a, c, d});
 }
 
-// A tube of `sides` between two radii about the z axis, closed at the top.
-void add_tube(Mesh& mesh, int sides, double bottom_m, double top_m, double bottom_radius_m, double top_radius_m) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const auto n = static_cast<std::uint32_t>(sides);
-  for (int i = 0; i < sides; ++i) {
-    const Vec2 d = direction_of(static_cast<double>(i) / sides);
-    mesh.positions.push_back(snapped(at_height(d * bottom_radius_m, bottom_m)));
-    mesh.positions.push_back(snapped(at_height(d * top_radius_m, top_m)));
-  }
-  for (std::uint32_t i = 0; i < n; ++i)
-    add_quad(mesh, first + 2 * i, first + 2 * ((i + 1) % n), first + 2 * ((i + 1) % n) + 1, first + 2 * i + 1);
-  for (std::uint32_t i = 1; i + 1 < n; ++i) mesh.triangles.push_back({first + 1, first + 2 * i + 1, first + 2 * i + 3});
-}
-
 }  // namespace
 
 Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double tolerance_m) {
@@ -97,19 +82,9 @@ Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double 
   return {{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}}, 0};
 }
 
-Expanded lamp_mesh(double height_m, double tolerance_m) {
-  if (height_m <= tolerance_m) return {{}, height_m};
-  // a lamp 1 m tall: the pole, and a lantern on it
-  DressedMesh pole{{}, Material::kPaintedMetal, materials::kNoTint, {}},
-      lantern{{}, Material::kLampGlass, materials::kNoTint, {}};
-  add_tube(pole.mesh, 6, 0, 0.93, 0.013, 0.008);
-  add_tube(lantern.mesh, 6, 0.93, 0.98, 0.014, 0.034);
-  add_tube(pole.mesh, 6, 0.98, 1.0, 0.040, 0.010);
-  return {{std::move(pole), std::move(lantern)}, 0};
-}
-
-Placement place(const Lamp& lamp, const map::Heightfield& heights) {
-  return {at_height(lamp.at, snapped(map::height_m_at(heights, lamp.at))), 1, 0, lamp.height_m, lamp.id.osm};
+Placement place(const StreetLamp& lamp, const map::Heightfield& heights) {
+  const Vec3 foot = at_height(lamp.at, snapped(map::height_m_at(heights, lamp.at)));
+  return {foot, lamp.facing.x, lamp.facing.y, lamp.height_m, lamp.feature};
 }
 
 }  // namespace citykiln::props

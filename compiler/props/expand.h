@@ -8,6 +8,7 @@
 #include "compiler/map/heightfield.h"
 #include "compiler/materials/dressed_mesh.h"
 #include "compiler/props/recipe.h"
+#include "compiler/props/street_lamps.h"
 
 namespace citykiln::props {
 
@@ -20,9 +21,12 @@ struct Expanded {
 /// error, where it is lower than the tolerance.
 Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double tolerance_m);
 
-/// A lamp 1 m tall with its foot at the origin (scale is the height), empty where a lamp of `height_m` is lower than
-/// the tolerance.
-Expanded lamp_mesh(double height_m, double tolerance_m);
-Placement place(const Lamp& lamp, const map::Heightfield& heights);
+/// A lamp 1 m tall: its foot at the origin, its arm a fifth as long along +x; scale is the height. Every part is
+/// closed; at most 80 triangles. Cut so that a lamp of `height_m` is within the tolerance, by the error stated; empty
+/// where the lamp itself is lower than the tolerance.
+Expanded lamp_mesh(LampKind kind, double height_m, double tolerance_m);
+
+/// On the ground, turned so that +x points where the lamp faces.
+Placement place(const StreetLamp& lamp, const map::Heightfield& heights);
 
 }  // namespace citykiln::props

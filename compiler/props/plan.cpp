@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace citykiln::props {
-namespace {
-
-// Of a lamp on a street, where no height is tagged.
-constexpr double kLampHeight_m = 6;
-
-}  // namespace
 
 Props plan(const map::Features& features, Report& report) {
   Props props;
@@ -25,7 +19,7 @@ Props plan(const map::Features& features, Report& report) {
       continue;
     }
     ++points.out;
-    props.lamps.push_back({point.id, point.at, point.height_m > 0 ? point.height_m : kLampHeight_m});
+    props.lamps.push_back({point.id, point.at, point.height_m});
   }
   std::sort(props.barriers.begin(), props.barriers.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   std::sort(props.lamps.begin(), props.lamps.end(), [](const auto& a, const auto& b) { return a.id < b.id; });

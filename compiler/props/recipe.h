@@ -18,7 +18,7 @@ struct Barrier {
 struct Lamp {
   ObjectId id;
   Vec2 at;
-  double height_m = 0;
+  double height_m = 0;  ///< 0: nobody told, so as lamps of its street are.
   bool operator==(const Lamp&) const = default;
 };
 

@@ -95,27 +95,14 @@ TEST(Expand, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
   EXPECT_FALSE(expand(wall({{0, 0}, {9, 0}, {0, 0}}), hills(), 0.1).meshes.empty());
 }
 
-TEST(LampMesh, IsOneMetreTallAndSmall) {
-  const Expanded lamp = lamp_mesh(6, 0.02);
-  std::size_t triangles = 0;
-  double top = 0;
-  for (const auto& dressed : lamp.meshes) {
-    triangles += dressed.mesh.triangles.size();
-    for (const Vec3 p : dressed.mesh.positions) {
-      top = std::max(top, p.z);
-      EXPECT_EQ(p, snapped(p));
-    }
-  }
-  EXPECT_EQ(top, 1);
-  EXPECT_LE(triangles, 60u);
-  EXPECT_TRUE(lamp_mesh(6, 12.5).meshes.empty());
-  EXPECT_EQ(lamp_mesh(6, 12.5).error_m, 6);
-}
-
-TEST(Place, StandsLampsOnTheGround) {
-  const Placement p = place({{{OsmType::kNode, 8}, 0}, {5, 7}, 6}, hills());
+TEST(Place, StandsLampsOnTheGroundAndTurnsThem) {
+  const StreetLamp lamp{{5, 7}, {0.6, -0.8}, 6, LampKind::kArm, {OsmType::kNode, 8}};
+  const Placement p = place(lamp, hills());
   EXPECT_NEAR(p.at.z, height_m_at(hills(), {5, 7}), 0.0005);
   EXPECT_EQ(p.scale, 6);
+  EXPECT_EQ(p.cos_yaw, 0.6);
+  EXPECT_EQ(p.sin_yaw, -0.8);
+  EXPECT_EQ(p.feature, lamp.feature);
 }
 
 TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
@@ -131,7 +118,7 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   ASSERT_EQ(props.barriers.size(), 2u);
   EXPECT_LT(props.barriers[0].id, props.barriers[1].id);
   ASSERT_EQ(props.lamps.size(), 2u);
-  EXPECT_GT(props.lamps[0].height_m, 3);
+  EXPECT_EQ(props.lamps[0].height_m, 0);
   EXPECT_EQ(props.lamps[1].height_m, 9);
   EXPECT_EQ(report.ledger().at("props/point").in, 3u);
   EXPECT_EQ(report.counts()[Code::kNotModelled], 1u);

@@ -1,0 +1,116 @@
+#include <array>
+#include <utility>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/geometry/trig.h"
+#include "compiler/props/expand.h"
+
+namespace citykiln::props {
+namespace {
+
+using materials::DressedMesh;
+using materials::Material;
+
+// A cross-section, counter-clockwise seen from the end of what is made of it.
+using Section = std::vector<Vec3>;
+
+// Largest deviation of a cut from the full shape, both ways, for a lamp 1 m tall: bounds that lamp_mesh_test.cpp
+// proves, rounded up. 0 is full.
+using Details = std::array<double, 3>;
+constexpr Details kPostTopErrors = {0, 0.0105, 0.023}, kArmErrors = {0, 0.0065, 0.025};
+
+// Feet reach below the ground, which a slope or a coarse level may lower.
+constexpr double kFoot_m = -0.03;
+
+// A closed skin through cross-sections of as many points each.
+void add_skin(Mesh& mesh, const std::vector<Section>& sections) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto n = static_cast<std::uint32_t>(sections.front().size());
+  for (const Section& section : sections)
+    for (const Vec3 p : section) mesh.positions.push_back(snapped(p));
+  const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - n;
+  for (std::uint32_t ring = first; ring < last; ring += n)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = ring + i, b = ring + (i + 1) % n;
+      mesh.triangles.push_back({a, b, b + n});
+      mesh.triangles.push_back({a, b + n, a + n});
+    }
+  for (std::uint32_t i = 1; i + 1 < n; ++i) {
+    mesh.triangles.push_back({first, first + i + 1, first + i});
+    mesh.triangles.push_back({last, last + i, last + i + 1});
+  }
+}
+
+// Round about the z axis; a corner lies towards +x.
+Section level(int sides, double z_m, double radius_m) {
+  Section section;
+  for (int i = 0; i < sides; ++i)
+    section.push_back(at_height(direction_of(static_cast<double>(i) / sides) * radius_m, z_m));
+  return section;
+}
+
+void add_tube(Mesh& mesh, int sides, double bottom_m, double top_m, double bottom_radius_m, double top_radius_m) {
+  add_skin(mesh, {level(sides, bottom_m, bottom_radius_m), level(sides, top_m, top_radius_m)});
+}
+
+// Upright, square to x.
+Section upright(double x_m, double low_m, double high_m, double half_width_m) {
+  return {{x_m, -half_width_m, low_m},
+          {x_m, half_width_m, low_m},
+          {x_m, half_width_m, high_m},
+          {x_m, -half_width_m, high_m}};
+}
+
+// The same with an edge below.
+Section edged(double x_m, double low_m, double high_m, double half_width_m) {
+  return {{x_m, 0, low_m}, {x_m, half_width_m, high_m}, {x_m, -half_width_m, high_m}};
+}
+
+// The part with the door at the foot is wider.
+void add_pole(Mesh& mesh, int detail, double top_m) {
+  if (detail == 0) {
+    add_tube(mesh, 5, kFoot_m, 0.125, 0.0105, 0.0105);
+    add_tube(mesh, 5, 0.125, top_m, 0.0075, 0.0045);
+  } else {
+    add_tube(mesh, 3, kFoot_m, top_m, 0.0115, 0.0055);
+  }
+}
+
+void add_lantern(Mesh& metal, Mesh& glass, int detail) {
+  if (detail == 2) return add_tube(metal, 4, 0.90, 1, 0.022, 0.022);
+  const int sides = detail == 0 ? 6 : 4;
+  add_tube(glass, sides, 0.90, 0.965, 0.016, 0.034);
+  add_tube(metal, sides, 0.965, 1, 0.040, 0.010);
+}
+
+void add_arm(Mesh& metal, Mesh& glass, int detail) {
+  if (detail == 2) return add_skin(metal, {edged(0, 0.94, 0.965, 0.005), edged(0.21, 0.982, 1, 0.014)});
+  if (detail == 1) {
+    add_skin(metal, {edged(0, 0.94, 0.948, 0.004), edged(0.03, 0.972, 0.98, 0.004), edged(0.13, 0.986, 0.994, 0.004)});
+    add_skin(metal, {upright(0.12, 0.98, 1, 0.012), upright(0.21, 0.98, 0.994, 0.014)});
+    return;
+  }
+  add_skin(metal,
+           {upright(0, 0.94, 0.947, 0.0035), upright(0.03, 0.972, 0.979, 0.0035), upright(0.13, 0.987, 0.994, 0.0035)});
+  add_skin(metal, {upright(0.12, 0.984, 1, 0.011), upright(0.21, 0.984, 0.994, 0.015)});
+  add_skin(glass, {upright(0.14, 0.98, 0.986, 0.009), upright(0.205, 0.98, 0.986, 0.013)});
+}
+
+}  // namespace
+
+Expanded lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
+  if (height_m <= tolerance_m) return {{}, height_m};
+  const bool has_arm = kind == LampKind::kArm;
+  const Details& errors = has_arm ? kArmErrors : kPostTopErrors;
+  int detail = 2;
+  while (errors[detail] * height_m > tolerance_m) --detail;
+  DressedMesh metal{{}, Material::kPaintedMetal, materials::kNoTint, {}},
+      glass{{}, Material::kLampGlass, materials::kNoTint, {}};
+  add_pole(metal.mesh, detail, has_arm ? 0.955 : 0.91);
+  has_arm ? add_arm(metal.mesh, glass.mesh, detail) : add_lantern(metal.mesh, glass.mesh, detail);
+  Expanded lamp{{std::move(metal)}, errors[detail] * height_m};
+  if (!glass.mesh.triangles.empty()) lamp.meshes.push_back(std::move(glass));
+  return lamp;
+}
+
+}  // namespace citykiln::props

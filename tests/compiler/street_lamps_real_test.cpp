@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "compiler/pipeline.h"
+#include "compiler/props/street_lamps.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln {
+namespace {
+
+using map::SurfaceGroup;
+using props::StreetLamp;
+
+const std::filesystem::path kData = CITYKILN_DATA;
+constexpr const char* kExtracts[] = {"berlin/berlin-neukolln.osm", "helsinki/Helsinki.osm.pbf",
+                                     "monaco/monaco-2023.osm.pbf", "berlin/berlin-reinickendorf-2026.osm.pbf"};
+
+scene::Scene scene_of(const char* extract, double tile_m) {
+  CompileSpec spec;
+  spec.map_path = kData / extract;
+  spec.tile_m = tile_m;
+  Result<Compiled> compiled = compile(spec, [](auto&&...) {});
+  EXPECT_TRUE(compiled) << extract;
+  return compiled ? std::move(compiled->scene) : scene::Scene{};
+}
+
+std::vector<StreetLamp> lamps_of(const scene::Scene& scene, const scene::Chunk& chunk,
+                                 std::span<const props::Lamp> mapped) {
+  const Box2 box = scene::box_of(scene.header, chunk.tile);
+  const auto surfaces = scene::surfaces_of(chunk);
+  return props::lamps_of_streets(chunk.roads, mapped, ground::map_surfaces(surfaces, box.widened(scene::kHalo_m)), box);
+}
+
+// Asked of every surface, not of a map of them.
+const ground::Surface* top_at(std::span<const ground::Surface> surfaces, std::span<const Box2> boxes, Vec2 p) {
+  const ground::Surface* top = nullptr;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!boxes[i].contains(p)) continue;
+    int winding = 0;
+    for (const Ring& ring : surfaces[i].rings) winding += winding_number(ring, p);
+    if (winding > 0 && (!top || covers(surfaces[i], *top))) top = &surfaces[i];
+  }
+  return top;
+}
+
+std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
+  std::vector<Box2> boxes(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (const Ring& ring : surfaces[i].rings)
+      for (const Vec2 p : ring) boxes[i].grow(p);
+  return boxes;
+}
+
+// Whether it is no place for a lamp.
+bool is_taken(const ground::Surface* top) {
+  if (!top) return false;
+  const SurfaceGroup group = map::values_of(top->surface).group;
+  return group == SurfaceGroup::kRoad || group == SurfaceGroup::kRail || group == SurfaceGroup::kWater ||
+         group == SurfaceGroup::kBuilding;
+}
+
+// From the lamp to the nearest place on the axis of the way it lights.
+Vec2 towards_its_way(std::span<const roads::Road> roads, const StreetLamp& lamp) {
+  Vec2 nearest{1e9, 0};
+  for (const roads::Road& road : roads)
+    for (std::size_t i = 0; road.id.osm == lamp.feature && i + 1 < road.axis.size(); ++i) {
+      const Vec2 from = road.axis[i] - lamp.at, along = road.axis[i + 1] - road.axis[i];
+      const Vec2 to = from + along * std::clamp(-dot(from, along) / dot(along, along), 0.0, 1.0);
+      if (length(to) < length(nearest)) nearest = to;
+    }
+  return nearest;
+}
+
+TEST(StreetLampsReal, StandBesideCarriagewaysAndFaceThem) {
+  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  for (const char* extract : kExtracts) {
+    const scene::Scene scene = scene_of(extract, 1024);
+    std::size_t count = 0, averted = 0;
+    for (const scene::Chunk& chunk : scene.chunks) {
+      const auto surfaces = scene::surfaces_of(chunk);
+      const auto boxes = boxes_of(surfaces);
+      for (const StreetLamp& lamp : lamps_of(scene, chunk, chunk.lamps)) {
+        ++count;
+        EXPECT_FALSE(is_taken(top_at(surfaces, boxes, lamp.at))) << to_string(lamp.feature);
+        averted += dot(unit(towards_its_way(chunk.roads, lamp)), lamp.facing) <= 0.99;
+      }
+    }
+    EXPECT_GT(count, 30u) << extract;
+    // in a hairpin the other leg may be nearer than the one a lamp faces
+    EXPECT_LE(averted * 33, count) << extract;
+    RecordProperty(std::filesystem::path(extract).stem().string(), static_cast<int>(count));
+  }
+}
+
+std::vector<StreetLamp> sorted_lamps(const scene::Scene& scene) {
+  std::vector<StreetLamp> all;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const auto here = lamps_of(scene, chunk, {});
+    all.insert(all.end(), here.begin(), here.end());
+  }
+  std::ranges::sort(all, [](const StreetLamp& a, const StreetLamp& b) {
+    return std::tie(a.feature, a.at, a.facing) < std::tie(b.feature, b.at, b.facing);
+  });
+  return all;
+}
+
+TEST(StreetLampsReal, AreTheSameHoweverTheMapIsTiled) {
+  if (!std::filesystem::exists(kData)) GTEST_SKIP();
+  for (const char* extract : kExtracts) {
+    const auto large = sorted_lamps(scene_of(extract, 2048)), small = sorted_lamps(scene_of(extract, 256));
+    EXPECT_FALSE(large.empty()) << extract;
+    EXPECT_TRUE(large == small) << extract << ": " << large.size() << " and " << small.size();
+  }
+}
+
+}  // namespace
+}  // namespace citykiln
