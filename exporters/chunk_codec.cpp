@@ -267,6 +267,14 @@ struct Packed {
   }
 };
 
+// Steps of 2^-11 m, not below 0: the middle of what is counted in quanta.
+void half_steps(auto& io, const char* name, double& value) {
+  constexpr double kHalf_m = kQuantum_m / 2;
+  auto steps = static_cast<std::uint64_t>(value / kHalf_m);
+  io.number(name, steps);
+  value = static_cast<double>(steps) * kHalf_m;
+}
+
 // Kind, way and whether it is raised, as one number.
 void lane(auto& io, map::Lane& l) {
   constexpr std::uint64_t kWays = 3, kRaised = 2;
@@ -290,7 +298,7 @@ void road_kind(auto& io, RoadKind& k) {
   io.number("road traits", traits);
   k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
   k.is_lit = (traits & 2) != 0, k.is_link = (traits & 4) != 0, k.is_roundabout = (traits & 8) != 0;
-  io.metres("axis offset", k.section.axis_offset_m);
+  half_steps(io, "axis offset", k.section.axis_offset_m);
   list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { lane(io, l); });
   if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
     if (traits > 15) io.fail("road traits");

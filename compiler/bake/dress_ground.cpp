@@ -35,12 +35,15 @@ const roads::Piece* piece_of(const scene::GroundCover& cover, std::uint32_t surf
   return &cover.pieces[cover.surfaces[surface].piece - 1];
 }
 
-// Faces of one mesh follow each other: those of one surface, or of one run of a road's pieces.
-bool share_mesh(const scene::GroundCover& cover, std::uint32_t a, std::uint32_t b) {
-  if (a == b) return true;
-  const roads::Piece *p = piece_of(cover, a), *q = piece_of(cover, b);
-  return p && q && p->run == q->run && cover.surfaces[a].id == cover.surfaces[b].id &&
-         cover.surfaces[a].surface == cover.surfaces[b].surface;
+// Faces of one mesh are those of one surface, or of one run of a road's pieces.
+struct MeshOf {
+  bool is_run;
+  std::uint32_t number;
+  auto operator<=>(const MeshOf&) const = default;
+};
+MeshOf mesh_of(const scene::GroundCover& cover, std::uint32_t surface) {
+  const roads::Piece* piece = piece_of(cover, surface);
+  return piece ? MeshOf{true, piece->run} : MeshOf{false, surface};
 }
 
 const Column* column_of(const Markings& markings, const roads::Piece* piece) {
@@ -89,10 +92,10 @@ std::uint32_t vertex_in(DressedMesh& dressed, std::uint32_t mesh, const ground::
   return places.vertex[v];
 }
 
-std::vector<std::uint32_t> faces_by_surface(const ground::GroundMesh& ground) {
+std::vector<std::uint32_t> faces_by_mesh(const ground::GroundMesh& ground, const scene::GroundCover& cover) {
   std::vector<std::uint32_t> order(ground.face_surface.size());
   for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t f) { return ground.face_surface[f]; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t f) { return mesh_of(cover, ground.face_surface[f]); });
   return order;
 }
 
@@ -122,9 +125,9 @@ std::vector<DressedMesh> dress(const ground::GroundMesh& ground, const scene::Gr
   std::vector<DressedMesh> dressed;
   Places places(ground.mesh.positions.size());
   std::uint32_t last = 0;
-  for (const std::uint32_t f : faces_by_surface(ground)) {
+  for (const std::uint32_t f : faces_by_mesh(ground, cover)) {
     const std::uint32_t number = ground.face_surface[f];
-    if (dressed.empty() || !share_mesh(cover, last, number))
+    if (dressed.empty() || mesh_of(cover, last) != mesh_of(cover, number))
       dressed.push_back(dressed_as(cover, markings, number, seed));
     last = number;
     const roads::Piece* piece = piece_of(cover, number);

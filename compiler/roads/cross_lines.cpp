@@ -7,6 +7,10 @@
 namespace citykiln::roads {
 namespace {
 
+// A road's end is joined to the next road's by a mitre where its last segment is no longer than this: then all tiles
+// that the segment touches know the next road. Longer ones end square, with a joint.
+constexpr double kLongestJoined_m = 40;
+
 // Two lines across a segment keep at least so far apart on either edge.
 constexpr double kLeastSide_m = 0.0625;
 
@@ -35,6 +39,7 @@ struct Cutting {
   const Road& road;
   const Ends& ends;
   Reaches reaches;
+  double tile_m;
   std::vector<double> along{};
   std::vector<std::optional<Vec2>> outs{};  // of each point's mitre
 
@@ -42,7 +47,12 @@ struct Cutting {
   double length(std::size_t i) const { return distance(road.axis[i], road.axis[i + 1]); }
   std::size_t segments() const { return road.axis.size() - 1; }
 
+  bool is_long_end(std::size_t i) const {
+    return (i == 0 && length(0) > kLongestJoined_m) || (i == segments() && length(i - 1) > kLongestJoined_m);
+  }
+
   std::optional<Vec2> mitre_at(std::size_t i) const {
+    if (is_long_end(i)) return std::nullopt;
     const Vec2 before = i > 0 ? direction(i - 1) : ends.from ? unit(road.axis.front() - *ends.from) : direction(0);
     const Vec2 after = i < segments() ? direction(i) : ends.to ? unit(*ends.to - road.axis.back()) : before;
     return mitre(before, after);
@@ -66,20 +76,39 @@ struct Cutting {
   }
 };
 
-// Where stretches change within a segment: not within the reach of its ends' lines.
-std::vector<std::uint32_t> changes_within(const Cutting& cutting, std::span<const StretchRun> stretches,
-                                          std::size_t segment) {
-  std::vector<std::uint32_t> changes;
+// Where the strip about a segment comes within a metre of a border, and where it leaves it, along one coordinate.
+void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis, std::vector<double>& lines) {
+  constexpr double kNear_m = 1;
+  const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1],
+             out = left_of(cutting.direction(segment));
+  const double per_metre = cutting.direction(segment).*axis;
+  if (std::abs(per_metre) < 0x1p-10) return;
+  const double left = out.*axis * cutting.reaches.left_m, right = -(out.*axis) * cutting.reaches.right_m;
+  const double low = std::min(left, right) - kNear_m, high = std::max(left, right) + kNear_m;
+  const double first = std::floor((std::min(a.*axis, b.*axis) + low) / cutting.tile_m) + 1;
+  for (double k = first; k * cutting.tile_m <= std::max(a.*axis, b.*axis) + high; ++k)
+    for (const double edge : {low, high})
+      lines.push_back(cutting.along[segment] + (k * cutting.tile_m - edge - a.*axis) / per_metre);
+}
+
+// Lines across a segment between its ends, not within the reach of those: borders first, for all tiles know them.
+std::vector<double> lines_within(const Cutting& cutting, std::span<const StretchRun> stretches, std::size_t segment) {
+  std::vector<double> wanted, lines;
+  add_borders(cutting, segment, &Vec2::x, wanted);
+  add_borders(cutting, segment, &Vec2::y, wanted);
+  std::sort(wanted.begin(), wanted.end());
+  for (const StretchRun& run : stretches) wanted.push_back(run.from_m);
   const Vec2 direction = cutting.direction(segment);
   const double from = cutting.along[segment] + kLeastSide_m +
                       lean_of(cutting.line_at(segment, segment).out, direction, cutting.reaches).most_m;
   const double to = cutting.along[segment + 1] - kLeastSide_m +
                     lean_of(cutting.line_at(segment + 1, segment).out, direction, cutting.reaches).least_m;
-  for (std::uint32_t s = 1; s < stretches.size(); ++s) {
-    const double last = changes.empty() ? from : stretches[changes.back()].from_m + kLeastSide_m;
-    if (stretches[s].from_m > last && stretches[s].from_m < to) changes.push_back(s);
+  for (std::size_t w = 0; w < wanted.size(); ++w) {
+    const auto is_close = [&](double line) { return std::abs(line - wanted[w]) < kLeastSide_m; };
+    if (wanted[w] > from && wanted[w] < to && std::ranges::none_of(lines, is_close)) lines.push_back(wanted[w]);
   }
-  return changes;
+  std::sort(lines.begin(), lines.end());
+  return lines;
 }
 
 // The stretch that a distance lies in.
@@ -102,24 +131,27 @@ void slice_segment(const Cutting& cutting, std::span<const StretchRun> stretches
     slices.push_back({cutting.direction(segment), start, end, stretch_at(stretches, middle)});
     start = end;
   };
-  for (const std::uint32_t s : changes_within(cutting, stretches, segment))
-    push(line_between(cutting, segment, stretches[s].from_m));
+  for (const double along_m : lines_within(cutting, stretches, segment)) push(line_between(cutting, segment, along_m));
   push(cutting.line_at(segment + 1, segment));
 }
 
 }  // namespace
 
 Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
-                 double right_m) {
-  Cutting cutting{road, ends, {left_m, right_m}, distances_along(road)};
+                 double right_m, double tile_m) {
+  Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road)};
   cutting.find_outs();
   Slices all;
   for (std::size_t s = 0; s < cutting.segments(); ++s) {
+    if (s == 0 && !cutting.outs[0] && ends.from)
+      all.bends.push_back({road.axis[0], unit(road.axis[0] - *ends.from), cutting.direction(0), 0});
     slice_segment(cutting, stretches, s, all.slices);
-    const bool is_open = s + 1 < cutting.segments() && !cutting.outs[s + 1];
-    if (!is_open) continue;
-    all.bends.push_back({road.axis[s + 1], cutting.direction(s), cutting.direction(s + 1),
-                         static_cast<std::uint32_t>(all.slices.size()) - 1});
+    if (cutting.outs[s + 1]) continue;
+    const auto last = static_cast<std::uint32_t>(all.slices.size()) - 1;
+    if (s + 1 < cutting.segments())
+      all.bends.push_back({road.axis[s + 1], cutting.direction(s), cutting.direction(s + 1), last});
+    else if (ends.to)
+      all.bends.push_back({road.axis.back(), cutting.direction(s), unit(*ends.to - road.axis.back()), last});
   }
   return all;
 }

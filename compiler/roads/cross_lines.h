@@ -25,20 +25,22 @@ struct Slice {
 /// A bend that no mitre fits: both its segments end square, and the wedge on its outside is open.
 struct OpenBend {
   Vec2 at, before, after;   ///< The point, and the directions of its segments.
-  std::uint32_t slice = 0;  ///< The one that ends there.
+  std::uint32_t slice = 0;  ///< The one that ends there; at the road's first point the one that begins there.
 };
 
 struct Slices {
   std::vector<Slice> slices;
-  std::vector<OpenBend> bends;
+  std::vector<OpenBend> bends;  ///< Sorted along the road.
 };
 
 /// Cuts a road across.
 ///
 /// @param left_m, right_m  How far the lines reach to both sides.
+/// @param tile_m           Of the plane's grid of tiles. Where the road comes within a metre of a border, and where it
+///                         leaves it, are lines too: what changes beyond them moves no edge on the border.
 /// Guarantees: lines of one slice do not cross within that; neighbours share their line unless the bend is open.
 /// A stretch that would end within a bend ends at its vertex instead. O(points + stretches).
 Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
-                 double right_m);
+                 double right_m, double tile_m);
 
 }  // namespace citykiln::roads

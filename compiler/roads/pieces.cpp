@@ -105,18 +105,20 @@ Vec2 uv_at(const Frame& frame, Vec2 p) {
   return {u, frame.start_v_m + passed * (frame.end_v_m - frame.start_v_m)};
 }
 
-RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tolerance_m) {
+RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
+                     double tolerance_m) {
   Making making{road, stretches, strips_of(road, tolerance_m)};
   if (making.strips.empty() || stretches.empty()) return {};
   making.find_patterns();
   const double left = std::max(0.0, making.strips.front().left_m), right = std::max(0.0, -making.strips.back().right_m);
-  const Slices all = slices_of(road, ends, stretches, left, right);
-  for (const Slice& slice : all.slices)
+  const Slices all = slices_of(road, ends, stretches, left, right, tile_m);
+  auto bend = all.bends.begin();
+  for (std::uint32_t i = 0; i < all.slices.size(); ++i) {
+    const Slice& slice = all.slices[i];
     for (std::size_t s = 0; s < making.strips.size(); ++s) making.add(s, slice, ring_of(slice, making.strips[s]));
-  for (const OpenBend& bend : all.bends)
-    for (std::size_t s = 0; s < making.strips.size(); ++s) add_joint(bend, all.slices[bend.slice], s, making);
-  // neighbours along one strip follow each other
-  std::ranges::stable_sort(making.made.pieces, {}, &Piece::run);
+    for (; bend != all.bends.end() && bend->slice == i; ++bend)
+      for (std::size_t s = 0; s < making.strips.size(); ++s) add_joint(*bend, slice, s, making);
+  }
   return std::move(making.made);
 }
 

@@ -40,7 +40,7 @@ struct Piece {
 };
 
 struct RoadPieces {
-  std::vector<Piece> pieces;      ///< Sorted by run, then along the road; what lies over what is for others to say.
+  std::vector<Piece> pieces;      ///< Along the road, from left to right; what lies over what is for others to say.
   std::vector<Pattern> patterns;  ///< Of strips that are marked.
 };
 
@@ -49,6 +49,7 @@ struct RoadPieces {
 /// Guarantees: pieces cover what stroke() and stroke_pavements() cover, but for snapping and for the inside of bends
 /// too sharp for a mitre; neighbours share their corners exactly; no case fails: where a mitre does not fit, both
 /// segments end square and a joint fills the wedge. O(points · strips).
-RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tolerance_m);
+RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
+                     double tolerance_m);
 
 }  // namespace citykiln::roads

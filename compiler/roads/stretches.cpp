@@ -77,7 +77,8 @@ std::optional<std::size_t> crossing_near(const Course& course, double at_m, doub
   return nearest;
 }
 
-// How far an arm has for itself: half the way to the next junction, up to where the width changes, or to the road's end.
+// How far an arm has for itself: half the way to the next junction, up to where the width changes, or to the road's
+// end.
 double room_m(const Course& course, std::size_t gap, int step) {
   const double at = course.gaps[gap].at_m;
   const bool is_last = step > 0 ? gap + 1 == course.gaps.size() : gap == 0;

@@ -25,6 +25,33 @@ std::vector<Run> runs_near(const Polyline& axis, const Box2& reach) {
   return runs;
 }
 
+bool touches(const Polyline& axis, std::size_t segment, const Box2& box) {
+  return box_of(std::array{axis[segment], axis[segment + 1]}).touches(box);
+}
+
+// Runs that share a segment become one.
+std::vector<Run> joined(const std::vector<Run>& runs) {
+  std::vector<Run> all;
+  for (const Run run : runs) {
+    if (!all.empty() && run.first < all.back().last)
+      all.back().last = run.last;
+    else
+      all.push_back(run);
+  }
+  return all;
+}
+
+// One more segment where a run ends with one that touches the box.
+std::vector<Run> with_neighbours(const Polyline& axis, std::vector<Run> runs, const Box2& box) {
+  for (Run& run : runs) {
+    const bool more_before = run.first > 0 && touches(axis, run.first, box);
+    const bool more_after = run.last + 1 < axis.size() && touches(axis, run.last - 1, box);
+    if (more_before) --run.first;
+    if (more_after) ++run.last;
+  }
+  return joined(runs);
+}
+
 Polyline part_of(const Polyline& axis, Run run) {
   return {axis.begin() + static_cast<std::ptrdiff_t>(run.first),
           axis.begin() + static_cast<std::ptrdiff_t>(run.last) + 1};
@@ -41,15 +68,18 @@ Road part_of(const Road& road, Run run) {
 
 }  // namespace
 
-std::vector<Road> trimmed_to(const Road& road, const Box2& box) {
+std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
+  // cells look a metre beyond themselves
+  const Box2 near = box.widened(breadth_m(road) + 1);
   std::vector<Road> parts;
-  for (const Run run : runs_near(road.axis, box.widened(breadth_m(road)))) parts.push_back(part_of(road, run));
+  for (const Run run : with_neighbours(road.axis, runs_near(road.axis, near.widened(halo_m)), near))
+    parts.push_back(part_of(road, run));
   return parts;
 }
 
-std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box) {
+std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m) {
   std::vector<Strip> parts;
-  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m))) {
+  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + halo_m))) {
     parts.push_back(strip);
     parts.back().axis = part_of(strip.axis, run);
   }

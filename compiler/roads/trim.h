@@ -8,9 +8,11 @@
 
 namespace citykiln::roads {
 
-/// The runs of the road's segments whose strip may touch the box, each with the road's id, uncut between their points:
-/// in the box the strips of the runs cover what the road's strip covers. Often one, or none. O(n).
-std::vector<Road> trimmed_to(const Road& road, const Box2& box);
-std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box);
+/// The runs of the road's segments whose strip may touch the box widened by the halo, each with the road's id, uncut
+/// between their points: there the strips of the runs cover what the road's strip covers. A segment that may touch the
+/// box itself has its neighbours with it, as its ends lie on the mitres with them. Often one, or none. O(n).
+std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m);
+/// Of a strip, whose segments end square.
+std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m);
 
 }  // namespace citykiln::roads

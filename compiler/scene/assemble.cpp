@@ -144,10 +144,10 @@ std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& 
 
 template <typename Strip>
 std::vector<Strip> strips_for(const std::vector<Strip>& strips, const std::vector<std::uint32_t>& numbers,
-                              const Box2& reach) {
+                              const Box2& tile, double halo_m) {
   std::vector<Strip> runs;
   for (const std::uint32_t i : numbers)
-    for (Strip& run : roads::trimmed_to(strips[i], reach)) runs.push_back(std::move(run));
+    for (Strip& run : roads::trimmed_to(strips[i], tile, halo_m)) runs.push_back(std::move(run));
   return runs;
 }
 
@@ -185,9 +185,9 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, std::span<const gro
   chunk.tile = grid.tiles[t];
   chunk.heights = map::window_of(recipes.heights, reach);
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
-  chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile.widened(kRoadHalo_m));
+  chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
-  chunk.streams = strips_for(recipes.streams, sorted.streams[t], reach);
+  chunk.streams = strips_for(recipes.streams, sorted.streams[t], tile, kHalo_m);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);

@@ -50,16 +50,21 @@ void sort_and_join(std::vector<Surface>& surfaces) {
   join_equal(surfaces);
 }
 
-// A road's pieces, after those of the roads before it.
-void add_pieces(const roads::Road& road, roads::RoadPieces&& made, GroundCover& cover) {
+// A road's pieces, after those of the roads before it; returns the first run that is free.
+std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std::uint32_t first_run,
+                         GroundCover& cover) {
   const auto first_pattern = static_cast<std::uint32_t>(cover.patterns.size());
+  std::uint32_t next_run = first_run;
   std::ranges::move(made.patterns, std::back_inserter(cover.patterns));
   for (roads::Piece& piece : made.pieces) {
     if (piece.pattern != roads::kNoPattern) piece.pattern += first_pattern;
+    piece.run += first_run;
+    next_run = std::max(next_run, piece.run + 1);
     cover.surfaces.push_back({road.id, piece.surface, ground::kStripArea_m2, {piece.ring}});
     cover.pieces.push_back(std::move(piece));
     cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
   }
+  return next_run;
 }
 
 }  // namespace
@@ -101,10 +106,11 @@ GroundCover cover_of(const Header& header, const Chunk& chunk, double tolerance_
   GroundCover cover{but_roads(chunk), {}, {}};
   const std::vector<roads::Ends> ends = roads::ends_of(chunk.roads);
   const auto gaps = roads::gaps_of(chunk.roads, chunk.junctions);
+  std::uint32_t next_run = 0;
   for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
     const roads::Road& road = chunk.roads[i];
     const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
-    add_pieces(road, roads::pieces_of(road, ends[i], stretches, tolerance_m), cover);
+    next_run = add_pieces(road, roads::pieces_of(road, ends[i], stretches, header.tile_m, tolerance_m), next_run, cover);
   }
   sort_and_join(cover.surfaces);
   return cover;

@@ -14,8 +14,8 @@ inline constexpr double kPlainRoads_m = 0.25;
 
 struct GroundCover {
   std::vector<ground::Surface> surfaces;  ///< Sorted by id, then class, then piece. Each id, class and piece once.
-  std::vector<roads::Piece> pieces;       ///< Surface::piece 1, 2 …; its pattern is one of `patterns`.
-  std::vector<roads::Pattern> patterns;   ///< Of marked pieces; some may be equal.
+  std::vector<roads::Piece> pieces;  ///< Surface::piece 1, 2 …; pattern is one of `patterns`, run of one road alone.
+  std::vector<roads::Pattern> patterns;  ///< Of marked pieces; some may be equal.
 };
 
 /// Everything that covers the ground: surfaces, roads, junctions, streams, the footprints of buildings that stand on

@@ -106,7 +106,7 @@ class SceneMaker {
       s.lanes.push_back({pick(map::LaneKind::kCount), static_cast<map::LaneWay>(below(3)), metres(5),
                          static_cast<std::uint16_t>(below(1024)), is_raised});
     }
-    s.axis_offset_m = map::carriageway_width_m(s) * below(2);
+    s.axis_offset_m = map::carriageway_width_m(s) * below(3) / 2;
     return s;
   }
   std::optional<map::Srgb> colour() {

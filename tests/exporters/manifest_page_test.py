@@ -191,7 +191,7 @@ class Chunk:
                 self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))))
 
     def road_kind(self):
-        return (self.plain("road surface"), self.plain("road traits"), self.metres("axis offset"), self.all("lanes", self.lane))
+        return (self.plain("road surface"), self.plain("road traits"), self.plain("axis offset") / 2048, self.all("lanes", self.lane))
 
     def lane(self):
         kind, raised = divmod(self.plain("lane kind"), 2)

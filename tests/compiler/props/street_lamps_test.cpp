@@ -143,7 +143,7 @@ TEST(LampsAlong, AreTheSameOfAWayAndOfItsTrimmedRuns) {
       const Box2 tile{{x, y}, {x + 128, y + 128}};
       const auto here = lamps_along(whole, tile);
       std::vector<StreetLamp> of_runs;
-      for (const Road& run : roads::trimmed_to(whole, tile.widened(16)))
+      for (const Road& run : roads::trimmed_to(whole, tile, 16))
         for (const StreetLamp& lamp : lamps_along(run, tile)) of_runs.push_back(lamp);
       EXPECT_EQ(of_runs, here);
       joined.insert(joined.end(), here.begin(), here.end());

@@ -68,11 +68,13 @@ TEST(RoadsEnds, JoinWhereTwoMeetAndNoMore) {
 TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {
   Road whole = road({{0, 0}, {10, 0}, {20, 0}, {2000, 0}, {2010, 0}});
   whole.points = {{1, map::TrackPointKind::kZebra, 0}, {3, map::TrackPointKind::kStop, 1}};
-  const auto parts = trimmed_to(whole, {{2004, -1}, {2006, 1}});
+  const auto parts = trimmed_to(whole, {{2004, -1}, {2006, 1}}, 0);
   ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts[0].axis, (Polyline{{20, 0}, {2000, 0}, {2010, 0}}));
-  EXPECT_EQ(parts[0].passed_m, 20);
-  EXPECT_EQ(parts[0].points, (std::vector<map::TrackPoint>{{1, map::TrackPointKind::kStop, 1}}));
+  // the segment in the box, one that touches it, and the neighbour whose mitre they end on
+  EXPECT_EQ(parts[0].axis, (Polyline{{10, 0}, {20, 0}, {2000, 0}, {2010, 0}}));
+  EXPECT_EQ(parts[0].passed_m, 10);
+  EXPECT_EQ(parts[0].points,
+            (std::vector<map::TrackPoint>{{0, map::TrackPointKind::kZebra, 0}, {2, map::TrackPointKind::kStop, 1}}));
 }
 
 TEST(Pavements, LieBesideTheStripOnTheirSide) {

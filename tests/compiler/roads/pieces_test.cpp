@@ -13,6 +13,15 @@
 namespace citykiln::roads {
 namespace {
 
+// Roads lie far from the borders of tiles.
+constexpr double kTile_m = 0x1p20;
+constexpr Vec2 kAway = {1000, 1000};
+
+Polyline away(Polyline axis) {
+  for (Vec2& p : axis) p = p + kAway;
+  return axis;
+}
+
 double covered_m2(const std::vector<Ring>& rings) {
   std::vector<OwnedSegment> segments;
   for (const Ring& ring : rings) add_ring(segments, ring, 0);
@@ -29,7 +38,7 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
   const auto draw = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(dice() >> 11) * 0x1p-53;
   };
-  Polyline axis = {{0, 0}};
+  Polyline axis = {kAway};
   double heading = draw(0, 6);
   for (int i = 0; i < 8; ++i) {
     heading += draw(-most_rad, most_rad);
@@ -38,7 +47,9 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
   return made_road(1, axis, 8, map::SurfaceClass::kPrimaryRoad, 2, 3);
 }
 
-RoadPieces pieces_of_whole(const Road& road) { return pieces_of(road, {}, stretches_of(road, {}, 4096), 0.02); }
+RoadPieces pieces_of_whole(const Road& road) {
+  return pieces_of(road, {}, stretches_of(road, {}, kTile_m), kTile_m, 0.02);
+}
 
 TEST(Pieces, CoverWhatTheStripCovers) {
   std::mt19937_64 dice(1);
@@ -71,18 +82,18 @@ TEST(Pieces, MeetEdgeToEdgeOnASmoothRoad) {
 }
 
 TEST(Pieces, CarryMetresAcrossAndAlong) {
-  const Road road = made_road(1, {{0, 0}, {100, 0}, {180, 60}}, 8, map::SurfaceClass::kPrimaryRoad);
+  const Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::SurfaceClass::kPrimaryRoad);
   const RoadPieces made = pieces_of_whole(road);
   ASSERT_EQ(made.pieces.size(), 2u);
   const Frame &first = made.pieces[0].frame, &second = made.pieces[1].frame;
-  EXPECT_EQ(uv_at(first, {0, 4}), (Vec2{0, 0}));
-  EXPECT_EQ(uv_at(first, {0, -4}), (Vec2{8, 0}));
-  EXPECT_EQ(uv_at(first, {50, 1}).x, 3);
-  EXPECT_NEAR(uv_at(first, {50, 0}).y, 50, 1e-9);
+  EXPECT_EQ(uv_at(first, kAway + Vec2{0, 4}), (Vec2{0, 0}));
+  EXPECT_EQ(uv_at(first, kAway + Vec2{0, -4}), (Vec2{8, 0}));
+  EXPECT_EQ(uv_at(first, kAway + Vec2{50, 1}).x, 3);
+  EXPECT_NEAR(uv_at(first, kAway + Vec2{50, 0}).y, 50, 1e-9);
   // the whole mitre is one v
   const Vec2 mitre = unit(Vec2{1, 0} + unit(Vec2{80, 60}));
   for (const double offset : {-4.0, -1.0, 2.0, 4.0}) {
-    const Vec2 p = Vec2{100, 0} + left_of(mitre) * (offset / dot(mitre, Vec2{1, 0}));
+    const Vec2 p = kAway + Vec2{100, 0} + left_of(mitre) * (offset / dot(mitre, Vec2{1, 0}));
     EXPECT_NEAR(uv_at(first, p).y, 100, 1e-9);
     EXPECT_NEAR(distance(uv_at(first, p), uv_at(second, p)), 0, 1e-9);
     EXPECT_NEAR(uv_at(first, p).x, 4 - offset, 1e-9);
@@ -106,9 +117,9 @@ TEST(Pieces, GoOnFromOneIntoTheNext) {
 
 TEST(Pieces, OfARunAreThoseOfTheWholeRoad) {
   const Road whole =
-      made_road(1, {{0, 0}, {50, 0}, {100, 10}, {150, 0}, {200, 20}}, 8, map::SurfaceClass::kPrimaryRoad);
+      made_road(1, away({{0, 0}, {50, 0}, {100, 10}, {150, 0}, {200, 20}}), 8, map::SurfaceClass::kPrimaryRoad);
   Road part = whole;
-  part.axis = {{50, 0}, {100, 10}, {150, 0}, {200, 20}}, part.passed_m = 50;
+  part.axis = away({{50, 0}, {100, 10}, {150, 0}, {200, 20}}), part.passed_m = 50;
   const auto all = pieces_of_whole(whole).pieces, some = pieces_of_whole(part).pieces;
   // but for the ends, where it is cut
   for (std::size_t i = 1; i + 1 < some.size(); ++i) {
@@ -118,7 +129,7 @@ TEST(Pieces, OfARunAreThoseOfTheWholeRoad) {
 }
 
 TEST(Pieces, MarkedStripsHaveAPattern) {
-  Road road = made_road(1, {{0, 0}, {100, 0}}, 3.5, map::SurfaceClass::kPrimaryRoad, 2, 2);
+  Road road = made_road(1, away({{0, 0}, {100, 0}}), 3.5, map::SurfaceClass::kPrimaryRoad, 2, 2);
   road.section.lanes.insert(road.section.lanes.begin() + 1, road.section.lanes[1]);
   road.section.axis_offset_m = 3.5;
   road.section.lanes[1].way = map::LaneWay::kBackward, road.section.lanes[2].way = map::LaneWay::kForward;
