@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+
+#include "compiler/materials/material.h"
 
 namespace citykiln::commands {
 namespace {
@@ -42,16 +46,82 @@ struct Placed {
   }
 };
 
-}  // namespace
+double length_m(const Sheet& sheet) { return sheet.texel_m * sheet.rows; }
 
-Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
+// Linear light of a texel's channels, and back.
+using Light = std::array<double, 3>;
+Sheet::Texel texel_of(const Light& light) {
+  Sheet::Texel texel{};
+  for (std::size_t c = 0; c < 3; ++c) texel[c] = materials::srgb_of_linear(light[c]);
+  return texel;
+}
+
+// The mean of a box of a sheet, in texels of it, which lies inside.
+Sheet::Texel mean_of(const Sheet& sheet, double left, double right, double low, double high) {
+  Light sum{};
+  double area = 0;
+  for (auto row = static_cast<std::uint32_t>(low); row < high && row < sheet.rows; ++row)
+    for (auto column = static_cast<std::uint32_t>(left); column < right && column < sheet.columns; ++column) {
+      const double share = (std::min(high, row + 1.0) - std::max(low, static_cast<double>(row))) *
+                           (std::min(right, column + 1.0) - std::max(left, static_cast<double>(column)));
+      const Sheet::Texel& texel = sheet.texels[std::size_t{row} * sheet.columns + column];
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += share * materials::linear_of_srgb(texel[c]);
+      area += share;
+    }
+  for (double& c : sum) c /= area;
+  return texel_of(sum);
+}
+
+std::uint32_t columns_at(const Sheet& sheet, std::uint32_t rows) {
+  return static_cast<std::uint32_t>(std::ceil(static_cast<double>(sheet.columns) / sheet.rows * rows - 1e-9));
+}
+
+// The same metres in so many rows.
+Sheet in_rows(const Sheet& sheet, std::uint32_t rows) {
+  if (sheet.rows == rows) return sheet;
+  const double grown = static_cast<double>(sheet.rows) / rows;
+  Sheet coarse{length_m(sheet) / rows, columns_at(sheet, rows), rows, {}};
+  for (std::uint32_t row = 0; row < rows; ++row)
+    for (std::uint32_t column = 0; column < coarse.columns; ++column)
+      coarse.texels.push_back(mean_of(sheet, std::min(column * grown, sheet.columns - 1e-6),
+                                      std::min((column + 1) * grown, static_cast<double>(sheet.columns)), row * grown,
+                                      (row + 1) * grown));
+  return coarse;
+}
+
+// How many rows all sheets can be drawn in: those of the coarsest, or fewer, so that they fit side by side.
+std::uint32_t common_rows(std::span<const Sheet* const> sheets) {
+  std::uint32_t rows = materials::kWidestSheet_px;
+  for (const Sheet* sheet : sheets)
+    if (!sheet->texels.empty()) rows = std::min(rows, sheet->rows);
+  const auto columns = [&] {
+    std::uint64_t sum = 0;
+    for (const Sheet* sheet : sheets)
+      if (!sheet->texels.empty()) sum += columns_at(*sheet, rows) + 2 * kGutter_px;
+    return sum;
+  };
+  while (rows > 1 && (columns() > materials::kWidestSheet_px || columns() * rows > materials::kMostTexels))
+    rows -= (rows + 15) / 16;
+  return rows;
+}
+
+bool are_alike(std::span<const Sheet* const> sheets) {
+  const Sheet* first = nullptr;
+  for (const Sheet* sheet : sheets) {
+    if (sheet->texels.empty()) continue;
+    if (first && length_m(*sheet) != length_m(*first)) return false;
+    first = sheet;
+  }
+  return true;
+}
+
+// As they are, side by side.
+Result<JoinedSheets> side_by_side(std::span<const Sheet* const> sheets) {
   Placed placed;
   JoinedSheets joined;
   for (const Sheet* sheet : sheets) {
     const std::int64_t first = sheet->texels.empty() ? 0 : placed.place(*sheet);
     joined.offsets_m.push_back(static_cast<double>(first) * sheet->texel_m);
-    if (!sheet->texels.empty() && sheet->texel_m != placed.sheets.front()->texel_m)
-      return Error{"", "sheets of different texels cannot be in one file: bake to a folder"};
   }
   if (std::max(placed.columns, placed.rows) > materials::kWidestSheet_px ||
       placed.columns * placed.rows > materials::kMostTexels)
@@ -66,6 +136,33 @@ Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
   joined.sheet.texels.resize(placed.columns * placed.rows);
   for (std::size_t i = 0; i < placed.sheets.size(); ++i) draw(*placed.sheets[i], placed.firsts[i], joined.sheet);
   return joined;
+}
+
+bool have_one_texel(std::span<const Sheet* const> sheets) {
+  double texel = 0;
+  for (const Sheet* sheet : sheets) {
+    if (sheet->texels.empty()) continue;
+    if (texel != 0 && sheet->texel_m != texel) return false;
+    texel = sheet->texel_m;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
+  // equal ones are there once, so they may fit as they are
+  if (have_one_texel(sheets)) {
+    Result<JoinedSheets> joined = side_by_side(sheets);
+    if (joined || !are_alike(sheets)) return joined;
+  }
+  if (!are_alike(sheets)) return Error{"", "sheets of different lengths cannot be in one file: bake to a folder"};
+  const std::uint32_t rows = common_rows(sheets);
+  std::vector<Sheet> coarser;
+  for (const Sheet* sheet : sheets) coarser.push_back(sheet->texels.empty() ? Sheet{} : in_rows(*sheet, rows));
+  std::vector<const Sheet*> pointers;
+  for (const Sheet& sheet : coarser) pointers.push_back(&sheet);
+  return side_by_side(pointers);
 }
 
 }  // namespace citykiln::commands

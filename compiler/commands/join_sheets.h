@@ -21,8 +21,11 @@ struct JoinedSheets {
 };
 
 /// Guarantees: every texel of every sheet is in the joined one, at its v and its u plus the offset; equal sheets are in
-/// it once; sheets without texels take no room. @param sheets  Where the joined one will be drawn, in this order.
-/// Errors: texels of different sizes; more of them than a sheet may have. O(texels of the product).
+/// it once; sheets without texels take no room. Where texels differ, or there would be more than a sheet may have, all
+/// are drawn coarser, as coarse as it takes: each texel the mean, in linear light, of what it covers.
+///
+/// @param sheets  Where the joined one will be drawn, in this order.
+/// Errors: sheets of different lengths along v that are too many. O(texels).
 Result<JoinedSheets> join_sheets(std::span<const materials::Sheet* const> sheets);
 
 }  // namespace citykiln::commands

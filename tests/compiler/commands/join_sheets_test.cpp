@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "compiler/materials/material.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -62,15 +64,33 @@ TEST(JoinSheets, TilesWithoutOneTakeNoRoom) {
   EXPECT_EQ(joined({{}, {}})->sheet, Sheet{});
 }
 
-TEST(JoinSheets, TexelsOfTwoSizesAreRefused) {
-  const auto all = joined({made(20, 6, 1), made(20, 6, 1, 0.5)});
-  ASSERT_FALSE(all);
-  EXPECT_EQ(to_string(all.error()), "sheets of different texels cannot be in one file: bake to a folder");
+// Of the part of a sheet, the mean in linear light.
+double mean_of(const Sheet& sheet, std::uint32_t first, std::uint32_t count) {
+  double sum = 0;
+  for (std::uint32_t row = 0; row < sheet.rows; ++row)
+    for (std::uint32_t c = first; c < first + count; ++c)
+      sum += materials::linear_of_srgb(sheet.texels[row * sheet.columns + c][0]);
+  return sum / count / sheet.rows;
 }
 
-TEST(JoinSheets, MoreThanGraphicsCardsTakeIsRefused) {
-  EXPECT_TRUE(joined({made(8184, 2, 1), made(8192, 2, 2)}));
-  EXPECT_FALSE(joined({made(8185, 2, 1), made(8192, 2, 2)}));
+TEST(JoinSheets, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
+  const Sheet fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
+  const auto all = joined({fine, coarse});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->sheet.texel_m, 0.5);
+  EXPECT_EQ(all->sheet.rows, 12u);
+  EXPECT_NEAR(mean_of(all->sheet, 0, 20), mean_of(fine, 0, 40), 0.005);
+  EXPECT_NEAR(mean_of(all->sheet, 28, 20), mean_of(coarse, 0, 20), 1e-9);
+  EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 14}));
+}
+
+TEST(JoinSheets, MoreThanGraphicsCardsTakeAreDrawnCoarser) {
+  EXPECT_EQ(joined({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
+  EXPECT_EQ(joined({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
+  EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kWidestSheet_px);
+}
+
+TEST(JoinSheets, SheetsOfDifferentLengthsThatAreTooManyAreRefused) {
   EXPECT_FALSE(joined({made(1, 127, 1), made(1, 131, 2)}));
   EXPECT_FALSE(joined({made(8000, 90, 1), made(8000, 91, 2)}));
 }
