@@ -149,7 +149,7 @@ Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
 
 Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
   if (text != "left" && text != "right") return expected("left or right", text);
-  spec.map.drive_on_left = text == "left";
+  spec.map.driving_side = text == "left" ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
   return Done{};
 }
 
@@ -188,7 +188,7 @@ constexpr Setting kSettings[] = {
     {"compress", "none", "of glb (none)", false, set_compress},
     {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false,
      set_instancing},
-    {"drive-on", "left|right", "side of the road (right)", false, set_drive_on},
+    {"drive-on", "left|right", "side of the road; else by each road's place", false, set_drive_on},
     {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
     {"seed", "N", "of all chance (0)", false, set_seed},
     {"threads", "N", "0: as many as the machine has (0)", false, set_threads},

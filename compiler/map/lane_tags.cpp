@@ -5,6 +5,37 @@
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
+namespace {
+
+std::optional<double> readable_width_m(std::string_view text) {
+  const auto length = length_m_of(text);
+  return length && *length >= 0.1 && *length <= 20 ? length : std::nullopt;
+}
+
+// "left", "right" or "both" after a key, before the last word of the tag's key.
+bool is_side(std::string_view text) { return text == "left" || text == "right" || text == "both"; }
+
+// "sidewalk:left:width".
+bool is_width_beside(std::string_view key) {
+  const std::size_t first = key.find(':'), last = key.rfind(':');
+  if (first == last || key.substr(last) != ":width" || !is_side(key.substr(first + 1, last - first - 1))) return false;
+  const std::string_view what = key.substr(0, first);
+  return what == "cycleway" || what == "parking" || what == "shoulder" || what == "sidewalk";
+}
+
+// "cycleway:buffer", "cycleway:both:buffer".
+bool is_buffer(std::string_view key) {
+  const std::size_t first = key.find(':'), last = key.rfind(':');
+  if (first == std::string_view::npos || key.substr(0, first) != "cycleway" || key.substr(last) != ":buffer")
+    return false;
+  return first == last || is_side(key.substr(first + 1, last - first - 1));
+}
+
+bool is_readable_buffer(std::string_view value) {
+  return value == "yes" || value == "no" || value == "none" || length_m_of(value).value_or(-1) >= 0;
+}
+
+}  // namespace
 
 std::string_view LaneTags::roadside(Flow flow) const {
   return (flow == Flow::kForward) == (side == DrivingSide::kRight) ? "right" : "left";
@@ -49,22 +80,34 @@ std::optional<double> LaneTags::count(const std::string& key, double least) cons
 }
 
 std::optional<double> LaneTags::width_beside(Flow flow, std::string_view key) const {
-  const std::string_view text = beside(flow, key, ":width");
-  if (text.empty()) return std::nullopt;
-  const auto length = length_m_of(text);
-  if (length && *length >= 0.1 && *length <= 20) return length;
-  add_bad_value();
+  return readable_width_m(beside(flow, key, ":width"));
+}
+
+std::optional<Traffic> told_traffic(std::string_view oneway) {
+  if (oneway == "yes" || oneway == "1" || oneway == "true") return Traffic::kForward;
+  if (oneway == "no" || oneway == "0" || oneway == "false") return Traffic::kTwoWay;
+  if (oneway == "-1" || oneway == "reverse") return Traffic::kBackward;
+  if (oneway == "reversible" || oneway == "alternating") return Traffic::kInTurns;
   return std::nullopt;
 }
 
 Traffic traffic_of(const LaneTags& tags) {
   const std::string_view oneway = tags("oneway"), junction = tags("junction"), highway = tags("highway");
-  if (oneway == "-1" || oneway == "reverse") return Traffic::kBackward;
-  if (oneway == "reversible" || oneway == "alternating") return Traffic::kInTurns;
-  if (!oneway.empty()) return says_yes(oneway) ? Traffic::kForward : Traffic::kTwoWay;
+  if (const auto told = told_traffic(oneway)) return *told;
+  if (!oneway.empty()) tags.add_bad_value();
   const bool is_implied =
       junction == "roundabout" || junction == "circular" || highway == "motorway" || highway == "motorway_link";
   return is_implied ? Traffic::kForward : Traffic::kTwoWay;
+}
+
+void diagnose_widths_beside(const LaneTags& tags) {
+  const source::OsmData& osm = tags.reading.osm;
+  for (const source::Tag& tag : osm.tags_of(tags.tags)) {
+    const std::string_view key = osm.strings[tag.key], value = osm.strings[tag.value];
+    const bool is_bad_width = is_width_beside(key) && !readable_width_m(value);
+    const bool is_bad_buffer = is_buffer(key) && !is_readable_buffer(value);
+    if (!value.empty() && (is_bad_width || is_bad_buffer)) tags.add_bad_value();
+  }
 }
 
 }  // namespace citykiln::map

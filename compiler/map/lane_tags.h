@@ -62,7 +62,7 @@ struct LaneTags {
 
   /// A number of lanes, least … kMostLanes; diagnosed and nothing where it is not one.
   std::optional<double> count(const std::string& key, double least) const;
-  /// A width beside the road, 0.1 … 20 m.
+  /// A width beside the road, 0.1 … 20 m. Not diagnosed here: one value may tell of both sides.
   std::optional<double> width_beside(Flow flow, std::string_view key) const;
 };
 
@@ -71,7 +71,12 @@ inline constexpr int kMostLanes = 16;
 /// Of both directions together; with four cycle lanes and two roadsides of five, 40.
 inline constexpr int kMostLanesOfRoad = 26;
 
-/// What oneway=*, junction=* and the class say.
+/// What a value of oneway=* says; nothing where nobody knows the word.
+std::optional<Traffic> told_traffic(std::string_view oneway);
+/// What oneway=*, junction=* and the class say. Diagnoses a word of oneway=* that nobody knows.
 Traffic traffic_of(const LaneTags& tags);
+
+/// Diagnoses, once each, the widths and buffers of what lies beside the road that cannot be read.
+void diagnose_widths_beside(const LaneTags& tags);
 
 }  // namespace citykiln::map

@@ -55,16 +55,18 @@ void share_widths(const LaneTags& tags, const LaneClass& lane_class,
   if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m) merge_two_lanes(moving);
 
   // width:lanes has told some already
-  double told_m = 0;
+  double told_m = 0, driven = 0;
   std::vector<Lane*> open;
   for (Lane* lane : moving.all()) {
     told_m += lane->width_m;
+    driven += lane->kind == LaneKind::kCycle ? 0 : 1;
     if (lane->width_m == 0) open.push_back(lane);
   }
   if (open.empty()) return;
   const auto n = static_cast<double>(open.size());
   double rest_m = snapped(lane_class.width_m_of(moving.counted));
-  if (told_m > 0) rest_m = snapped(lane_class.width_m_of(n));
+  // the others are as wide as if none were told
+  if (told_m > 0) rest_m = snapped(lane_class.width_m_of(driven) * n / driven);
   if (tagged_m) {
     rest_m = *tagged_m - inside - told_m;
     const bool is_alone = open.size() == 1 && inside + told_m == 0;

@@ -31,6 +31,7 @@ std::vector<Lane> in_row(const Carriageway& road) {
 }
 
 CrossSection road_section(const LaneTags& tags, const LaneClass& lane_class) {
+  diagnose_widths_beside(tags);
   Carriageway road;
   road.moving = moving_lanes_of(tags, lane_class);
   for (const Flow flow : kFlows)

@@ -69,7 +69,8 @@ struct Lane {
 
 struct CrossSection {
   std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 40 in all.
-  double axis_offset_m = 0;  ///< From the left edge of the carriageway (of the lanes that are not raised) to the way.
+  double axis_offset_m = 0;  ///< From the left edge of the carriageway (of the lanes that are not raised) to the way; a
+                             ///< multiple of 2^-11.
   bool operator==(const CrossSection&) const = default;
 };
 

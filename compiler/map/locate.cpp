@@ -91,7 +91,7 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   const Reading reading{osm, plane, region_of(plane, box), report};
   Features features;
   features.region = reading.region;
-  features.tracks = locate_tracks(reading, options.drive_on_left ? DrivingSide::kLeft : DrivingSide::kRight);
+  features.tracks = locate_tracks(reading, options.driving_side);
   features.footprints = locate_footprints(reading);
   features.areas = locate_areas(reading);
   for (AreaFeature& sea : locate_sea(reading)) features.areas.push_back(std::move(sea));

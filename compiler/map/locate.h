@@ -18,8 +18,8 @@ inline constexpr double kCell_m = 128;
 struct Options {
   std::optional<source::LonLatBox>
       bbox;  ///< What to compile; else the extract's header box, else the box of its roads and buildings.
-  std::optional<LonLat> origin;  ///< Else the centre of the box, rounded to 0.01°.
-  bool drive_on_left = false;
+  std::optional<LonLat> origin;             ///< Else the centre of the box, rounded to 0.01°.
+  std::optional<DrivingSide> driving_side;  ///< Else each way's by the place of its first node (driving_side.h).
 };
 
 /// The box that is compiled, in degrees. Total: an empty extract gives a box of zero size at 0, 0.

@@ -9,9 +9,10 @@
 
 namespace citykiln::map {
 
-std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side);  ///< By track_rules.inc and lanes.h.
-std::vector<Footprint> locate_footprints(const Reading& reading);            ///< building=*, building:part=*.
-std::vector<AreaFeature> locate_areas(const Reading& reading);               ///< By area_rules.inc; without the sea.
+/// By track_rules.inc, lanes.h and track_points.h. Without a side each way drives as its first node's place does.
+std::vector<Track> locate_tracks(const Reading& reading, std::optional<DrivingSide> side);
+std::vector<Footprint> locate_footprints(const Reading& reading);  ///< building=*, building:part=*.
+std::vector<AreaFeature> locate_areas(const Reading& reading);     ///< By area_rules.inc; without the sea.
 std::vector<AreaFeature> locate_sea(
     const Reading& reading);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
 std::vector<Waterway> locate_waterways(const Reading& reading);   ///< waterway=* lines.

@@ -3,7 +3,9 @@
 #include <span>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/driving_side.h"
 #include "compiler/map/each_line.h"
+#include "compiler/map/lane_tags.h"
 #include "compiler/map/lanes.h"
 #include "compiler/map/track_points.h"
 #include "compiler/map/track_rules.h"
@@ -56,6 +58,11 @@ void take_section(CrossSection&& section, Track& track) {
   track.section = std::move(section);
 }
 
+DrivingSide side_of(const Reading& reading, const source::Way& way) {
+  const source::Location at = reading.osm.nodes_of(way).front().at;
+  return driving_side_at({at.lon_deg(), at.lat_deg()});
+}
+
 Track track_of(const Reading& reading, DrivingSide side, const source::Way& way, const TrackRow& row,
                LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
@@ -68,7 +75,7 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
   take_section(cross_section_of(reading, id, way.tags, side), track);
   track.layer = tagged_layer(reading, id, way.tags);
   track.passage = tagged_passage(reading, way.tags);
-  track.is_oneway = says_yes(reading.tag(way.tags, "oneway"));
+  track.is_oneway = told_traffic(reading.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(reading.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
   const std::string_view junction = reading.tag(way.tags, "junction");
@@ -79,7 +86,7 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
 
 }  // namespace
 
-std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side) {
+std::vector<Track> locate_tracks(const Reading& reading, std::optional<DrivingSide> side) {
   std::vector<Track> tracks;
   const std::vector<NodeMark> marks = node_marks(reading);
   for_each_line(
@@ -89,7 +96,7 @@ std::vector<Track> locate_tracks(const Reading& reading, DrivingSide side) {
       },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
         std::vector<TrackPoint> points = points_of(reading, way, line, marks);
-        tracks.push_back(track_of(reading, side, way, row, std::move(line)));
+        tracks.push_back(track_of(reading, side ? *side : side_of(reading, way), way, row, std::move(line)));
         tracks.back().points = std::move(points);
       });
   return tracks;

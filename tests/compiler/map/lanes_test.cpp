@@ -546,6 +546,7 @@ TEST(Lanes, RandomTagsAreReadTotallyAndAlwaysAlike) {
     ASSERT_GT(carriageway_width_m(section), 0) << tags;
     ASSERT_GE(section.axis_offset_m, 0) << tags;
     ASSERT_LE(section.axis_offset_m, carriageway_width_m(section)) << tags;
+    ASSERT_EQ(2 * section.axis_offset_m, snapped(2 * section.axis_offset_m)) << tags;
     ASSERT_EQ(all_of(section), all_of(read(tags, side).section)) << tags;
   }
 }

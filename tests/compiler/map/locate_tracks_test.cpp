@@ -26,6 +26,7 @@ TEST(LocateTracks, TagsDecideClassAndWidth) {
       {"highway=tertiary", SurfaceClass::kTertiaryRoad, 6},
       {"highway=residential", SurfaceClass::kResidentialRoad, 5.5},
       {"highway=residential oneway=yes", SurfaceClass::kResidentialRoad, 3.5},
+      {"highway=residential oneway=yes lanes=2 width:lanes=3|", SurfaceClass::kResidentialRoad, 5.75},
       {"highway=living_street", SurfaceClass::kPedestrianStreet, 5},
       {"highway=service", SurfaceClass::kServiceRoad, 3.5},
       {"highway=service surface=gravel", SurfaceClass::kUnpavedRoad, 3.5},
@@ -76,13 +77,25 @@ TEST(LocateTracks, TheCrossSectionIsKeptWhole) {
 }
 
 TEST(LocateTracks, BadValuesAreDiagnosedAndTheClassesValuesUsed) {
-  for (const char* bad : {"width=wide", "width=-1", "width=0", "lanes=0", "lanes=many", "layer=top", "layer=99"}) {
+  for (const char* bad : {"width=wide", "width=-1", "width=0", "lanes=0", "lanes=many", "layer=top", "layer=99",
+                          "oneway=maybe", "sidewalk=both sidewalk:both:width=wide"}) {
     Report report;
     const Features features = features_of(std::string("w1 0:0 50:0 highway=residential ") + bad, report);
     ASSERT_EQ(features.tracks.size(), 1u);
     EXPECT_EQ(features.tracks[0].width_m, 5.5) << bad;
     EXPECT_EQ(features.tracks[0].layer, 0) << bad;
     EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
+  }
+}
+
+TEST(LocateTracks, ValuesOfAnyLengthAreReadOnce) {
+  for (const std::string& bad : {std::string(10000, '|'), std::string(10000, 'x'), std::string(10000, ';') + "x"}) {
+    Report report;
+    const Features features =
+        features_of("w1 0:0 50:0 highway=residential oneway=yes lanes=2 turn:lanes=through|" + bad, report);
+    ASSERT_EQ(features.tracks.size(), 1u);
+    EXPECT_EQ(to_string(features.tracks[0].section), "dd ^^");
+    EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad[0];
   }
 }
 
