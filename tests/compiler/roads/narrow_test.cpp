@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/building_classes.h"
 #include "compiler/roads/buildings_beside.h"
 #include "compiler/roads/expand.h"
 #include "compiler/roads/squeeze.h"
@@ -155,15 +156,15 @@ TEST(Narrow, DoesNotDependOnTheOrderOfItsInput) {
 }
 
 TEST(Narrow, GoesOnWhereRoadsJoin) {
-  // a house at the end of one, seen by the other
-  const Footprints houses = {made_box(1, {90, 3}, {99, 20})};
+  // a house that ends 3/4 m before the joint, seen by both
+  const Footprints houses = {made_box(1, {90, 3}, {99.1, 20})};
   for (const bool is_turned : {false, true}) {
     Polyline second = {{100, 0}, {200, 0}};
     if (is_turned) std::ranges::reverse(second);
     const Roads roads = narrowed({street(1, {{0, 0}, {100, 0}}), street(2, second)}, houses);
     const Edges before = edges_at(roads[0], 100), after = edges_at(roads[1], is_turned ? 100 : 0);
-    EXPECT_DOUBLE_EQ(before.left_m, 3.125);
-    EXPECT_DOUBLE_EQ(is_turned ? after.right_m : after.left_m, 3.125);
+    EXPECT_DOUBLE_EQ(before.left_m, 3.09375);
+    EXPECT_DOUBLE_EQ(is_turned ? after.right_m : after.left_m, 3.09375);
     EXPECT_DOUBLE_EQ(is_turned ? after.left_m : after.right_m, 5.5);
   }
 }

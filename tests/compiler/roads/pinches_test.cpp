@@ -70,7 +70,7 @@ TEST(Pinches, DependOnTheirOwnBlockAlone) {
   for (int run = 0; run < 50; ++run) {
     std::vector<std::int16_t> limit = made_limit(dice, 1500);
     const std::vector<Pinch> before = pinches_of(limit, kWhole, 0);
-    for (std::size_t i = 0; i < 400; ++i) limit[i] = kWhole;
+    for (int i = 0; i < 400; ++i) limit[i] = static_cast<std::int16_t>(limit[400] + 400 - i);
     const std::vector<Pinch> after = pinches_of(limit, kWhole, 0);
     for (std::int32_t step = 2 * kBlock_steps; step < 1500; ++step)
       ASSERT_DOUBLE_EQ(half_at(before, step), half_at(after, step)) << run << " " << step;
