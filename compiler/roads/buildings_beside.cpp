@@ -50,7 +50,7 @@ std::optional<Edge> clipped(const Edge& edge, double fa, double fb) {
 void add_obstacle(Looking& looking, std::span<const Steps> passages, std::int32_t step, double half_m, bool is_left) {
   if (half_m >= (is_left ? looking.left_m : looking.right_m)) return;
   const auto is_inside = [&](Steps s) { return s.from <= step && step <= s.to; };
-  if (std::ranges::any_of(passages, is_inside)) return;
+  if (std::ranges::any_of(passages, is_inside)) return looking.beside.covered.push_back(step);
   const double units = std::floor(half_m / kUnit_m);
   looking.beside.obstacles.push_back({step, static_cast<std::int16_t>(units), is_left});
 }

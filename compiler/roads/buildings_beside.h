@@ -25,7 +25,7 @@ struct Obstacle {
 
 struct Beside {
   std::vector<Obstacle> obstacles;    ///< None as far out as the road's own edge.
-  std::vector<std::int32_t> covered;  ///< Sorted steps at which the axis runs under a building.
+  std::vector<std::int32_t> covered;  ///< Sorted steps at which a building stands that the axis runs into or through.
 };
 
 /// A building with less room than this under it stands in the way: less than the lowest storey that is let.

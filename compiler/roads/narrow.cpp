@@ -17,6 +17,9 @@ enum Channel : std::size_t { kLeft, kRight, kFromCut, kChannels };
 // More than any limit, and room for one more.
 constexpr std::int16_t kFar = 0x7ffe;
 
+// A path to a door ends at the wall; its corners reach into a wall that does not stand square.
+constexpr double kDoorstep_m = 1;
+
 // A road at every step: limits of both sides in units, and how many steps the nearest cut is away.
 struct Sampled {
   std::int32_t first = 0;
@@ -166,15 +169,18 @@ int open_at_cuts(const Widths& widths, const std::vector<std::int16_t>& from_cut
   return most;
 }
 
-// How much of the road's length buildings stand on all the same.
+// How much of the road's length buildings stand on all the same; nothing where that is a door.
 double covered_m(const Beside& beside, const Sampled& samples) {
-  std::vector<std::int32_t> steps = beside.covered;
+  std::vector<std::int32_t> steps;
   for (const Obstacle& o : beside.obstacles) {
     const auto& side = samples.channels[o.is_left ? kLeft : kRight];
     const std::int64_t i = o.at_steps - samples.first;
     if (i >= 0 && i < static_cast<std::int64_t>(side.size()) && side[static_cast<std::size_t>(i)] > o.half_units)
       steps.push_back(o.at_steps);
   }
+  const bool is_door = steps.empty() && static_cast<double>(beside.covered.size()) * kStep_m <= kDoorstep_m;
+  if (is_door) return 0;
+  steps.insert(steps.end(), beside.covered.begin(), beside.covered.end());
   std::sort(steps.begin(), steps.end());
   return static_cast<double>(std::unique(steps.begin(), steps.end()) - steps.begin()) * kStep_m;
 }
