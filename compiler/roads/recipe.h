@@ -59,7 +59,7 @@ inline double width_m(const Road& road) { return left_m(road) + right_m(road); }
 double raised_left_m(const Road& road);
 double raised_right_m(const Road& road);
 
-/// How far along the whole way each vertex lies, lengths of segments snapped: the same in a trimmed run. O(n).
+/// How far along the whole way each vertex lies: segments measured to 2^-10 m, so the same in a trimmed run. O(n).
 std::vector<double> distances_along(const Road& road);
 
 /// No point of the road, kerbs and pavements and all, lies farther from its axis than this, not even a bend's tip.
