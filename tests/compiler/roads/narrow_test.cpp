@@ -229,7 +229,7 @@ TEST(Narrow, IsTheSameInTrimmedRuns) {
     const Road road = narrowed({plain}, houses_about(plain, 0.5, dice))[0];
     const std::vector<Ring> whole = stroke_pavements(road);
     const Vec2 at = road.axis[dice() % road.axis.size()];
-    for (const Road& part : trimmed_to(road, Box2{at, at}.widened(9))) {
+    for (const Road& part : trimmed_to(road, Box2{at, at}.widened(6), 3)) {
       const std::vector<double> along = distances_along(part);
       for (double s = along.front(); s <= along.back(); s += 0.1) {
         ASSERT_EQ(edges_at(part, s).left_m, edges_at(road, s).left_m);
