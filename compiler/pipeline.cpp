@@ -10,6 +10,7 @@
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
+#include "compiler/roads/narrow.h"
 #include "compiler/roads/plan.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/sky/plan.h"
@@ -54,6 +55,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("roads");
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
+  recipes.roads = roads::narrow(std::move(recipes.roads), recipes.junctions, features.footprints, report);
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
   recipes.streams = ground::plan_streams(features, report);

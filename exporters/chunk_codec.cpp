@@ -82,7 +82,12 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "track vertex",
                                         "track sign",
                                         "water class",
-                                        "water sides"};
+                                        "water sides",
+                                        "narrowed roads",
+                                        "narrowed road",
+                                        "pinches",
+                                        "pinch steps",
+                                        "pinch half"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -344,6 +349,48 @@ void road(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32
   });
 }
 
+// How far from the pinch before on its side, in quarters of a metre, and whether the limit runs straight from there.
+void pinch(auto& io, roads::Pinch& p, const roads::Pinch* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4) * 2 + p.is_wall;
+  io.number("pinch steps", steps);
+  p.is_wall = steps % 2 != 0;
+  p.at_m = from_m + static_cast<double>(steps / 2) / 4;
+  auto half = static_cast<std::int64_t>(p.half_m * 32);
+  io.delta("pinch half", half);
+  p.half_m = static_cast<double>(half) / 32;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    const bool follows = before ? p.at_m > from_m : !p.is_wall;
+    if (!follows || p.at_m > kFarthest_m) io.fail("pinch steps");
+    if (half <= 0 || p.half_m > kFarthest_m) io.fail("pinch half");
+  }
+}
+
+void pinches(auto& io, std::vector<roads::Pinch>& side) {
+  std::size_t i = 0;
+  list(io, "pinches", side, 0, [&](roads::Pinch& p) {
+    pinch(io, p, i > 0 ? &side[i - 1] : nullptr);
+    ++i;
+  });
+}
+
+// Most roads are not narrowed and take no bytes.
+template <typename Io>
+void narrowings(Io& io, std::vector<roads::Road>& roads) {
+  std::vector<std::uint64_t> narrowed;
+  for (std::size_t i = 0; i < roads.size(); ++i)
+    if (!roads[i].narrowing.is_empty()) narrowed.push_back(i);
+  std::uint64_t next = 0;
+  list(io, "narrowed roads", narrowed, 0, [&](std::uint64_t& road) {
+    std::uint64_t skipped = road - next;
+    io.number("narrowed road", skipped);
+    if constexpr (Io::kReads)
+      if (skipped >= roads.size() - next) return io.fail("narrowed road");
+    road = next + skipped, next = road + 1;
+    pinches(io, roads[road].narrowing.left), pinches(io, roads[road].narrowing.right);
+  });
+}
+
 template <typename Io>
 void roads_of(Io& io, std::vector<roads::Road>& roads) {
   RoadKinds kinds;
@@ -354,6 +401,7 @@ void roads_of(Io& io, std::vector<roads::Road>& roads) {
     if constexpr (Io::kReads) kinds.of_road.push_back(0);
     road(io, r, kinds.kinds, kinds.of_road[i++]);
   });
+  narrowings(io, roads);
 }
 
 void stream(auto& io, roads::Strip& s) {

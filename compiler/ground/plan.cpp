@@ -54,7 +54,7 @@ Surface surface_of(const roads::Strip& stream) {
 }
 
 Surface surface_of(const roads::Road& road, const roads::Ends& ends) {
-  return {road.id, road.surface, kStripArea_m2, roads::stroke(roads::carriageway_of(road), ends)};
+  return {road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
 }
 
 Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/roads/squeeze.h"
 
 namespace citykiln::roads {
 namespace {
@@ -41,8 +42,8 @@ struct Halves {
 // The corner that a bend opens between two quads, filled to the mitre: p, the two outer corners and the point where the
 // outer edges meet.
 Ring mitre(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
-  // a left bend opens on the right
-  const double half_m = cross(before, after) > 0 ? -halves.right_m : halves.left_m;
+  // a left bend opens on the right; an edge that a building presses beyond the axis opens nothing
+  const double half_m = cross(before, after) > 0 ? -std::max(halves.right_m, 0.0) : std::max(halves.left_m, 0.0);
   const Vec2 a = left_of(before) * half_m, b = left_of(after) * half_m;
   const Vec2 tip = (a + b) * (1 / (1 + dot(before, after)));
   return {snapped(p), snapped(p + a), snapped(p + tip), snapped(p + b)};
@@ -65,37 +66,88 @@ void push_if_area(std::vector<Ring>& rings, Ring ring) {
 // Sharper bends are ends, not joints.
 bool is_joint(Vec2 before, Vec2 after) { return dot(before, after) > 0; }
 
-std::vector<Ring> stroke_along(const Polyline& axis, Halves halves, const Ends& ends) {
+// A place on the axis, and how far the strip reaches there.
+struct Station {
+  Vec2 at;
+  Halves halves;
+};
+
+// The stations of each segment, from vertex to vertex.
+using Stations = std::vector<std::vector<Station>>;
+
+Stations stations_of(const Polyline& axis, Halves halves) {
+  Stations stations;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) stations.push_back({{axis[i], halves}, {axis[i + 1], halves}});
+  return stations;
+}
+
+void stroke_segment(std::span<const Station> stations, std::vector<Ring>& rings) {
+  const Vec2 left = left_of(unit(stations.back().at - stations.front().at));
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const Station &a = stations[i], &b = stations[i + 1];
+    push_if_area(rings, {snapped(a.at - left * a.halves.right_m), snapped(b.at - left * b.halves.right_m),
+                         snapped(b.at + left * b.halves.left_m), snapped(a.at + left * a.halves.left_m)});
+  }
+}
+
+std::vector<Ring> stroke_along(const Polyline& axis, const Stations& stations, const Ends& ends) {
   std::vector<Ring> rings;
   const auto direction = [&](std::size_t i) { return unit(axis[i + 1] - axis[i]); };
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-    const Vec2 a = axis[i], b = axis[i + 1], left = left_of(direction(i)) * halves.left_m;
-    const Vec2 right = left_of(direction(i)) * -halves.right_m;
-    push_if_area(rings, {snapped(a + right), snapped(b + right), snapped(b + left), snapped(a + left)});
-    if (i > 0) push_if_area(rings, bend(a, direction(i - 1), direction(i), halves));
+    stroke_segment(stations[i], rings);
+    if (i > 0) push_if_area(rings, bend(axis[i], direction(i - 1), direction(i), stations[i].front().halves));
   }
-  const auto join = [&](Vec2 at, Vec2 before, Vec2 after) {
-    if (is_joint(before, after)) push_if_area(rings, mitre(at, before, after, halves));
+  const auto join = [&](const Station& end, Vec2 before, Vec2 after) {
+    if (is_joint(before, after)) push_if_area(rings, mitre(end.at, before, after, end.halves));
   };
-  if (ends.from) join(axis.front(), unit(axis.front() - *ends.from), direction(0));
-  if (ends.to) join(axis.back(), direction(axis.size() - 2), unit(*ends.to - axis.back()));
+  if (ends.from) join(stations.front().front(), unit(axis.front() - *ends.from), direction(0));
+  if (ends.to) join(stations.back().back(), direction(axis.size() - 2), unit(*ends.to - axis.back()));
   return rings;
+}
+
+// Vertices, and in between where an edge bends.
+template <typename HalvesAt>
+Stations stations_along(const Road& road, HalvesAt halves_at) {
+  const std::vector<double> along = distances_along(road), bends = bends_of_edges(road);
+  Stations stations;
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+    const Vec2 a = road.axis[i], b = road.axis[i + 1];
+    std::vector<Station>& here = stations.emplace_back();
+    here.push_back({a, halves_at(along[i])});
+    for (auto bend = std::ranges::upper_bound(bends, along[i]); bend != bends.end() && *bend < along[i + 1]; ++bend)
+      here.push_back({a + (b - a) * ((*bend - along[i]) / (along[i + 1] - along[i])), halves_at(*bend)});
+    here.push_back({b, halves_at(along[i + 1])});
+  }
+  return stations;
 }
 
 }  // namespace
 
 std::vector<Ring> stroke(const Strip& strip, const Ends& ends) {
-  std::vector<Ring> rings = stroke_along(strip.axis, {strip.left_m, strip.right_m}, ends);
+  std::vector<Ring> rings = stroke_along(strip.axis, stations_of(strip.axis, {strip.left_m, strip.right_m}), ends);
   if (!ends.are_round) return rings;
   for (const Vec2 end : {strip.axis.front(), strip.axis.back()})
     push_if_area(rings, disk(end, (strip.left_m + strip.right_m) / 2));
   return rings;
 }
 
+std::vector<Ring> stroke_carriageway(const Road& road, const Ends& ends) {
+  if (road.narrowing.is_empty()) return stroke(carriageway_of(road), ends);
+  const auto kerbs = [&](double along_m) {
+    const Edges edges = edges_at(road, along_m);
+    return Halves{edges.kerb_left_m, edges.kerb_right_m};
+  };
+  return stroke_along(road.axis, stations_along(road, kerbs), ends);
+}
+
 std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends) {
   const double left = raised_left_m(road), right = raised_right_m(road);
   if (left == 0 && right == 0) return {};
-  return stroke_along(road.axis, {left_m(road) + left, right_m(road) + right}, ends);
+  const auto outer = [&](double along_m) {
+    const Edges edges = edges_at(road, along_m);
+    return Halves{edges.left_m, edges.right_m};
+  };
+  return stroke_along(road.axis, stations_along(road, outer), ends);
 }
 
 }  // namespace citykiln::roads

@@ -20,6 +20,10 @@ struct Ends {
 /// of the half width). O(n).
 std::vector<Ring> stroke(const Strip& strip, const Ends& ends = {});
 
+/// What lies between the road's kerbs, narrowed where buildings stand, likewise: a quad a segment, and one more
+/// wherever an edge bends beside it.
+std::vector<Ring> stroke_carriageway(const Road& road, const Ends& ends = {});
+
 /// The road with what is raised beside it, likewise; empty where nothing is. What lies between this and the
 /// carriageway is pavement.
 std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends = {});

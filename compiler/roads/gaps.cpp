@@ -1,7 +1,6 @@
 // Where junctions lie on roads, and what drivers meet there.
 #include <algorithm>
 
-#include "compiler/geometry/snap.h"
 #include "compiler/roads/stretches.h"
 #include "compiler/roads/through_road.h"
 
@@ -74,13 +73,6 @@ void add_arm(Gap arm_gap, std::vector<Gap>& gaps) {
 }
 
 }  // namespace
-
-std::vector<double> distances_along(const Road& road) {
-  std::vector<double> along = {road.passed_m};
-  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
-    along.push_back(along.back() + snapped(distance(road.axis[i], road.axis[i + 1])));
-  return along;
-}
 
 std::vector<std::vector<Gap>> gaps_of(std::span<const Road> roads, std::span<const Junction> junctions) {
   std::vector<std::vector<Gap>> gaps(roads.size());

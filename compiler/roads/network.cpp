@@ -107,6 +107,16 @@ std::vector<Ends> ends_of(std::span<const Road> roads) {
   return ends;
 }
 
+std::vector<Joint> joints_of(std::span<const Road> roads) {
+  std::vector<Joint> joints;
+  for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
+    if (here.family == Family::kOther || arms.size() != 2 || !go_on(roads, arms[0], arms[1])) return;
+    // a road's own bend is no joint
+    if (arms[0].road != arms[1].road || arms[0].vertex != arms[1].vertex) joints.push_back({arms[0], arms[1]});
+  });
+  return joints;
+}
+
 std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family) {
   std::vector<std::vector<Arm>> by_place(places.size());
   for (std::uint32_t road = 0; road < roads.size(); ++road) {

@@ -39,6 +39,13 @@ std::vector<Node> find_nodes(std::span<const Road> roads);
 /// How each road's strip ends: with a joint where it goes on into one other road of its family. O(n log n) in vertices.
 std::vector<Ends> ends_of(std::span<const Road> roads);
 
+/// Two roads, or both ends of a loop, that go on into each other and meet no third: their ends' arms.
+struct Joint {
+  Arm a, b;
+};
+/// In the order of places. O(n log n) in vertices.
+std::vector<Joint> joints_of(std::span<const Road> roads);
+
 /// From an arm's axis to the kerbs, seen as it leaves.
 double left_of(std::span<const Road> roads, const Arm& arm);
 double right_of(std::span<const Road> roads, const Arm& arm);

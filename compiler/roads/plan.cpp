@@ -4,9 +4,17 @@ namespace citykiln::roads {
 namespace {
 
 Road road_of(const map::Track& track) {
-  return {track.id,   track.axis,   track.surface, track.section,
-          track.side, track.is_lit, track.is_link, track.is_roundabout,
-          0,          track.points};
+  return {track.id,
+          track.axis,
+          track.surface,
+          track.section,
+          track.side,
+          track.is_lit,
+          track.is_link,
+          track.is_roundabout,
+          0,
+          track.points,
+          {}};
 }
 
 }  // namespace

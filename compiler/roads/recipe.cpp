@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/geometry/snap.h"
+
 namespace citykiln::roads {
 namespace {
 
@@ -23,6 +25,13 @@ double right_m(const Road& road) { return map::carriageway_width_m(road.section)
 double raised_left_m(const Road& road) { return raised_before_kerb_m(road.section.lanes); }
 double raised_right_m(const Road& road) {
   return raised_before_kerb_m(std::vector(road.section.lanes.rbegin(), road.section.lanes.rend()));
+}
+
+std::vector<double> distances_along(const Road& road) {
+  std::vector<double> along = {road.passed_m};
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
+    along.push_back(along.back() + snapped(distance(road.axis[i], road.axis[i + 1])));
+  return along;
 }
 
 double breadth_m(const Road& road) {

@@ -21,6 +21,21 @@ struct Strip {
   bool operator==(const Strip&) const = default;
 };
 
+/// A place where a building lets an edge of the road go no farther out.
+struct Pinch {
+  double at_m = 0;       ///< Along the axis from the beginning of the whole way; a multiple of 1/4 m.
+  double half_m = 0;     ///< From the carriageway's middle to the outer edge, at most; a multiple of 1/32 m, > 0.
+  bool is_wall = false;  ///< The limit runs straight from the pinch before; else it opens as fast as kTaper lets it.
+  bool operator==(const Pinch&) const = default;
+};
+
+/// What buildings leave of a road's sides; squeeze.h says what gives way. Mostly empty.
+struct Narrowing {
+  std::vector<Pinch> left, right;  ///< Each sorted, apart, and none less than another allows beside it.
+  bool is_empty() const { return left.empty() && right.empty(); }
+  bool operator==(const Narrowing&) const = default;
+};
+
 struct Road {
   ObjectId id;
   Polyline axis;  ///< Plane metres, snapped, at least two points.
@@ -30,6 +45,7 @@ struct Road {
   bool is_lit = false, is_link = false, is_roundabout = false;
   double passed_m = 0;                  ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
   std::vector<map::TrackPoint> points;  ///< Sorted; their vertices are of this axis.
+  Narrowing narrowing;
   bool operator==(const Road&) const = default;
 };
 
@@ -43,10 +59,13 @@ inline double width_m(const Road& road) { return left_m(road) + right_m(road); }
 double raised_left_m(const Road& road);
 double raised_right_m(const Road& road);
 
+/// How far along the whole way each vertex lies: segments measured to 2^-10 m, so the same in a trimmed run. O(n).
+std::vector<double> distances_along(const Road& road);
+
 /// No point of the road, kerbs and pavements and all, lies farther from its axis than this, not even a bend's tip.
 double breadth_m(const Road& road);
 
-/// What lies between the kerbs.
+/// What lies between the kerbs where no building narrows it.
 Strip carriageway_of(const Road& road);
 
 }  // namespace citykiln::roads

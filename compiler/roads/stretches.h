@@ -32,9 +32,6 @@ struct StretchRun {
   double zero_m = 0;  ///< Where the pattern's v is 0.
 };
 
-/// Distances along the way of the points of the axis: segments measured to 2^-10 m.
-std::vector<double> distances_along(const Road& road);
-
 /// The runs of a road, from its first point to its last, without gaps.
 ///
 /// An arm's approach (a crossing near the junction, 4 m; what is painted before the stop line, 12 m or what is left of

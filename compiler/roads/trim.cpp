@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/geometry/snap.h"
-
 namespace citykiln::roads {
 namespace {
 
@@ -57,10 +55,24 @@ Polyline part_of(const Polyline& axis, Run run) {
           axis.begin() + static_cast<std::ptrdiff_t>(run.last) + 1};
 }
 
+// Those that lie along the run, and the ones before and after it: what they allow holds in between.
+std::vector<Pinch> pinches_between(const std::vector<Pinch>& pinches, double from_m, double to_m) {
+  auto first = std::ranges::lower_bound(pinches, from_m, {}, &Pinch::at_m);
+  auto last = std::ranges::upper_bound(pinches, to_m, {}, &Pinch::at_m);
+  if (first != pinches.begin()) --first;
+  if (last != pinches.end()) ++last;
+  std::vector<Pinch> kept(first, last);
+  if (!kept.empty()) kept.front().is_wall = false;
+  return kept;
+}
+
 Road part_of(const Road& road, Run run) {
+  const std::vector<double> along = distances_along(road);
   Road part = road;
   part.axis = part_of(road.axis, run);
-  for (std::size_t i = 0; i < run.first; ++i) part.passed_m += snapped(distance(road.axis[i], road.axis[i + 1]));
+  part.passed_m = along[run.first];
+  part.narrowing = {pinches_between(road.narrowing.left, along[run.first], along[run.last]),
+                    pinches_between(road.narrowing.right, along[run.first], along[run.last])};
   std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
   for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
   return part;

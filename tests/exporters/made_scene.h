@@ -95,8 +95,18 @@ class SceneMaker {
     if (below(3) == 0) r.passed_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
+    if (below(3) == 0) r.narrowing = {pinches(), pinches()};
     for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
     return r;
+  }
+  std::vector<roads::Pinch> pinches() {
+    std::vector<roads::Pinch> pinches;
+    double at_m = 0;
+    for (auto i = below(4); i > 0; --i) {
+      at_m += (1 + below(999)) / 4.0;
+      pinches.push_back({at_m, (1 + below(999)) / 32.0, !pinches.empty() && below(2) == 0});
+    }
+    return pinches;
   }
   map::CrossSection section() {
     map::CrossSection s;

@@ -132,6 +132,7 @@ class Chunk:
         self.surfaces = self.all("surfaces", self.surface)
         self.road_kinds = self.all("road kinds", self.road_kind)
         self.roads = self.all("roads", self.road)
+        self.narrowed = self.all("narrowed roads", self.narrowed_road)
         self.junctions = self.all("junctions", self.junction)
         self.waters = self.all("streams", self.water)
         self.bridges = self.all("bridges", self.span)
@@ -189,6 +190,12 @@ class Chunk:
     def road(self):
         return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("passed") / 1024,
                 self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))))
+
+    def narrowed_road(self):
+        return self.plain("narrowed road"), *(self.all("pinches", self.pinch) for side in ("left", "right"))
+
+    def pinch(self):
+        return divmod(self.plain("pinch steps"), 2), self.streams["pinch half"].step() / 32
 
     def road_kind(self):
         return (self.plain("road surface"), self.plain("road traits"), self.plain("axis offset") / 2048, self.all("lanes", self.lane))

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "compiler/map/locate.h"
+#include "compiler/roads/buildings_beside.h"
+#include "compiler/roads/expand.h"
+#include "compiler/roads/narrow.h"
+#include "compiler/roads/plan.h"
+#include "compiler/roads/squeeze.h"
+#include "compiler/source/read_osm.h"
+#include "tests/compiler/roads/junction_claims.h"
+
+namespace citykiln::roads {
+namespace {
+
+const std::filesystem::path kData = CITYKILN_DATA;
+
+// What the rings and a footprint share.
+double shared_m2(std::span<const Ring> rings, const Polygon& footprint) {
+  const Box2 box = box_of(footprint.outer);
+  std::vector<GEOSGeometry*> near;
+  for (const Ring& ring : rings)
+    if (box_of(ring).touches(box)) near.push_back(shape({ring, {}}).release());
+  if (near.empty()) return 0;
+  const Shape all(GEOSGeom_createCollection(GEOS_MULTIPOLYGON, near.data(), static_cast<unsigned>(near.size())));
+  const Shape covered(GEOSUnaryUnion(all.get()));
+  return area_of(Shape(GEOSIntersection(covered.get(), shape(footprint).get())));
+}
+
+double shared_m2(std::span<const Ring> rings, const Box2& box, const StandingFootprints& footprints) {
+  double shared = 0;
+  for (const std::uint32_t f : footprints.near(box)) shared += shared_m2(rings, footprints[f]);
+  return shared;
+}
+
+// Under buildings, road by road: where roads lie over each other it counts for each.
+struct Under {
+  double carriageway_m2 = 0, pavement_m2 = 0;
+};
+
+Under under_buildings(const Road& road, const Ends& ends, const StandingFootprints& footprints) {
+  const Box2 box = box_of(road.axis).widened(breadth_m(road));
+  const double carriageway = shared_m2(stroke_carriageway(road, ends), box, footprints);
+  const std::vector<Ring> all = stroke_pavements(road, ends);
+  return {carriageway, all.empty() ? 0 : shared_m2(all, box, footprints) - carriageway};
+}
+
+class NarrowReal : public testing::TestWithParam<std::string> {};
+
+TEST_P(NarrowReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
+  const std::filesystem::path path = kData / GetParam();
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
+  const Geos geos;
+  Report report;
+  const auto osm = source::read_osm(path, 0, report);
+  ASSERT_TRUE(osm) << to_string(osm.error());
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Features features = map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, report);
+  const std::vector<Road> roads = plan(features, report);
+  const std::vector<Road> narrowed = narrow(roads, plan_junctions(roads, report), features.footprints, report);
+
+  const StandingFootprints footprints(features.footprints);
+  const std::vector<Ends> ends = ends_of(roads);
+  std::set<OsmId> told;
+  for (const Diagnosis& d : report.diagnoses())
+    if (d.code == Code::kBuildingOnRoad) told.insert(d.object);
+  Under before, after;
+  std::size_t pinches = 0, changed = 0;
+  for (std::size_t i = 0; i < roads.size(); ++i) {
+    if (family_of(roads[i].surface) == Family::kOther) continue;
+    const Under was = under_buildings(roads[i], ends[i], footprints);
+    const bool is_same = narrowed[i] == roads[i];
+    const Under is = is_same ? was : under_buildings(narrowed[i], ends[i], footprints);
+    before.carriageway_m2 += was.carriageway_m2, before.pavement_m2 += was.pavement_m2;
+    after.carriageway_m2 += is.carriageway_m2, after.pavement_m2 += is.pavement_m2;
+    pinches += narrowed[i].narrowing.left.size() + narrowed[i].narrowing.right.size(), changed += !is_same;
+    // a path may end at a door
+    const bool is_at_door = !buildings_beside(roads[i], ends[i], footprints).covered.empty();
+    const double allowed_m2 = is_at_door ? 2 * breadth_m(roads[i]) : 0.05;
+    EXPECT_TRUE(told.contains(roads[i].id.osm) || is.carriageway_m2 + is.pavement_m2 < allowed_m2)
+        << roads[i].id.osm.id << " " << is.carriageway_m2 << " " << is.pavement_m2;
+  }
+  EXPECT_LE(after.carriageway_m2, before.carriageway_m2);
+  EXPECT_LE(after.pavement_m2, before.pavement_m2);
+  std::printf(
+      "%s: %zu roads, %zu narrowed by %zu pinches; under buildings: carriageway %.0f -> %.0f m2, pavement %.0f "
+      "-> %.0f m2\n",
+      GetParam().c_str(), roads.size(), changed, pinches, before.carriageway_m2, after.carriageway_m2,
+      before.pavement_m2, after.pavement_m2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Extracts, NarrowReal,
+                         testing::Values("monaco/monaco-2023.osm.pbf", "monaco/monaco-2016-cadastre.osm.pbf",
+                                         "andorra/andorra-2023.osm.pbf", "helsinki/Helsinki.osm.pbf",
+                                         "neubrandenburg/neubrandenburg.osm.bz2"));
+
+}  // namespace
+}  // namespace citykiln::roads
