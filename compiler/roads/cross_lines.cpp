@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/roads/squeeze.h"
+
 namespace citykiln::roads {
 namespace {
 
@@ -41,6 +43,7 @@ struct Cutting {
   Reaches reaches;
   double tile_m;
   std::vector<double> along{};
+  std::vector<double> edge_bends{};         // where buildings narrow the road
   std::vector<std::optional<Vec2>> outs{};  // of each point's mitre
 
   Vec2 direction(std::size_t i) const { return unit(road.axis[i + 1] - road.axis[i]); }
@@ -98,6 +101,7 @@ std::vector<double> lines_within(const Cutting& cutting, std::span<const Stretch
   add_borders(cutting, segment, &Vec2::y, wanted);
   std::sort(wanted.begin(), wanted.end());
   for (const StretchRun& run : stretches) wanted.push_back(run.from_m);
+  wanted.insert(wanted.end(), cutting.edge_bends.begin(), cutting.edge_bends.end());
   const Vec2 direction = cutting.direction(segment);
   const double from = cutting.along[segment] + kLeastSide_m +
                       lean_of(cutting.line_at(segment, segment).out, direction, cutting.reaches).most_m;
@@ -139,7 +143,7 @@ void slice_segment(const Cutting& cutting, std::span<const StretchRun> stretches
 
 Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
                  double right_m, double tile_m) {
-  Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road)};
+  Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
   cutting.find_outs();
   Slices all;
   for (std::size_t s = 0; s < cutting.segments(); ++s) {

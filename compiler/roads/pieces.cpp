@@ -5,6 +5,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/cross_lines.h"
 #include "compiler/roads/markings.h"
+#include "compiler/roads/squeeze.h"
 
 namespace citykiln::roads {
 namespace {
@@ -13,24 +14,20 @@ using map::SurfaceClass;
 
 Vec2 point_on(const CrossLine& line, double offset_m) { return snapped(line.at + line.out * offset_m); }
 
-// Where a line leaves a strip's edge, along the segment from its start.
-double reach_m(const Slice& slice, const CrossLine& line, double offset_m) {
-  return dot(line.at + line.out * offset_m - slice.start.at, slice.along);
+// A strip's edges from the axis, to the left positive.
+struct StripEdges {
+  double left_m, right_m;
+};
+
+// Where a line across the segment meets the strip's edges.
+FrameEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
+  const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
+  return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
 }
 
-Frame frame_of(const Slice& slice, const LaneStrip& strip, double zero_m) {
-  Frame frame{slice.start.at, slice.along, strip.left_m, strip.left_m - strip.right_m};
-  frame.start_left_m = reach_m(slice, slice.start, strip.left_m);
-  frame.start_right_m = reach_m(slice, slice.start, strip.right_m);
-  frame.end_left_m = reach_m(slice, slice.end, strip.left_m);
-  frame.end_right_m = reach_m(slice, slice.end, strip.right_m);
-  frame.start_v_m = slice.start.along_m - zero_m, frame.end_v_m = slice.end.along_m - zero_m;
-  return frame;
-}
-
-Ring ring_of(const Slice& slice, const LaneStrip& strip) {
-  return {point_on(slice.start, strip.right_m), point_on(slice.end, strip.right_m), point_on(slice.end, strip.left_m),
-          point_on(slice.start, strip.left_m)};
+Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
+  return {point_on(slice.start, start.right_m), point_on(slice.end, end.right_m), point_on(slice.end, end.left_m),
+          point_on(slice.start, start.left_m)};
 }
 
 bool is_crossing(Stretch stretch) { return stretch == Stretch::kZebra || stretch == Stretch::kCrossing; }
@@ -45,6 +42,18 @@ Pattern pattern_of(const Road& road, const LaneStrip& strip, const StretchRun& r
   Pattern pattern{strip.surface, strip.lanes, run.stretch, run.control, road.side};
   pattern.has_kerb_left = strip.has_kerb_left, pattern.has_kerb_right = strip.has_kerb_right;
   return pattern;
+}
+
+// All strips' edges where a building lets the road be no wider.
+std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips, double along_m) {
+  std::vector<StripEdges> edges;
+  if (road.narrowing.is_empty()) {
+    for (const LaneStrip& strip : strips) edges.push_back({strip.left_m, strip.right_m});
+    return edges;
+  }
+  const LaneEdges lanes = lane_edges_at(road, along_m);
+  for (const LaneStrip& strip : strips) edges.push_back({lanes.moved(strip.left_m), lanes.moved(strip.right_m)});
+  return edges;
 }
 
 // A road while its pieces are made.
@@ -66,43 +75,70 @@ struct Making {
       }
   }
 
-  void add(std::size_t strip, const Slice& slice, Ring ring) {
+  void add(std::size_t strip, const Slice& slice, StripEdges start, StripEdges end, Ring ring) {
     ring = without_repeats(ring);
     if (ring.size() < 3) return;
     if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
     if (signed_area_m2(ring) == 0) return;
     const auto number = static_cast<std::uint32_t>(strip * stretches.size() + slice.stretch);
     const StretchRun& run = stretches[slice.stretch];
-    made.pieces.push_back({surface_of(road, strips[strip], run.stretch), std::move(ring),
-                           frame_of(slice, strips[strip], run.zero_m), patterns[number], number});
+    const LaneStrip& whole = strips[strip];
+    const Frame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
+                      end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
+    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, patterns[number], number});
   }
 };
 
-// The wedge outside of a bend, or what lies about it where it turns back: part of the slice that ends there.
-void add_joint(const OpenBend& bend, const Slice& slice, std::size_t strip, Making& making) {
-  const LaneStrip& s = making.strips[strip];
+// The wedge outside of a bend, or what lies about it where it turns back: part of the slice beside it.
+Ring joint_of(const OpenBend& bend, StripEdges edges) {
   const bool bends_left = cross(bend.before, bend.after) > 0;
   // the outer edge and the inner one, as far as they lie on the outside of the bend
-  const double outer = bends_left ? std::min(0.0, s.right_m) : std::max(0.0, s.left_m);
-  const double inner = bends_left ? std::min(0.0, s.left_m) : std::max(0.0, s.right_m);
-  if (outer == inner) return;
+  const double outer = bends_left ? std::min(0.0, edges.right_m) : std::max(0.0, edges.left_m);
+  const double inner = bends_left ? std::min(0.0, edges.left_m) : std::max(0.0, edges.right_m);
   const auto corner = [&](Vec2 direction, double offset) { return snapped(bend.at + left_of(direction) * offset); };
   const Vec2 middle = unit(left_of(bend.before) + left_of(bend.after));
   Ring ring = {corner(bend.before, inner), corner(bend.before, outer), snapped(bend.at + middle * outer),
                corner(bend.after, outer), corner(bend.after, inner)};
   if (inner != 0) ring.push_back(snapped(bend.at + middle * inner));
-  making.add(strip, slice, std::move(ring));
+  return ring;
+}
+
+// All strips of a slice, and the joints of the bend beside it.
+void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& making) {
+  const auto start = edges_at(making.road, making.strips, slice.start.along_m);
+  const auto end = edges_at(making.road, making.strips, slice.end.along_m);
+  for (std::size_t s = 0; s < making.strips.size(); ++s)
+    making.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
+  for (const OpenBend& bend : bends)
+    for (std::size_t s = 0; s < making.strips.size(); ++s)
+      making.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
+}
+
+// How far along its piece a place is, from 0 to 1, if the strip's edges there are known.
+double passed_at(const Frame& frame, StripEdges edges, Vec2 off) {
+  const double width = edges.left_m - edges.right_m, offset = dot(off, left_of(frame.along));
+  const double share = width > 0 ? (edges.left_m - offset) / width : 0;
+  const auto across = [&](const FrameEnd& e) { return e.left_along_m + (e.right_along_m - e.left_along_m) * share; };
+  const double start = across(frame.start), end = across(frame.end);
+  return end > start ? std::clamp((dot(off, frame.along) - start) / (end - start), 0.0, 1.0) : 0;
+}
+
+StripEdges edges_between(const Frame& frame, double passed) {
+  return {frame.start.left_m + (frame.end.left_m - frame.start.left_m) * passed,
+          frame.start.right_m + (frame.end.right_m - frame.start.right_m) * passed};
 }
 
 }  // namespace
 
 Vec2 uv_at(const Frame& frame, Vec2 p) {
   const Vec2 off = p - frame.at;
-  const double u = frame.left_m - dot(off, left_of(frame.along)), share = u / frame.width_m;
-  const double start = frame.start_left_m + (frame.start_right_m - frame.start_left_m) * share;
-  const double end = frame.end_left_m + (frame.end_right_m - frame.end_left_m) * share;
-  const double passed = end > start ? std::clamp((dot(off, frame.along) - start) / (end - start), 0.0, 1.0) : 0;
-  return {u, frame.start_v_m + passed * (frame.end_v_m - frame.start_v_m)};
+  // where the edges lie depends on how far along one is, and that, at a leaning end, on how far across
+  double passed = 0;
+  for (int round = 0; round < 3; ++round) passed = passed_at(frame, edges_between(frame, passed), off);
+  const StripEdges edges = edges_between(frame, passed);
+  const double width = edges.left_m - edges.right_m;
+  const double u = edges.left_m - dot(off, left_of(frame.along));
+  return {width > 0 ? u * (frame.width_m / width) : 0, frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
 }
 
 RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
@@ -114,10 +150,9 @@ RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const Stretch
   const Slices all = slices_of(road, ends, stretches, left, right, tile_m);
   auto bend = all.bends.begin();
   for (std::uint32_t i = 0; i < all.slices.size(); ++i) {
-    const Slice& slice = all.slices[i];
-    for (std::size_t s = 0; s < making.strips.size(); ++s) making.add(s, slice, ring_of(slice, making.strips[s]));
-    for (; bend != all.bends.end() && bend->slice == i; ++bend)
-      for (std::size_t s = 0; s < making.strips.size(); ++s) add_joint(*bend, slice, s, making);
+    const auto first = bend;
+    while (bend != all.bends.end() && bend->slice == i) ++bend;
+    add_slice(all.slices[i], {first, bend}, making);
   }
   return std::move(making.made);
 }

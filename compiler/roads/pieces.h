@@ -16,17 +16,22 @@
 
 namespace citykiln::roads {
 
-/// Where a piece lies in its strip.
-struct Frame {
-  Vec2 at, along;                  ///< A point of the axis, and the axis' unit direction there.
-  double left_m = 0, width_m = 0;  ///< The strip's left edge from the axis, and how wide it is.
-  /// Where the piece begins and ends, along the axis from `at`, on its left edge and on its right one.
-  double start_left_m = 0, start_right_m = 0, end_left_m = 0, end_right_m = 0;
-  double start_v_m = 0, end_v_m = 0;
+/// One end of a piece: a line across its strip.
+struct FrameEnd {
+  double left_m = 0, right_m = 0;              ///< The strip's edges from the axis, to the left positive.
+  double left_along_m = 0, right_along_m = 0;  ///< Where the line meets them, along the axis from Frame::at.
+  double v_m = 0;
 };
 
-/// Metres across from the strip's left edge, and along its pattern. Across the start and the end of a piece v is
-/// constant, and u exact.
+/// Where a piece lies in its strip.
+struct Frame {
+  Vec2 at, along;      ///< A point of the axis, and the axis' unit direction there.
+  double width_m = 0;  ///< Of the strip, where no building narrows it: u at its right edge.
+  FrameEnd start, end;
+};
+
+/// Metres across from the strip's left edge, and along its pattern; where the strip is narrowed u is stretched. Along
+/// the start and the end of a piece v is constant.
 Vec2 uv_at(const Frame& frame, Vec2 p);
 
 inline constexpr std::uint32_t kNoPattern = 0xffffffffu;

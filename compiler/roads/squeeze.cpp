@@ -168,4 +168,23 @@ Squeezed squeezed_at(const Road& road, double along_m) {
   return squeezed;
 }
 
+LaneEdges lane_edges_at(const Road& road, double along_m) {
+  const Squeezed squeezed = squeezed_at(road, along_m);
+  LaneEdges edges{{left_m(road) + raised_left_m(road)}, {squeezed.left_m}};
+  for (std::size_t i = 0; i < road.section.lanes.size(); ++i) {
+    edges.whole_m.push_back(edges.whole_m.back() - road.section.lanes[i].width_m);
+    edges.moved_m.push_back(edges.moved_m.back() - squeezed.widths_m[i]);
+  }
+  return edges;
+}
+
+double LaneEdges::moved(double offset_m) const {
+  const auto after = std::ranges::lower_bound(whole_m, offset_m, std::greater());
+  if (after == whole_m.begin()) return moved_m.front();
+  if (after == whole_m.end()) return moved_m.back();
+  const auto i = static_cast<std::size_t>(after - whole_m.begin());
+  const double share = (whole_m[i - 1] - offset_m) / (whole_m[i - 1] - whole_m[i]);
+  return moved_m[i - 1] + (moved_m[i] - moved_m[i - 1]) * share;
+}
+
 }  // namespace citykiln::roads

@@ -65,4 +65,13 @@ struct Squeezed {
 /// says, and none jumps along the road.
 Squeezed squeezed_at(const Road& road, double along_m);
 
+/// Where the edges of lanes lie on the whole road, and where they are moved to, from the axis, to the left positive.
+struct LaneEdges {
+  std::vector<double> whole_m, moved_m;  ///< From the left edge to the right one: one more than lanes.
+
+  /// Where a place between the whole road's edges is moved to: with its lane, in its share.
+  double moved(double offset_m) const;
+};
+LaneEdges lane_edges_at(const Road& road, double along_m);
+
 }  // namespace citykiln::roads

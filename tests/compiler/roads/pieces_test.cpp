@@ -124,8 +124,23 @@ TEST(Pieces, OfARunAreThoseOfTheWholeRoad) {
   // but for the ends, where it is cut
   for (std::size_t i = 1; i + 1 < some.size(); ++i) {
     EXPECT_EQ(some[i].ring, all[i + 1].ring);
-    EXPECT_EQ(some[i].frame.start_v_m, all[i + 1].frame.start_v_m);
+    EXPECT_EQ(some[i].frame.start.v_m, all[i + 1].frame.start.v_m);
   }
+}
+
+TEST(Pieces, GiveWayWhereTheRoadDoes) {
+  Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::SurfaceClass::kPrimaryRoad, 2, 3);
+  const double whole_m2 = covered_m2(stroke_pavements(road));
+  road.narrowing.left = {{40, 3, false}};
+  std::vector<Ring> pieces;
+  for (const Piece& piece : pieces_of_whole(road).pieces) {
+    pieces.push_back(piece.ring);
+    // u goes from edge to edge however narrow the strip is
+    const Vec2 left = kAway + Vec2{40, 0} + Vec2{0, piece.frame.start.left_m};
+    if (piece.frame.start.v_m == 40) EXPECT_NEAR(uv_at(piece.frame, left).x, 0, 1e-9);
+  }
+  EXPECT_LT(covered_m2(pieces), whole_m2 - 10);
+  EXPECT_NEAR(covered_m2(pieces), covered_m2(stroke_pavements(road)), 0.2);
 }
 
 TEST(Pieces, MarkedStripsHaveAPattern) {
