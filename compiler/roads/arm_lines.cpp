@@ -55,6 +55,4 @@ std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
                 cosine};
 }
 
-double tangent_m(const Corner& corner, double radius_m) { return radius_m * (1 + corner.cosine) / corner.sine; }
-
 }  // namespace citykiln::roads

@@ -29,7 +29,4 @@ struct Corner {
 /// Nothing where the arms lie more than some 160 degrees apart: no corner to round, no reason to cut.
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
 
-/// From a corner to where an arc of this radius leaves the edges.
-double tangent_m(const Corner& corner, double radius_m);
-
 }  // namespace citykiln::roads

@@ -37,19 +37,20 @@ void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std
   for (Ring& ring : stroke(piece)) rings.push_back(std::move(ring));
 }
 
-// What a rounded corner adds between the edges of two arms, and a little of both, so that no rounding leaves a gap.
-Ring rounded_corner(const ArmLine& arm, const ArmLine& next, const Corner& corner, double radius_m) {
-  const double tangent = tangent_m(corner, radius_m),
-               overlap = std::min({0.5, (arm.left_m + arm.right_m) / 2, (next.left_m + next.right_m) / 2});
-  const Vec2 left = left_of(arm.along), right = left_of(next.along) * -1;
-  const Vec2 edge = arm.from + left * arm.left_m, next_edge = next.from + right * next.right_m;
-  const Vec2 tip = edge + arm.along * corner.along_arm_m;
-  const Vec2 start = edge + arm.along * (corner.along_arm_m + tangent);
-  const Vec2 end = next_edge + next.along * (corner.along_next_m + tangent);
-  Ring ring = {snapped(tip - (left + right) * overlap), snapped(start - left * overlap), snapped(start)};
-  add_arc(start + left * radius_m, left * -1, right * -1, radius_m, 3, ring);
-  ring.push_back(snapped(end));
-  ring.push_back(snapped(end - right * overlap));
+void push_up_to(Ring& ring, const Polyline& axis, const Touch& touch) {
+  const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
+  ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
+  ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
+}
+
+// What lies between two axes and the arc from one to the other: the corner, and half of either arm.
+Ring rounded_corner(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
+  Ring inward, ring;
+  push_up_to(ring, arm.axis, fillet.arm);
+  add_fillet(fillet, ring);
+  push_up_to(inward, next.axis, fillet.next);
+  ring.insert(ring.end(), inward.rbegin(), inward.rend());
+  for (Vec2& p : ring) p = snapped(p);
   return ring;
 }
 
@@ -107,8 +108,11 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
     const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
     const double radius = junction.cuts[arm].radius_m;
     if (radius == 0) continue;
-    if (const auto corner = corner_between(around.lines[arm], around.lines[next]))
-      push_ring(rings, rounded_corner(around.lines[arm], around.lines[next], *corner, radius));
+    const auto fillet = fillet_between(around.paths[arm], around.paths[next], radius);
+    if (!fillet) continue;
+    // one that crosses itself, about arms that cross, would take away what it should add
+    const Ring corner = without_repeats(rounded_corner(around.paths[arm], around.paths[next], *fillet));
+    if (is_simple(corner)) push_ring(rings, corner);
   }
   return rings;
 }

@@ -59,24 +59,16 @@ std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
   return std::nullopt;
 }
 
-// How many points of an edge, from the cut in, lie beyond a place along its line.
-std::size_t count_beyond(std::span<const Vec2> edge, const ArmLine& line, double along_m) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(edge, [&](Vec2 p) { return dot(p - line.from, line.along) > along_m; }));
+// How many points of an edge, from the cut's middle in, lie beyond a touch.
+std::size_t count_beyond(const Polyline& edge, const Touch& touch) {
+  const std::size_t inner = touch.along_m < 0 ? 0 : touch.segment + 1;
+  // the middle of the cut is always walked
+  return edge.size() - std::min(inner, edge.size() - 1);
 }
 
-Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right, const Corner& corner,
-             double radius_m) {
-  const double tangent = tangent_m(corner, radius_m);
-  const Vec2 inward = left_of(arm.along), inward_next = left_of(next.along) * -1;
-  const Vec2 start = arm.from + inward * arm.left_m + arm.along * (corner.along_arm_m + tangent);
-  const Vec2 end = next.from + inward_next * next.right_m + next.along * (corner.along_next_m + tangent);
-  // the middle of the cut is always walked
-  const std::size_t left_count = std::max<std::size_t>(1, count_beyond(left, arm, corner.along_arm_m + tangent));
-  const std::size_t right_count = std::max<std::size_t>(1, count_beyond(right, next, corner.along_next_m + tangent));
-  Turn turn{left_count, right.size() - right_count, {start}};
-  add_arc(start + inward * radius_m, inward * -1, inward_next * -1, radius_m, 3, turn.between);
-  turn.between.push_back(end);
+Turn rounded(const Polyline& left, const Polyline& right, const Fillet& fillet) {
+  Turn turn{count_beyond(left, fillet.arm), right.size() - count_beyond(right, fillet.next), {}};
+  add_fillet(fillet, turn.between);
   return turn;
 }
 
@@ -90,14 +82,18 @@ Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
   return turn;
 }
 
-std::optional<Turn> turn_between(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right,
-                                 double radius_m) {
-  const auto corner = corner_between(arm, next);
-  if (corner && radius_m > 0) return rounded(arm, next, left, right, *corner, radius_m);
+// From an arm to its next.
+std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edges>& edges, const Around& around,
+                                 std::uint32_t arm, std::uint32_t next) {
+  const Cut &cut = junction.cuts[arm], &next_cut = junction.cuts[next];
+  const Polyline &left = edges[arm].left, &right = edges[next].right;
+  const auto fillet = fillet_between(around.paths[arm], around.paths[next], cut.radius_m);
+  if (fillet && fillet->arm.along_m <= cut.length_m && fillet->next.along_m <= next_cut.length_m)
+    return rounded(left, right, *fillet);
   if (auto meeting = first_meeting(left, right)) return meeting;
   // one arm's cut lies within the other
-  if (corner) return std::nullopt;
-  return outside(arm, next, left.size());
+  if (corner_between(around.lines[arm], around.lines[next])) return std::nullopt;
+  return outside(around.lines[arm], around.lines[next], left.size());
 }
 
 void push(Ring& ring, std::span<const Vec2> points) {
@@ -132,6 +128,14 @@ void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Rin
   add_arc(centre, middle, to, radius_m, halvings - 1, ring);
 }
 
+void add_fillet(const Fillet& fillet, Ring& ring) {
+  ring.push_back(snapped(fillet.arm.at));
+  if (fillet.radius_m == 0) return;
+  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
+          ring);
+  ring.push_back(snapped(fillet.next.at));
+}
+
 namespace {
 
 // Nothing where an arm has no length to walk, or bends too sharply.
@@ -154,8 +158,7 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
   std::vector<Turn> turns;
   for (std::size_t i = 0; i < around.order.size(); ++i) {
     const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
-    auto turn = turn_between(around.lines[arm], around.lines[next], edges[arm].left, edges[next].right,
-                             junction.cuts[arm].radius_m);
+    auto turn = turn_between(junction, edges, around, arm, next);
     if (!turn) return std::nullopt;
     turns.push_back(std::move(*turn));
   }
@@ -166,7 +169,10 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
 
 Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
   Around all;
-  for (const Arm& arm : arms) all.lines.push_back(line_of(roads, arm));
+  for (const Arm& arm : arms) {
+    all.lines.push_back(line_of(roads, arm));
+    all.paths.push_back(path_of(roads, arm));
+  }
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
     if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
   return all;

@@ -5,13 +5,15 @@
 #include <span>
 
 #include "compiler/roads/arm_lines.h"
+#include "compiler/roads/fillet.h"
 #include "compiler/roads/junction.h"
 
 namespace citykiln::roads {
 
-/// A junction's arms as lines, and their order.
+/// A junction's arms as lines and as they run, and their order.
 struct Around {
   std::vector<ArmLine> lines;        ///< One an arm.
+  std::vector<ArmPath> paths;        ///< One an arm.
   std::vector<std::uint32_t> order;  ///< Counter-clockwise, without the links inside.
 };
 Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
@@ -30,6 +32,9 @@ std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Roa
 /// Counter-clockwise rings, snapped.
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const Around& around);
+
+/// From the first point of the arc to the last, both on kerbs; one point for radius 0. Snapped.
+void add_fillet(const Fillet& fillet, Ring& ring);
 
 /// The corner at ring[i] is sharper inside than some 14 degrees.
 bool is_spike(const Ring& ring, std::size_t i);

@@ -5,6 +5,7 @@
 #include "compiler/geometry/box.h"
 #include "compiler/roads/arm_lines.h"
 #include "compiler/roads/consolidate.h"
+#include "compiler/roads/fillet.h"
 #include "compiler/roads/junction.h"
 
 namespace citykiln::roads {
@@ -37,6 +38,11 @@ double radius_m(map::SurfaceClass surface) {
   }
 }
 
+// How far from their places two neighbouring arms are one surface.
+struct Meeting {
+  double along_arm_m = 0, along_next_m = 0;
+};
+
 // One junction while it is being decided. Arms of all its nodes, in the order of arms_at().
 struct Draft {
   std::vector<std::uint32_t> nodes;
@@ -44,8 +50,9 @@ struct Draft {
   std::vector<Arm> arms;
   std::vector<Link> links;
   std::vector<ArmLine> lines;
-  std::vector<std::uint32_t> order;            // counter-clockwise, without links inside
-  std::vector<std::optional<Corner>> corners;  // with the next one in order, one an arm
+  std::vector<ArmPath> paths;
+  std::vector<std::uint32_t> order;              // counter-clockwise, without links inside
+  std::vector<std::optional<Meeting>> meetings;  // with the next one in order, one an arm
   std::vector<std::uint32_t> next;
   std::vector<Cut> cuts;
 };
@@ -63,6 +70,7 @@ Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const N
   for (const Arm& arm : draft.arms) {
     draft.links.push_back(index.link_of(arm, 2 * kReach_m));
     draft.lines.push_back(line_of(roads, arm));
+    draft.paths.push_back(path_of(roads, arm));
   }
   draft.cuts.resize(draft.arms.size());
   return draft;
@@ -77,61 +85,58 @@ void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
   }
 }
 
-// Is the road still where its line says it is?
-bool is_straight(std::span<const Road> roads, const Arm& arm, const ArmLine& line, double length_m) {
-  constexpr double kOff_m = 0.25;
-  const Polyline path = walk(roads, arm, length_m);
-  return std::ranges::all_of(path, [&](Vec2 p) { return std::abs(cross(line.along, p - line.from)) < kOff_m; });
+// How far an arm may be the junction's.
+double reach_m(const Draft& draft, std::uint32_t arm) {
+  return kReach_m - distance(draft.lines[arm].from, draft.centre);
 }
 
-// The largest radius, up to the one wanted, whose arc lies along both roads.
-double fitting_radius_m(std::span<const Road> roads, const Draft& draft, std::uint32_t arm, double wanted_m) {
-  const Corner& corner = *draft.corners[arm];
-  const std::uint32_t next = draft.next[arm];
-  for (double r = wanted_m; r >= 0.5; r = std::floor(r * 2) / 4) {
-    const double tangent = tangent_m(corner, r);
-    if (std::max(corner.along_arm_m, corner.along_next_m) + tangent > kReach_m) continue;
-    if (is_straight(roads, draft.arms[arm], draft.lines[arm], corner.along_arm_m + tangent) &&
-        is_straight(roads, draft.arms[next], draft.lines[next], corner.along_next_m + tangent))
-      return r;
-  }
-  return 0;
+// A kerb's radius, where it is to be rounded at all: a road's own bend, as a roundabout's ring has at every place, is
+// not; and an arc does not begin more than two radii before a corner, however acute that is.
+std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& draft, std::uint32_t arm,
+                                    std::uint32_t next) {
+  const Road &road = roads[draft.arms[arm].road], &next_road = roads[draft.arms[next].road];
+  const FilletLimits reach{reach_m(draft, arm), reach_m(draft, next)};
+  const auto corner = largest_fillet(draft.paths[arm], draft.paths[next], 0, reach);
+  if (&road == &next_road) return corner;
+  const double wanted = std::min(radius_m(road.surface), radius_m(next_road.surface));
+  const double kerb_m = 2 * wanted;
+  const FilletLimits limits = !corner ? reach
+                                      : FilletLimits{std::min(reach.along_arm_m, corner->arm.along_m + kerb_m),
+                                                     std::min(reach.along_next_m, corner->next.along_m + kerb_m)};
+  return largest_fillet(draft.paths[arm], draft.paths[next], wanted, limits);
 }
 
 void find_corners(std::span<const Road> roads, Draft& draft) {
   const std::size_t count = draft.arms.size();
-  draft.corners.resize(count), draft.next.resize(count);
+  draft.meetings.resize(count), draft.next.resize(count);
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
     if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
   for (std::size_t i = 0; i < draft.order.size(); ++i) {
     const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
     if (arm == next) continue;
     draft.next[arm] = next;
-    draft.corners[arm] = corner_between(draft.lines[arm], draft.lines[next]);
-    if (!draft.corners[arm]) continue;
-    // a road's own bend, as a roundabout's ring has at every place, has no kerb to round
-    if (draft.arms[arm].road == draft.arms[next].road) continue;
-    const double wanted =
-        std::min(radius_m(roads[draft.arms[arm].road].surface), radius_m(roads[draft.arms[next].road].surface));
-    draft.cuts[arm].radius_m = fitting_radius_m(roads, draft, arm, wanted);
+    if (const auto fillet = wanted_fillet(roads, draft, arm, next)) {
+      draft.meetings[arm] = Meeting{fillet->arm.along_m, fillet->next.along_m};
+      draft.cuts[arm].radius_m = fillet->radius_m;
+    } else if (const auto corner = corner_between(draft.lines[arm], draft.lines[next])) {
+      draft.meetings[arm] = Meeting{corner->along_arm_m, corner->along_next_m};
+    }
   }
 }
 
 // As far as the farther of an arm's two corners, within reach.
 void want_cuts(Draft& draft) {
   for (const std::uint32_t arm : draft.order) {
-    if (!draft.corners[arm]) continue;
-    const double tangent = tangent_m(*draft.corners[arm], draft.cuts[arm].radius_m);
+    if (!draft.meetings[arm]) continue;
     double& here = draft.cuts[arm].length_m;
     double& there = draft.cuts[draft.next[arm]].length_m;
-    here = std::max(here, draft.corners[arm]->along_arm_m + tangent);
-    there = std::max(there, draft.corners[arm]->along_next_m + tangent);
+    here = std::max(here, draft.meetings[arm]->along_arm_m);
+    there = std::max(there, draft.meetings[arm]->along_next_m);
   }
   for (const std::uint32_t arm : draft.order) {
     // a cut that nothing asks for still shows where the junction is
     draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
-    const double reach = kReach_m - distance(draft.lines[arm].from, draft.centre);
-    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach) * 4) / 4;
+    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach_m(draft, arm)) * 4) / 4;
   }
 }
 
@@ -150,10 +155,10 @@ void shrink_radii(Draft& draft) {
   for (const std::uint32_t arm : draft.order) {
     double& radius = draft.cuts[arm].radius_m;
     if (radius == 0) continue;
-    const Corner& corner = *draft.corners[arm];
-    const double room = std::min(draft.cuts[arm].length_m - corner.along_arm_m,
-                                 draft.cuts[draft.next[arm]].length_m - corner.along_next_m);
-    radius = std::max(0.0, std::min(radius, std::floor(4 * room * corner.sine / (1 + corner.cosine)) / 4));
+    const std::uint32_t next = draft.next[arm];
+    const auto fillet = largest_fillet(draft.paths[arm], draft.paths[next], radius,
+                                       {draft.cuts[arm].length_m, draft.cuts[next].length_m});
+    radius = fillet ? fillet->radius_m : 0;
   }
 }
 
