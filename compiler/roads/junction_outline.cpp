@@ -54,13 +54,15 @@ Ring rounded_corner(const ArmPath& arm, const ArmPath& next, const Fillet& fille
   return ring;
 }
 
-// What lies open between the arms' square ends about a place.
+// What lies open between the arms' square ends about a place, or what is round there.
 Ring disk_at(Vec2 place, double radius_m) {
+  constexpr double kFine_m = 4;
+  const int halvings = radius_m > kFine_m ? 3 : 2;
   Ring ring;
   const std::array<Vec2, 4> quarters = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
   for (int q = 0; q < 4; ++q) {
     ring.push_back(snapped(place + quarters[q] * radius_m));
-    add_arc(place, quarters[q], quarters[(q + 1) % 4], radius_m, 2, ring);
+    add_arc(place, quarters[q], quarters[(q + 1) % 4], radius_m, halvings, ring);
   }
   return ring;
 }
@@ -101,8 +103,9 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
                                 const Around& around) {
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
-  for (const Vec2 place : junction.places) {
-    push_ring(rings, disk_at(place, open_half_m(around.lines, place)));
+  for (std::size_t p = 0; p < junction.places.size(); ++p) {
+    const Vec2 place = junction.places[p];
+    push_ring(rings, disk_at(place, std::max(open_half_m(around.lines, place), around.disks_m[p])));
   }
   for (std::size_t i = 0; i < around.order.size(); ++i) {
     const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];

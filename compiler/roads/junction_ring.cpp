@@ -4,6 +4,8 @@
 
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/roads/round_places.h"
+#include "compiler/roads/taper.h"
 
 namespace citykiln::roads {
 namespace {
@@ -175,6 +177,13 @@ Around around(const Junction& junction, std::span<const Road> roads, std::span<c
   }
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
     if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
+  // arms of one place are neighbours
+  for (std::size_t from = 0, p = 0; p < junction.places.size(); ++p) {
+    std::size_t to = from;
+    while (to < arms.size() && all.lines[to].from == junction.places[p]) ++to;
+    all.disks_m.push_back(disk_radius_m(roads, arms.subspan(from, to - from)));
+    from = to;
+  }
   return all;
 }
 
@@ -198,7 +207,11 @@ std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Roa
 
 std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const Around& around) {
-  auto ring = walk_unchecked(junction, roads, arms, around);
+  if (junction.places.size() != 1 || around.disks_m.front() > 0) return std::nullopt;
+  const auto taper = [&] {
+    return taper_ring(around.paths[0], junction.cuts[0].length_m, around.paths[1], junction.cuts[1].length_m);
+  };
+  auto ring = is_taper(around.lines) ? taper() : walk_unchecked(junction, roads, arms, around);
   if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
   return ring;
 }

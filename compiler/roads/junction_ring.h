@@ -15,12 +15,13 @@ struct Around {
   std::vector<ArmLine> lines;        ///< One an arm.
   std::vector<ArmPath> paths;        ///< One an arm.
   std::vector<std::uint32_t> order;  ///< Counter-clockwise, without the links inside.
+  std::vector<double> disks_m;       ///< One a place: its radius where it is round, else 0.
 };
 Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
-/// The outline of a junction of one place, if it can be had so simply: then it is a simple counter-clockwise ring,
-/// snapped, about the place, and covers what the union of the junction's pieces covers. Nothing where edges do not meet
-/// as they should: the union then decides. O(n²) in points, some thirty.
+/// The outline of a junction of one place that is not round, if it can be had so simply: then it is a simple
+/// counter-clockwise ring, snapped, about the place, and covers what the union of the junction's pieces covers. Nothing
+/// where edges do not meet as they should: the union then decides. O(n²) in points, some thirty.
 std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const Around& around);
 

@@ -7,6 +7,8 @@
 #include "compiler/roads/consolidate.h"
 #include "compiler/roads/fillet.h"
 #include "compiler/roads/junction.h"
+#include "compiler/roads/round_places.h"
+#include "compiler/roads/taper.h"
 
 namespace citykiln::roads {
 namespace {
@@ -106,11 +108,13 @@ std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& dr
   return largest_fillet(draft.paths[arm], draft.paths[next], wanted, limits);
 }
 
-void find_corners(std::span<const Road> roads, Draft& draft) {
-  const std::size_t count = draft.arms.size();
-  draft.meetings.resize(count), draft.next.resize(count);
+void find_order(Draft& draft) {
+  draft.meetings.resize(draft.arms.size()), draft.next.resize(draft.arms.size());
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
     if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
+}
+
+void find_corners(std::span<const Road> roads, Draft& draft) {
   for (std::size_t i = 0; i < draft.order.size(); ++i) {
     const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
     if (arm == next) continue;
@@ -121,6 +125,31 @@ void find_corners(std::span<const Road> roads, Draft& draft) {
     } else if (const auto corner = corner_between(draft.lines[arm], draft.lines[next])) {
       draft.meetings[arm] = Meeting{corner->along_arm_m, corner->along_next_m};
     }
+  }
+}
+
+// Where a place is round, its arms begin outside of the disk.
+void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft& draft) {
+  std::size_t arm = 0;
+  for (const std::uint32_t n : draft.nodes) {
+    const double radius_m = disk_radius_m(roads, nodes[n].arms);
+    for (std::size_t i = 0; i < nodes[n].arms.size(); ++i, ++arm)
+      if (draft.cuts[arm].length_m != kWhole_m) draft.cuts[arm].length_m = radius_m;
+  }
+}
+
+bool is_taper(const Draft& draft) {
+  const auto is_whole = [](const Cut& cut) { return cut.length_m == kWhole_m; };
+  const auto is_round = [](const Cut& cut) { return cut.length_m > 0; };
+  return draft.nodes.size() == 1 && roads::is_taper(draft.lines) && std::ranges::none_of(draft.cuts, is_whole) &&
+         std::ranges::none_of(draft.cuts, is_round);
+}
+
+// A taper leaves half of a link to whatever is at its other end.
+void want_taper(Draft& draft) {
+  for (const std::uint32_t arm : {0u, 1u}) {
+    const double length_m = taper_length_m(draft.paths[arm], draft.paths[1 - arm]);
+    draft.cuts[arm].length_m = std::max(kLeastCut_m, std::min(length_m, draft.links[arm].length_m / 2));
   }
 }
 
@@ -177,7 +206,13 @@ std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> 
     if (members[n].empty()) continue;
     Draft& draft = drafts[n] = draft_of(roads, nodes, index, std::move(members[n]));
     keep_links_inside(group, draft);
-    find_corners(roads, draft);
+    find_order(draft);
+    want_disks(roads, nodes, draft);
+    if (is_taper(draft)) {
+      want_taper(draft);
+    } else {
+      find_corners(roads, draft);
+    }
     want_cuts(draft);
   }
   return drafts;
