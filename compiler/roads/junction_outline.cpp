@@ -37,23 +37,6 @@ void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std
   for (Ring& ring : stroke(piece)) rings.push_back(std::move(ring));
 }
 
-void push_up_to(Ring& ring, const Polyline& axis, const Touch& touch) {
-  const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
-  ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
-  ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
-}
-
-// What lies between two axes and the arc from one to the other: the corner, and half of either arm.
-Ring rounded_corner(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
-  Ring inward, ring;
-  push_up_to(ring, arm.axis, fillet.arm);
-  add_fillet(fillet, ring);
-  push_up_to(inward, next.axis, fillet.next);
-  ring.insert(ring.end(), inward.rbegin(), inward.rend());
-  for (Vec2& p : ring) p = snapped(p);
-  return ring;
-}
-
 // What lies open between the arms' square ends about a place, or what is round there.
 Ring disk_at(Vec2 place, double radius_m) {
   constexpr double kFine_m = 4;
@@ -67,17 +50,21 @@ Ring disk_at(Vec2 place, double radius_m) {
   return ring;
 }
 
-// What the second widest arm reaches to both sides: a wedge opens between two arms, and a street that ends on a narrow
-// one opens none.
-double open_half_m(std::span<const ArmLine> lines, Vec2 place) {
+// Arms of a place that lie more than half a turn apart open a wedge: what the second widest arm reaches to both sides
+// (a street that ends on a narrow one opens none).
+double open_half_m(const Around& around, Vec2 place) {
+  constexpr double kWedgeSine = -0.08;
   double widest = 0, second = 0;
-  for (const ArmLine& line : lines) {
+  bool is_open = false;
+  for (std::size_t a = 0; a < around.lines.size(); ++a) {
+    const ArmLine& line = around.lines[a];
     if (line.from != place) continue;
+    is_open |= cross(line.along, around.lines[around.next[a]].along) < kWedgeSine;
     const double half = std::min(line.left_m, line.right_m);
     second = std::max(second, std::min(widest, half));
     widest = std::max(widest, half);
   }
-  return second > 0 ? second : widest;
+  return !is_open ? 0 : second > 0 ? second : widest;
 }
 
 void push_ring(std::vector<Ring>& rings, const Ring& ring) {
@@ -105,17 +92,15 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
   for (std::size_t p = 0; p < junction.places.size(); ++p) {
     const Vec2 place = junction.places[p];
-    push_ring(rings, disk_at(place, std::max(open_half_m(around.lines, place), around.disks_m[p])));
+    push_ring(rings, disk_at(place, std::max(open_half_m(around, place), around.disks_m[p])));
   }
-  for (std::size_t i = 0; i < around.order.size(); ++i) {
-    const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
+  for (std::uint32_t arm = 0; arm < arms.size(); ++arm) {
+    const std::uint32_t next = around.next[arm];
     const double radius = junction.cuts[arm].radius_m;
     if (radius == 0) continue;
     const auto fillet = fillet_between(around.paths[arm], around.paths[next], radius);
     if (!fillet) continue;
-    // one that crosses itself, about arms that cross, would take away what it should add
-    const Ring corner = without_repeats(rounded_corner(around.paths[arm], around.paths[next], *fillet));
-    if (is_simple(corner)) push_ring(rings, corner);
+    if (auto corner = corner_ring(around.paths[arm], around.paths[next], *fillet)) rings.push_back(std::move(*corner));
   }
   return rings;
 }
@@ -201,7 +186,10 @@ bool may_share(const Covered& a, const Covered& b) {
 class Neighbours {
  public:
   explicit Neighbours(std::span<const Covered> covered) : covered_(covered) {
-    for (const Covered& c : covered) all_.grow(c.box.min), all_.grow(c.box.max);
+    // junctions of arms a millimetre long cover nothing
+    for (const Covered& c : covered)
+      if (!c.box.is_empty()) all_.grow(c.box.min), all_.grow(c.box.max);
+    if (all_.is_empty()) return;
     columns_ = std::max(1, static_cast<int>(all_.width() / kSquare_m) + 1);
     squares_.resize(static_cast<std::size_t>(columns_) * std::max(1, static_cast<int>(all_.height() / kSquare_m) + 1));
     for (std::uint32_t i = 0; i < covered.size(); ++i)

@@ -140,6 +140,28 @@ void add_fillet(const Fillet& fillet, Ring& ring) {
 
 namespace {
 
+void push_up_to(Ring& ring, const Polyline& axis, const Touch& touch) {
+  const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
+  ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
+  ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
+}
+
+}  // namespace
+
+std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
+  Ring inward, ring;
+  push_up_to(ring, arm.axis, fillet.arm);
+  add_fillet(fillet, ring);
+  push_up_to(inward, next.axis, fillet.next);
+  ring.insert(ring.end(), inward.rbegin(), inward.rend());
+  for (Vec2& p : ring) p = snapped(p);
+  ring = without_repeats(ring);
+  if (ring.size() < 3 || signed_area_m2(ring) <= 0 || !is_simple(ring)) return std::nullopt;
+  return ring;
+}
+
+namespace {
+
 // Nothing where an arm has no length to walk, or bends too sharply.
 std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::span<const Road> roads,
                                                 std::span<const Arm> arms, const Around& around) {
@@ -175,6 +197,7 @@ Around around(const Junction& junction, std::span<const Road> roads, std::span<c
     all.lines.push_back(line_of(roads, arm));
     all.paths.push_back(path_of(roads, arm));
   }
+  all.next = next_at_place(all.lines);
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
     if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
   // arms of one place are neighbours

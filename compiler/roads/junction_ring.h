@@ -14,6 +14,7 @@ namespace citykiln::roads {
 struct Around {
   std::vector<ArmLine> lines;        ///< One an arm.
   std::vector<ArmPath> paths;        ///< One an arm.
+  std::vector<std::uint32_t> next;   ///< One an arm: as next_at_place().
   std::vector<std::uint32_t> order;  ///< Counter-clockwise, without the links inside.
   std::vector<double> disks_m;       ///< One a place: its radius where it is round, else 0.
 };
@@ -36,6 +37,10 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
 
 /// From the first point of the arc to the last, both on kerbs; one point for radius 0. Snapped.
 void add_fillet(const Fillet& fillet, Ring& ring);
+
+/// What lies between two axes and the arc from one to the other: the corner, and half of either arm. Simple and
+/// counter-clockwise, snapped; nothing where it would cross itself, as about arms that cross.
+std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet);
 
 /// The corner at ring[i] is sharper inside than some 14 degrees.
 bool is_spike(const Ring& ring, std::size_t i);

@@ -42,6 +42,7 @@ double radius_m(map::SurfaceClass surface) {
 
 // How far from their places two neighbouring arms are one surface.
 struct Meeting {
+  std::uint32_t arm = 0, next = 0;
   double along_arm_m = 0, along_next_m = 0;
 };
 
@@ -53,9 +54,9 @@ struct Draft {
   std::vector<Link> links;
   std::vector<ArmLine> lines;
   std::vector<ArmPath> paths;
-  std::vector<std::uint32_t> order;              // counter-clockwise, without links inside
-  std::vector<std::optional<Meeting>> meetings;  // with the next one in order, one an arm
-  std::vector<std::uint32_t> next;
+  std::vector<std::uint32_t> next;   // of the same place, links inside among them
+  std::vector<std::uint32_t> order;  // counter-clockwise about all places, without links inside
+  std::vector<Meeting> meetings;
   std::vector<Cut> cuts;
 };
 
@@ -89,6 +90,7 @@ void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
 
 // How far an arm may be the junction's.
 double reach_m(const Draft& draft, std::uint32_t arm) {
+  if (draft.cuts[arm].length_m == kWhole_m) return draft.links[arm].length_m;
   return kReach_m - distance(draft.lines[arm].from, draft.centre);
 }
 
@@ -109,22 +111,32 @@ std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& dr
 }
 
 void find_order(Draft& draft) {
-  draft.meetings.resize(draft.arms.size()), draft.next.resize(draft.arms.size());
+  draft.next = next_at_place(draft.lines);
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
     if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
 }
 
+// Neighbours at one place meet in a corner.
 void find_corners(std::span<const Road> roads, Draft& draft) {
-  for (std::size_t i = 0; i < draft.order.size(); ++i) {
-    const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
+    const std::uint32_t next = draft.next[arm];
     if (arm == next) continue;
-    draft.next[arm] = next;
     if (const auto fillet = wanted_fillet(roads, draft, arm, next)) {
-      draft.meetings[arm] = Meeting{fillet->arm.along_m, fillet->next.along_m};
+      draft.meetings.push_back({arm, next, fillet->arm.along_m, fillet->next.along_m});
       draft.cuts[arm].radius_m = fillet->radius_m;
     } else if (const auto corner = corner_between(draft.lines[arm], draft.lines[next])) {
-      draft.meetings[arm] = Meeting{corner->along_arm_m, corner->along_next_m};
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
     }
+  }
+}
+
+// Neighbours of two places may run into each other farther out.
+void find_overlaps(Draft& draft) {
+  for (std::size_t i = 0; i < draft.order.size(); ++i) {
+    const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
+    if (draft.lines[arm].from == draft.lines[next].from) continue;
+    if (const auto corner = corner_between(draft.lines[arm], draft.lines[next]))
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
   }
 }
 
@@ -153,14 +165,15 @@ void want_taper(Draft& draft) {
   }
 }
 
+void want(Cut& cut, double length_m) {
+  if (cut.length_m != kWhole_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kReach_m));
+}
+
 // As far as the farther of an arm's two corners, within reach.
 void want_cuts(Draft& draft) {
-  for (const std::uint32_t arm : draft.order) {
-    if (!draft.meetings[arm]) continue;
-    double& here = draft.cuts[arm].length_m;
-    double& there = draft.cuts[draft.next[arm]].length_m;
-    here = std::max(here, draft.meetings[arm]->along_arm_m);
-    there = std::max(there, draft.meetings[arm]->along_next_m);
+  for (const Meeting& meeting : draft.meetings) {
+    want(draft.cuts[meeting.arm], meeting.along_arm_m);
+    want(draft.cuts[meeting.next], meeting.along_next_m);
   }
   for (const std::uint32_t arm : draft.order) {
     // a cut that nothing asks for still shows where the junction is
@@ -181,12 +194,14 @@ void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Lin
 
 // Rounds corners only as far as their arms are the junction's.
 void shrink_radii(Draft& draft) {
-  for (const std::uint32_t arm : draft.order) {
+  const auto length_m = [&](std::uint32_t arm) {
+    return draft.cuts[arm].length_m == kWhole_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
+  };
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
     double& radius = draft.cuts[arm].radius_m;
     if (radius == 0) continue;
     const std::uint32_t next = draft.next[arm];
-    const auto fillet = largest_fillet(draft.paths[arm], draft.paths[next], radius,
-                                       {draft.cuts[arm].length_m, draft.cuts[next].length_m});
+    const auto fillet = largest_fillet(draft.paths[arm], draft.paths[next], radius, {length_m(arm), length_m(next)});
     radius = fillet ? fillet->radius_m : 0;
   }
 }
@@ -212,6 +227,7 @@ std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> 
       want_taper(draft);
     } else {
       find_corners(roads, draft);
+      find_overlaps(draft);
     }
     want_cuts(draft);
   }
