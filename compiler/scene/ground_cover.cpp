@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "compiler/ground/plan.h"
+#include "compiler/roads/corner_pavements.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/through_road.h"
 
@@ -37,7 +38,11 @@ std::vector<Surface> but_roads(const Chunk& chunk) {
   for (std::size_t j = 0; j < chunk.junctions.size(); ++j) {
     // a manifest that names places where no road passes
     if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
-    add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+    Surface made = junction_surface(chunk.junctions[j], chunk.roads, arms[j]);
+    add({made.id, map::SurfaceClass::kPavement, ground::kStripArea_m2,
+         roads::stroke_corner_pavements(chunk.junctions[j], chunk.roads, arms[j])},
+        surfaces);
+    add(std::move(made), surfaces);
   }
   for (const roads::Strip& stream : chunk.streams) add(ground::surface_of(stream), surfaces);
   for (const buildings::Building& building : chunk.buildings)
