@@ -6,6 +6,7 @@
 
 #include "compiler/bake/fire_ground.h"
 #include "compiler/pipeline.h"
+#include "compiler/scene/ground_cover.h"
 #include "tests/compiler/roads/junction_claims.h"
 
 namespace citykiln {
@@ -47,17 +48,19 @@ TEST_P(JunctionsInSceneReal, AreTheSameWhenCompiledAgain) {
 
 // All triangles that are one surface class's, of all cells of all tiles.
 std::map<map::SurfaceClass, std::vector<Ring>> ground_by_class(const scene::Scene& scene) {
+  // so fine that roads come in pieces
+  constexpr double kTolerance_m = 0.1;
   std::map<map::SurfaceClass, std::vector<Ring>> faces;
   Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
-    const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
-    for (const ground::GroundMesh& cell : bake::expand_cells(chunk, surfaces, tile, 0.5, 0, ignored))
+    for (const ground::GroundMesh& cell : bake::expand_cells(chunk, cover.surfaces, tile, kTolerance_m, 0, ignored))
       for (std::size_t f = 0; f < cell.face_surface.size(); ++f) {
         if (cell.face_surface[f] == ground::kNoSurface) continue;
         Ring ring;
         for (const std::uint32_t v : cell.mesh.triangles[f]) ring.push_back(in_plan(cell.mesh.positions[v]));
-        faces[surfaces[cell.face_surface[f]].surface].push_back(std::move(ring));
+        faces[cover.surfaces[cell.face_surface[f]].surface].push_back(std::move(ring));
       }
   }
   return faces;
