@@ -43,18 +43,28 @@ std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec
   return order;
 }
 
+std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines) {
+  std::vector<std::uint32_t> next(lines.size());
+  for (std::uint32_t from = 0, to = 0; from < lines.size(); from = to) {
+    while (to < lines.size() && lines[to].from == lines[from].from) ++to;
+    const std::vector<std::uint32_t> order = counter_clockwise(lines.subspan(from, to - from), lines[from].from);
+    for (std::size_t i = 0; i < order.size(); ++i) next[from + order[i]] = from + order[(i + 1) % order.size()];
+  }
+  return next;
+}
+
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
   const double sine = cross(arm.along, next.along), cosine = dot(arm.along, next.along);
   if (cosine < kStraightCosine || (sine <= 0 && cosine < 1 - kParallelSine * kParallelSine)) return std::nullopt;
+  const Vec2 gap = (next.from - left_of(next.along) * next.right_m) - (arm.from + left_of(arm.along) * arm.left_m);
   if (sine < kParallelSine) {
+    // side by side, with something between them from the start
+    if (dot(gap, left_of(arm.along)) > 0) return std::nullopt;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     return Corner{kNever, kNever, kParallelSine, 1};
   }
-  const Vec2 gap = (next.from - left_of(next.along) * next.right_m) - (arm.from + left_of(arm.along) * arm.left_m);
   return Corner{std::max(0.0, cross(gap, next.along) / sine), std::max(0.0, cross(gap, arm.along) / sine), sine,
                 cosine};
 }
-
-double tangent_m(const Corner& corner, double radius_m) { return radius_m * (1 + corner.cosine) / corner.sine; }
 
 }  // namespace citykiln::roads

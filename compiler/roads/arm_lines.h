@@ -20,6 +20,11 @@ ArmLine line_of(std::span<const Road> roads, const Arm& arm);
 /// Indices of arms, counter-clockwise about a centre by where they are 8 m on.
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre);
 
+/// For each arm the next one counter-clockwise of those that leave the same place; itself where it is alone there.
+///
+/// @param lines  Place by place.
+std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines);
+
 /// Where the left edge of `arm` meets the right edge of the next arm counter-clockwise.
 struct Corner {
   double along_arm_m = 0, along_next_m = 0;  ///< From each arm's place; not below 0.
@@ -28,8 +33,5 @@ struct Corner {
 
 /// Nothing where the arms lie more than some 160 degrees apart: no corner to round, no reason to cut.
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
-
-/// From a corner to where an arc of this radius leaves the edges.
-double tangent_m(const Corner& corner, double radius_m);
 
 }  // namespace citykiln::roads

@@ -29,7 +29,8 @@ inline constexpr double kReach_m = 24;
 struct Cut {
   double length_m = 0;  ///< Along the axis, from the arm's place; a multiple of 1/4 m. kWhole_m: a link
                         ///< inside the junction.
-  double radius_m = 0;  ///< Of the corner with the next arm counter-clockwise; a multiple of 1/4 m; 0: not rounded.
+  double radius_m = 0;  ///< Of the corner with the next arm of its place, counter-clockwise, links inside among them; a
+                        ///< multiple of 1/4 m; 0: not rounded.
   bool operator==(const Cut&) const = default;
 };
 inline constexpr double kWhole_m = 63.75;
@@ -50,8 +51,8 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 
 /// Decides all junctions of a layer's roads.
 ///
-/// Guarantees: cuts of one road never overlap, unless its whole link is inside; places of one junction lie within half
-/// of kReach_m of their centre; what is decided depends on nothing farther than 8 kReach_m away. Diagnosed:
+/// Guarantees: cuts of one road never overlap, unless its whole link is inside; places of one junction lie in a
+/// square of kReach_m; what is decided depends on nothing farther than 8 kReach_m away. Diagnosed:
 /// kArmSwallowed (a road between two junctions that nothing is left of), kJunctionsMerged. Sorted by their first arm.
 /// Total. O(n log n).
 std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report);

@@ -37,44 +37,34 @@ void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std
   for (Ring& ring : stroke(piece)) rings.push_back(std::move(ring));
 }
 
-// What a rounded corner adds between the edges of two arms, and a little of both, so that no rounding leaves a gap.
-Ring rounded_corner(const ArmLine& arm, const ArmLine& next, const Corner& corner, double radius_m) {
-  const double tangent = tangent_m(corner, radius_m),
-               overlap = std::min({0.5, (arm.left_m + arm.right_m) / 2, (next.left_m + next.right_m) / 2});
-  const Vec2 left = left_of(arm.along), right = left_of(next.along) * -1;
-  const Vec2 edge = arm.from + left * arm.left_m, next_edge = next.from + right * next.right_m;
-  const Vec2 tip = edge + arm.along * corner.along_arm_m;
-  const Vec2 start = edge + arm.along * (corner.along_arm_m + tangent);
-  const Vec2 end = next_edge + next.along * (corner.along_next_m + tangent);
-  Ring ring = {snapped(tip - (left + right) * overlap), snapped(start - left * overlap), snapped(start)};
-  add_arc(start + left * radius_m, left * -1, right * -1, radius_m, 3, ring);
-  ring.push_back(snapped(end));
-  ring.push_back(snapped(end - right * overlap));
-  return ring;
-}
-
-// What lies open between the arms' square ends about a place.
+// What lies open between the arms' square ends about a place, or what is round there.
 Ring disk_at(Vec2 place, double radius_m) {
+  constexpr double kFine_m = 4;
+  const int halvings = radius_m > kFine_m ? 3 : 2;
   Ring ring;
   const std::array<Vec2, 4> quarters = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
   for (int q = 0; q < 4; ++q) {
     ring.push_back(snapped(place + quarters[q] * radius_m));
-    add_arc(place, quarters[q], quarters[(q + 1) % 4], radius_m, 2, ring);
+    add_arc(place, quarters[q], quarters[(q + 1) % 4], radius_m, halvings, ring);
   }
   return ring;
 }
 
-// What the second widest arm reaches to both sides: a wedge opens between two arms, and a street that ends on a narrow
-// one opens none.
-double open_half_m(std::span<const ArmLine> lines, Vec2 place) {
+// Arms of a place that lie more than half a turn apart open a wedge: what the second widest arm reaches to both sides
+// (a street that ends on a narrow one opens none).
+double open_half_m(const Around& around, Vec2 place) {
+  constexpr double kWedgeSine = -0.08;
   double widest = 0, second = 0;
-  for (const ArmLine& line : lines) {
+  bool is_open = false;
+  for (std::size_t a = 0; a < around.lines.size(); ++a) {
+    const ArmLine& line = around.lines[a];
     if (line.from != place) continue;
+    is_open |= cross(line.along, around.lines[around.next[a]].along) < kWedgeSine;
     const double half = std::min(line.left_m, line.right_m);
     second = std::max(second, std::min(widest, half));
     widest = std::max(widest, half);
   }
-  return second > 0 ? second : widest;
+  return !is_open ? 0 : second > 0 ? second : widest;
 }
 
 void push_ring(std::vector<Ring>& rings, const Ring& ring) {
@@ -100,15 +90,17 @@ std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> 
                                 const Around& around) {
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
-  for (const Vec2 place : junction.places) {
-    push_ring(rings, disk_at(place, open_half_m(around.lines, place)));
+  for (std::size_t p = 0; p < junction.places.size(); ++p) {
+    const Vec2 place = junction.places[p];
+    push_ring(rings, disk_at(place, std::max(open_half_m(around, place), around.disks_m[p])));
   }
-  for (std::size_t i = 0; i < around.order.size(); ++i) {
-    const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
+  for (std::uint32_t arm = 0; arm < arms.size(); ++arm) {
+    const std::uint32_t next = around.next[arm];
     const double radius = junction.cuts[arm].radius_m;
     if (radius == 0) continue;
-    if (const auto corner = corner_between(around.lines[arm], around.lines[next]))
-      push_ring(rings, rounded_corner(around.lines[arm], around.lines[next], *corner, radius));
+    const auto fillet = fillet_between(around.paths[arm], around.paths[next], radius);
+    if (!fillet) continue;
+    if (auto corner = corner_ring(around.paths[arm], around.paths[next], *fillet)) rings.push_back(std::move(*corner));
   }
   return rings;
 }
@@ -194,7 +186,10 @@ bool may_share(const Covered& a, const Covered& b) {
 class Neighbours {
  public:
   explicit Neighbours(std::span<const Covered> covered) : covered_(covered) {
-    for (const Covered& c : covered) all_.grow(c.box.min), all_.grow(c.box.max);
+    // junctions of arms a millimetre long cover nothing
+    for (const Covered& c : covered)
+      if (!c.box.is_empty()) all_.grow(c.box.min), all_.grow(c.box.max);
+    if (all_.is_empty()) return;
     columns_ = std::max(1, static_cast<int>(all_.width() / kSquare_m) + 1);
     squares_.resize(static_cast<std::size_t>(columns_) * std::max(1, static_cast<int>(all_.height() / kSquare_m) + 1));
     for (std::uint32_t i = 0; i < covered.size(); ++i)

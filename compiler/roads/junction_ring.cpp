@@ -4,6 +4,8 @@
 
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
+#include "compiler/roads/round_places.h"
+#include "compiler/roads/taper.h"
 
 namespace citykiln::roads {
 namespace {
@@ -59,24 +61,16 @@ std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
   return std::nullopt;
 }
 
-// How many points of an edge, from the cut in, lie beyond a place along its line.
-std::size_t count_beyond(std::span<const Vec2> edge, const ArmLine& line, double along_m) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(edge, [&](Vec2 p) { return dot(p - line.from, line.along) > along_m; }));
+// How many points of an edge, from the cut's middle in, lie beyond a touch.
+std::size_t count_beyond(const Polyline& edge, const Touch& touch) {
+  const std::size_t inner = touch.along_m < 0 ? 0 : touch.segment + 1;
+  // the middle of the cut is always walked
+  return edge.size() - std::min(inner, edge.size() - 1);
 }
 
-Turn rounded(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right, const Corner& corner,
-             double radius_m) {
-  const double tangent = tangent_m(corner, radius_m);
-  const Vec2 inward = left_of(arm.along), inward_next = left_of(next.along) * -1;
-  const Vec2 start = arm.from + inward * arm.left_m + arm.along * (corner.along_arm_m + tangent);
-  const Vec2 end = next.from + inward_next * next.right_m + next.along * (corner.along_next_m + tangent);
-  // the middle of the cut is always walked
-  const std::size_t left_count = std::max<std::size_t>(1, count_beyond(left, arm, corner.along_arm_m + tangent));
-  const std::size_t right_count = std::max<std::size_t>(1, count_beyond(right, next, corner.along_next_m + tangent));
-  Turn turn{left_count, right.size() - right_count, {start}};
-  add_arc(start + inward * radius_m, inward * -1, inward_next * -1, radius_m, 3, turn.between);
-  turn.between.push_back(end);
+Turn rounded(const Polyline& left, const Polyline& right, const Fillet& fillet) {
+  Turn turn{count_beyond(left, fillet.arm), right.size() - count_beyond(right, fillet.next), {}};
+  add_fillet(fillet, turn.between);
   return turn;
 }
 
@@ -90,14 +84,18 @@ Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
   return turn;
 }
 
-std::optional<Turn> turn_between(const ArmLine& arm, const ArmLine& next, const Polyline& left, const Polyline& right,
-                                 double radius_m) {
-  const auto corner = corner_between(arm, next);
-  if (corner && radius_m > 0) return rounded(arm, next, left, right, *corner, radius_m);
+// From an arm to its next.
+std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edges>& edges, const Around& around,
+                                 std::uint32_t arm, std::uint32_t next) {
+  const Cut &cut = junction.cuts[arm], &next_cut = junction.cuts[next];
+  const Polyline &left = edges[arm].left, &right = edges[next].right;
+  const auto fillet = fillet_between(around.paths[arm], around.paths[next], cut.radius_m);
+  if (fillet && fillet->arm.along_m <= cut.length_m && fillet->next.along_m <= next_cut.length_m)
+    return rounded(left, right, *fillet);
   if (auto meeting = first_meeting(left, right)) return meeting;
   // one arm's cut lies within the other
-  if (corner) return std::nullopt;
-  return outside(arm, next, left.size());
+  if (corner_between(around.lines[arm], around.lines[next])) return std::nullopt;
+  return outside(around.lines[arm], around.lines[next], left.size());
 }
 
 void push(Ring& ring, std::span<const Vec2> points) {
@@ -132,6 +130,36 @@ void add_arc(Vec2 centre, Vec2 from, Vec2 to, double radius_m, int halvings, Rin
   add_arc(centre, middle, to, radius_m, halvings - 1, ring);
 }
 
+void add_fillet(const Fillet& fillet, Ring& ring) {
+  ring.push_back(snapped(fillet.arm.at));
+  if (fillet.radius_m == 0) return;
+  add_arc(fillet.centre, unit(fillet.arm.at - fillet.centre), unit(fillet.next.at - fillet.centre), fillet.radius_m, 3,
+          ring);
+  ring.push_back(snapped(fillet.next.at));
+}
+
+namespace {
+
+void push_up_to(Ring& ring, const Polyline& axis, const Touch& touch) {
+  const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
+  ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
+  ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
+}
+
+}  // namespace
+
+std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const Fillet& fillet) {
+  Ring inward, ring;
+  push_up_to(ring, arm.axis, fillet.arm);
+  add_fillet(fillet, ring);
+  push_up_to(inward, next.axis, fillet.next);
+  ring.insert(ring.end(), inward.rbegin(), inward.rend());
+  for (Vec2& p : ring) p = snapped(p);
+  ring = without_repeats(ring);
+  if (ring.size() < 3 || signed_area_m2(ring) <= 0 || !is_simple(ring)) return std::nullopt;
+  return ring;
+}
+
 namespace {
 
 // Nothing where an arm has no length to walk, or bends too sharply.
@@ -154,8 +182,7 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
   std::vector<Turn> turns;
   for (std::size_t i = 0; i < around.order.size(); ++i) {
     const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
-    auto turn = turn_between(around.lines[arm], around.lines[next], edges[arm].left, edges[next].right,
-                             junction.cuts[arm].radius_m);
+    auto turn = turn_between(junction, edges, around, arm, next);
     if (!turn) return std::nullopt;
     turns.push_back(std::move(*turn));
   }
@@ -166,9 +193,20 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
 
 Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
   Around all;
-  for (const Arm& arm : arms) all.lines.push_back(line_of(roads, arm));
+  for (const Arm& arm : arms) {
+    all.lines.push_back(line_of(roads, arm));
+    all.paths.push_back(path_of(roads, arm));
+  }
+  all.next = next_at_place(all.lines);
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
     if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
+  // arms of one place are neighbours
+  for (std::size_t from = 0, p = 0; p < junction.places.size(); ++p) {
+    std::size_t to = from;
+    while (to < arms.size() && all.lines[to].from == junction.places[p]) ++to;
+    all.disks_m.push_back(disk_radius_m(roads, arms.subspan(from, to - from)));
+    from = to;
+  }
   return all;
 }
 
@@ -192,7 +230,11 @@ std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Roa
 
 std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
                                 const Around& around) {
-  auto ring = walk_unchecked(junction, roads, arms, around);
+  if (junction.places.size() != 1 || around.disks_m.front() > 0) return std::nullopt;
+  const auto taper = [&] {
+    return taper_ring(around.paths[0], junction.cuts[0].length_m, around.paths[1], junction.cuts[1].length_m);
+  };
+  auto ring = is_taper(around.lines) ? taper() : walk_unchecked(junction, roads, arms, around);
   if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
   return ring;
 }

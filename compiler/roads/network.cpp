@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/roads/round_places.h"
+
 namespace citykiln::roads {
 namespace {
 
@@ -62,8 +64,9 @@ bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
          dot(direction(roads, a), direction(roads, b)) < 0;
 }
 
-bool is_node(std::span<const Road> roads, const std::vector<Arm>& arms) {
-  return arms.size() > 2 || (arms.size() == 2 && !go_on(roads, arms[0], arms[1]));
+bool is_node(std::span<const Road> roads, const std::vector<Arm>& arms, Family family) {
+  if (arms.size() > 2 || (arms.size() == 2 && !go_on(roads, arms[0], arms[1]))) return true;
+  return family == Family::kStreet && disk_radius_m(roads, arms) > 0;
 }
 
 }  // namespace
@@ -88,7 +91,8 @@ double right_of(std::span<const Road> roads, const Arm& arm) {
 std::vector<Node> find_nodes(std::span<const Road> roads) {
   std::vector<Node> nodes;
   for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
-    if (here.family != Family::kOther && is_node(roads, arms)) nodes.push_back({here.at, here.family, arms});
+    if (here.family != Family::kOther && is_node(roads, arms, here.family))
+      nodes.push_back({here.at, here.family, arms});
   });
   return nodes;
 }

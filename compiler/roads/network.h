@@ -29,8 +29,8 @@ struct Node {
   std::vector<Arm> arms;  ///< Sorted.
 };
 
-/// All places where at least three arms leave, or two that do not go on into each other: another width, or a bend of
-/// more than a right angle.
+/// All places where at least three arms leave, or two that do not go on into each other (another width, or a bend of
+/// more than a right angle), or that are round.
 ///
 /// Axes meet where they share a vertex; those that cross without one do not (bridges). Sorted by place, then family.
 /// Total. O(n log n) in vertices.

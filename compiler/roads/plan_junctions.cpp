@@ -5,7 +5,10 @@
 #include "compiler/geometry/box.h"
 #include "compiler/roads/arm_lines.h"
 #include "compiler/roads/consolidate.h"
+#include "compiler/roads/fillet.h"
 #include "compiler/roads/junction.h"
+#include "compiler/roads/round_places.h"
+#include "compiler/roads/taper.h"
 
 namespace citykiln::roads {
 namespace {
@@ -37,6 +40,12 @@ double radius_m(map::SurfaceClass surface) {
   }
 }
 
+// How far from their places two neighbouring arms are one surface.
+struct Meeting {
+  std::uint32_t arm = 0, next = 0;
+  double along_arm_m = 0, along_next_m = 0;
+};
+
 // One junction while it is being decided. Arms of all its nodes, in the order of arms_at().
 struct Draft {
   std::vector<std::uint32_t> nodes;
@@ -44,9 +53,10 @@ struct Draft {
   std::vector<Arm> arms;
   std::vector<Link> links;
   std::vector<ArmLine> lines;
-  std::vector<std::uint32_t> order;            // counter-clockwise, without links inside
-  std::vector<std::optional<Corner>> corners;  // with the next one in order, one an arm
-  std::vector<std::uint32_t> next;
+  std::vector<ArmPath> paths;
+  std::vector<std::uint32_t> next;   // of the same place, links inside among them
+  std::vector<std::uint32_t> order;  // counter-clockwise about all places, without links inside
+  std::vector<Meeting> meetings;
   std::vector<Cut> cuts;
 };
 
@@ -63,6 +73,7 @@ Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const N
   for (const Arm& arm : draft.arms) {
     draft.links.push_back(index.link_of(arm, 2 * kReach_m));
     draft.lines.push_back(line_of(roads, arm));
+    draft.paths.push_back(path_of(roads, arm));
   }
   draft.cuts.resize(draft.arms.size());
   return draft;
@@ -77,61 +88,97 @@ void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
   }
 }
 
-// Is the road still where its line says it is?
-bool is_straight(std::span<const Road> roads, const Arm& arm, const ArmLine& line, double length_m) {
-  constexpr double kOff_m = 0.25;
-  const Polyline path = walk(roads, arm, length_m);
-  return std::ranges::all_of(path, [&](Vec2 p) { return std::abs(cross(line.along, p - line.from)) < kOff_m; });
+// How far an arm may be the junction's.
+double reach_m(const Draft& draft, std::uint32_t arm) {
+  if (draft.cuts[arm].length_m == kWhole_m) return draft.links[arm].length_m;
+  return kReach_m - distance(draft.lines[arm].from, draft.centre);
 }
 
-// The largest radius, up to the one wanted, whose arc lies along both roads.
-double fitting_radius_m(std::span<const Road> roads, const Draft& draft, std::uint32_t arm, double wanted_m) {
-  const Corner& corner = *draft.corners[arm];
-  const std::uint32_t next = draft.next[arm];
-  for (double r = wanted_m; r >= 0.5; r = std::floor(r * 2) / 4) {
-    const double tangent = tangent_m(corner, r);
-    if (std::max(corner.along_arm_m, corner.along_next_m) + tangent > kReach_m) continue;
-    if (is_straight(roads, draft.arms[arm], draft.lines[arm], corner.along_arm_m + tangent) &&
-        is_straight(roads, draft.arms[next], draft.lines[next], corner.along_next_m + tangent))
-      return r;
-  }
-  return 0;
+// A kerb's radius, where it is to be rounded at all: a road's own bend, as a roundabout's ring has at every place, is
+// not; and an arc does not begin more than two radii before a corner, however acute that is.
+std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& draft, std::uint32_t arm,
+                                    std::uint32_t next) {
+  const Road &road = roads[draft.arms[arm].road], &next_road = roads[draft.arms[next].road];
+  const FilletLimits reach{reach_m(draft, arm), reach_m(draft, next)};
+  const auto corner = largest_fillet(draft.paths[arm], draft.paths[next], 0, reach);
+  if (&road == &next_road) return corner;
+  const double wanted = std::min(radius_m(road.surface), radius_m(next_road.surface));
+  const double kerb_m = 2 * wanted;
+  const FilletLimits limits = !corner ? reach
+                                      : FilletLimits{std::min(reach.along_arm_m, corner->arm.along_m + kerb_m),
+                                                     std::min(reach.along_next_m, corner->next.along_m + kerb_m)};
+  return largest_fillet(draft.paths[arm], draft.paths[next], wanted, limits);
 }
 
-void find_corners(std::span<const Road> roads, Draft& draft) {
-  const std::size_t count = draft.arms.size();
-  draft.corners.resize(count), draft.next.resize(count);
+void find_order(Draft& draft) {
+  draft.next = next_at_place(draft.lines);
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
     if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
+}
+
+// Neighbours at one place meet in a corner.
+void find_corners(std::span<const Road> roads, Draft& draft) {
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
+    const std::uint32_t next = draft.next[arm];
+    if (arm == next) continue;
+    if (const auto fillet = wanted_fillet(roads, draft, arm, next)) {
+      draft.meetings.push_back({arm, next, fillet->arm.along_m, fillet->next.along_m});
+      draft.cuts[arm].radius_m = fillet->radius_m;
+    } else if (const auto corner = corner_between(draft.lines[arm], draft.lines[next])) {
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
+    }
+  }
+}
+
+// Neighbours of two places may run into each other farther out.
+void find_overlaps(Draft& draft) {
   for (std::size_t i = 0; i < draft.order.size(); ++i) {
     const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
-    if (arm == next) continue;
-    draft.next[arm] = next;
-    draft.corners[arm] = corner_between(draft.lines[arm], draft.lines[next]);
-    if (!draft.corners[arm]) continue;
-    // a road's own bend, as a roundabout's ring has at every place, has no kerb to round
-    if (draft.arms[arm].road == draft.arms[next].road) continue;
-    const double wanted =
-        std::min(radius_m(roads[draft.arms[arm].road].surface), radius_m(roads[draft.arms[next].road].surface));
-    draft.cuts[arm].radius_m = fitting_radius_m(roads, draft, arm, wanted);
+    if (draft.lines[arm].from == draft.lines[next].from) continue;
+    if (const auto corner = corner_between(draft.lines[arm], draft.lines[next]))
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
   }
+}
+
+// Where a place is round, its arms begin outside of the disk.
+void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft& draft) {
+  std::size_t arm = 0;
+  for (const std::uint32_t n : draft.nodes) {
+    const double radius_m = disk_radius_m(roads, nodes[n].arms);
+    for (std::size_t i = 0; i < nodes[n].arms.size(); ++i, ++arm)
+      if (draft.cuts[arm].length_m != kWhole_m) draft.cuts[arm].length_m = radius_m;
+  }
+}
+
+bool is_taper(const Draft& draft) {
+  const auto is_whole = [](const Cut& cut) { return cut.length_m == kWhole_m; };
+  const auto is_round = [](const Cut& cut) { return cut.length_m > 0; };
+  return draft.nodes.size() == 1 && roads::is_taper(draft.lines) && std::ranges::none_of(draft.cuts, is_whole) &&
+         std::ranges::none_of(draft.cuts, is_round);
+}
+
+// A taper leaves half of a link to whatever is at its other end.
+void want_taper(Draft& draft) {
+  for (const std::uint32_t arm : {0u, 1u}) {
+    const double length_m = taper_length_m(draft.paths[arm], draft.paths[1 - arm]);
+    draft.cuts[arm].length_m = std::max(kLeastCut_m, std::min(length_m, draft.links[arm].length_m / 2));
+  }
+}
+
+void want(Cut& cut, double length_m) {
+  if (cut.length_m != kWhole_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kReach_m));
 }
 
 // As far as the farther of an arm's two corners, within reach.
 void want_cuts(Draft& draft) {
-  for (const std::uint32_t arm : draft.order) {
-    if (!draft.corners[arm]) continue;
-    const double tangent = tangent_m(*draft.corners[arm], draft.cuts[arm].radius_m);
-    double& here = draft.cuts[arm].length_m;
-    double& there = draft.cuts[draft.next[arm]].length_m;
-    here = std::max(here, draft.corners[arm]->along_arm_m + tangent);
-    there = std::max(there, draft.corners[arm]->along_next_m + tangent);
+  for (const Meeting& meeting : draft.meetings) {
+    want(draft.cuts[meeting.arm], meeting.along_arm_m);
+    want(draft.cuts[meeting.next], meeting.along_next_m);
   }
   for (const std::uint32_t arm : draft.order) {
     // a cut that nothing asks for still shows where the junction is
     draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
-    const double reach = kReach_m - distance(draft.lines[arm].from, draft.centre);
-    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach) * 4) / 4;
+    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach_m(draft, arm)) * 4) / 4;
   }
 }
 
@@ -147,13 +194,15 @@ void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Lin
 
 // Rounds corners only as far as their arms are the junction's.
 void shrink_radii(Draft& draft) {
-  for (const std::uint32_t arm : draft.order) {
+  const auto length_m = [&](std::uint32_t arm) {
+    return draft.cuts[arm].length_m == kWhole_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
+  };
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
     double& radius = draft.cuts[arm].radius_m;
     if (radius == 0) continue;
-    const Corner& corner = *draft.corners[arm];
-    const double room = std::min(draft.cuts[arm].length_m - corner.along_arm_m,
-                                 draft.cuts[draft.next[arm]].length_m - corner.along_next_m);
-    radius = std::max(0.0, std::min(radius, std::floor(4 * room * corner.sine / (1 + corner.cosine)) / 4));
+    const std::uint32_t next = draft.next[arm];
+    const auto fillet = largest_fillet(draft.paths[arm], draft.paths[next], radius, {length_m(arm), length_m(next)});
+    radius = fillet ? fillet->radius_m : 0;
   }
 }
 
@@ -172,7 +221,14 @@ std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> 
     if (members[n].empty()) continue;
     Draft& draft = drafts[n] = draft_of(roads, nodes, index, std::move(members[n]));
     keep_links_inside(group, draft);
-    find_corners(roads, draft);
+    find_order(draft);
+    want_disks(roads, nodes, draft);
+    if (is_taper(draft)) {
+      want_taper(draft);
+    } else {
+      find_corners(roads, draft);
+      find_overlaps(draft);
+    }
     want_cuts(draft);
   }
   return drafts;

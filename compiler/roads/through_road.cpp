@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compiler/roads/arm_lines.h"
+#include "compiler/roads/round_places.h"
 
 namespace citykiln::roads {
 namespace {
@@ -26,6 +27,7 @@ bool are_one_road(const ArmLine& a, const ArmLine& b) {
 
 bool has_through_road(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
   if (junction.family != Family::kStreet || junction.places.size() != 1 || arms.size() < 3) return false;
+  if (disk_radius_m(roads, arms) > 0) return false;
   const int highest = priority_of(main_road(roads, arms));
   std::vector<ArmLine> main;
   for (const Arm& arm : arms) {

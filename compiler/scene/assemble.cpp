@@ -112,8 +112,8 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
   return picked;
 }
 
-bool covers_tile(const ground::Surface& junction, const Box2& tile) {
-  return box_of_surface(junction).touches(tile.widened(1));
+bool covers_tile(const ground::Surface& surface, const Box2& tile) {
+  return box_of_surface(surface).touches(tile.widened(1));
 }
 
 // A junction whose arms the chunk's roads can tell.
@@ -122,9 +122,14 @@ bool is_told_by_roads(const roads::Junction& junction, const Box2& tile) {
   return known.contains(walked.min) && known.contains(walked.max);
 }
 
+// What each junction covers, and the pavements round its corners.
+struct JunctionCovers {
+  std::vector<ground::Surface> surfaces, pavements;
+};
+
 // Areas, and the junctions and footprints of buildings that are not told in this chunk, trimmed.
-std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted,
-                                          std::span<const ground::Surface> junctions, std::size_t t, const Box2& tile) {
+std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, const JunctionCovers& junctions,
+                                          std::size_t t, const Box2& tile) {
   const Box2 reach = tile.widened(kHalo_m);
   std::vector<ground::Surface> surfaces;
   const auto add = [&](const ground::Surface& whole) {
@@ -132,8 +137,11 @@ std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& 
     if (!trimmed.rings.empty()) surfaces.push_back(std::move(trimmed));
   };
   for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
-  for (const std::uint32_t i : sorted.junctions[t])
-    if (covers_tile(junctions[i], tile) && !is_told_by_roads(recipes.junctions[i], tile)) add(junctions[i]);
+  for (const std::uint32_t i : sorted.junctions[t]) {
+    if (is_told_by_roads(recipes.junctions[i], tile)) continue;
+    if (covers_tile(junctions.surfaces[i], tile)) add(junctions.surfaces[i]);
+    if (covers_tile(junctions.pavements[i], tile)) add(junctions.pavements[i]);
+  }
   const std::vector<std::uint32_t>& own = sorted.buildings[t];
   for (const std::uint32_t i : sorted.near_buildings[t])
     if (recipes.buildings[i].stands_on_ground && !std::binary_search(own.begin(), own.end(), i))
@@ -159,12 +167,15 @@ std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted&
   return told;
 }
 
-// What each junction covers, from all roads.
-std::vector<ground::Surface> junction_surfaces(const Recipes& recipes, int threads) {
+// From all roads.
+JunctionCovers junction_covers(const Recipes& recipes, int threads) {
   const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
-  return for_each_slot<ground::Surface>(recipes.junctions.size(), threads, [&](std::size_t i) {
-    return junction_surface(recipes.junctions[i], recipes.roads, arms[i]);
-  });
+  const auto each = [&](auto cover_of_junction) {
+    return for_each_slot<ground::Surface>(recipes.junctions.size(), threads, [&](std::size_t i) {
+      return cover_of_junction(recipes.junctions[i], recipes.roads, arms[i]);
+    });
+  };
+  return {each(junction_surface), each(corner_pavement_surface)};
 }
 
 std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
@@ -178,8 +189,8 @@ std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
   return here;
 }
 
-Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, std::span<const ground::Surface> junctions,
-               const TileGrid& grid, std::size_t t) {
+Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCovers& junctions, const TileGrid& grid,
+               std::size_t t) {
   const Box2 tile = box_of(grid.header, grid.tiles[t]), reach = tile.widened(kHalo_m);
   Chunk chunk;
   chunk.tile = grid.tiles[t];
@@ -202,8 +213,8 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, std::span<const gro
 
 Scene assemble(const Recipes& recipes, const Header& header, std::span<const TileKey> only, int threads) {
   const TileGrid grid(header);
-  const std::vector<ground::Surface> junctions = junction_surfaces(recipes, threads);
-  const Sorted sorted = sort_by_tile(grid, recipes, junctions);
+  const JunctionCovers junctions = junction_covers(recipes, threads);
+  const Sorted sorted = sort_by_tile(grid, recipes, junctions.surfaces);
   std::vector<std::size_t> wanted;
   for (std::size_t t = 0; t < grid.tiles.size(); ++t)
     if (only.empty() || std::find(only.begin(), only.end(), grid.tiles[t]) != only.end()) wanted.push_back(t);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "compiler/ground/plan.h"
+#include "compiler/roads/corner_pavements.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/through_road.h"
 
@@ -38,6 +39,7 @@ std::vector<Surface> but_roads(const Chunk& chunk) {
     // a manifest that names places where no road passes
     if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
     add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+    add(corner_pavement_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
   }
   for (const roads::Strip& stream : chunk.streams) add(ground::surface_of(stream), surfaces);
   for (const buildings::Building& building : chunk.buildings)
@@ -67,18 +69,26 @@ std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std:
   return next_run;
 }
 
+ObjectId id_of_junction(const roads::Road& main) {
+  // apart from all parts that a way is cut into
+  constexpr std::uint32_t kJunctionPart = 0x80000000u;
+  return {main.id.osm, main.id.part | kJunctionPart};
+}
+
 }  // namespace
 
 ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                  std::span<const roads::Arm> arms) {
-  // apart from all parts that a way is cut into
-  constexpr std::uint32_t kJunctionPart = 0x80000000u;
   const roads::Road& main = roads::main_road(roads, arms);
   const bool is_passed = roads::has_through_road(junction, roads, arms);
-  return {{main.id.osm, main.id.part | kJunctionPart},
-          main.surface,
-          is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
+  return {id_of_junction(main), main.surface, is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
           roads::stroke(junction, roads, arms)};
+}
+
+ground::Surface corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                        std::span<const roads::Arm> arms) {
+  return {id_of_junction(roads::main_road(roads, arms)), map::SurfaceClass::kPavement, ground::kStripArea_m2,
+          roads::stroke_corner_pavements(junction, roads, arms)};
 }
 
 ground::Surface footprint_surface(const buildings::Building& building) {

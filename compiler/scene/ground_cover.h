@@ -28,6 +28,9 @@ std::vector<ground::Surface> surfaces_of(const Chunk& chunk);
 /// The ground that a junction covers: it lies over the strips of its roads, and is named after its main road.
 ground::Surface junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
                                  std::span<const roads::Arm> arms);
+/// The pavements round its corners, of the same id; without rings where there are none.
+ground::Surface corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                        std::span<const roads::Arm> arms);
 /// The ground that a building covers.
 ground::Surface footprint_surface(const buildings::Building& building);
 

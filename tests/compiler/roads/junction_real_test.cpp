@@ -105,17 +105,22 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   EXPECT_LT(faults.overlap_m2, 0.01);
 
   Squares squares(roads);
-  double beyond = 0, strips = 0;
-  for (const auto& polygons : outlines)
-    for (const Polygon& polygon : polygons) beyond += beyond_strips_m2(polygon, squares);
+  double beyond = 0, consolidated = 0, strips = 0;
+  for (std::size_t j = 0; j < junctions.size(); ++j)
+    for (const Polygon& polygon : outlines[j]) {
+      const double area = beyond_strips_m2(polygon, squares);
+      beyond += area;
+      if (junctions[j].places.size() > 1) consolidated += area;
+    }
   for (const Road& road : roads)
     if (family_of(road.surface) != Family::kOther) strips += length_m(road.axis) * width_m(road);
   EXPECT_LT(beyond, 0.03 * strips);
   std::printf(
       "%zu junctions; self-crossing %d, spikes %d, beyond reach %d, largest overlap %.6f m2; paved area beyond strips "
-      "%.2f %%\n",
+      "%.2f %%, %.2f %% in consolidated ones; %u merged\n",
       junctions.size(), faults.self_crossing, faults.spikes, faults.beyond_reach, faults.overlap_m2,
-      100 * beyond / strips);
+      100 * beyond / strips, 100 * consolidated / strips,
+      static_cast<unsigned>(report.counts()[Code::kJunctionsMerged]));
 }
 
 INSTANTIATE_TEST_SUITE_P(Extracts, JunctionsReal, testing::ValuesIn(extracts()), [](const auto& info) {

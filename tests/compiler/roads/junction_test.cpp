@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/roads/corner_pavements.h"
 #include "tests/compiler/roads/junction_claims.h"
 #include "tests/compiler/roads/made_road.h"
 
@@ -109,6 +110,115 @@ TEST_F(Junctions, ADogLegIsOneJunction) {
   EXPECT_EQ(all.report.counts()[Code::kJunctionsMerged], 1u);
 }
 
+Road oneway(std::int64_t id, Polyline axis, double width_m = 7) {
+  Road made = road(id, std::move(axis), width_m);
+  made.section.lanes.front().way = map::LaneWay::kForward;
+  return made;
+}
+
+TEST_F(Junctions, ADualCarriagewayCrossedIsOneJunction) {
+  const Outlined all = sound({oneway(1, {{-80, 0}, {0, 0}, {80, 0}}), oneway(2, {{80, 16}, {0, 16}, {-80, 16}}),
+                              road(3, {{0, -60}, {0, 0}, {0, 16}, {0, 70}})});
+  ASSERT_EQ(all.junctions.size(), 1u);
+  EXPECT_EQ(all.junctions[0].places.size(), 2u);
+  // arms side by side are cut where the street's kerbs are, not where they never meet
+  for (const Cut& cut : all.junctions[0].cuts) EXPECT_TRUE(cut.length_m == kWhole_m || cut.length_m < 10);
+}
+
+TEST_F(Junctions, ADualCarriagewayThatEndsOnAStreetDoesSoAtOne) {
+  const Outlined all = sound(
+      {oneway(1, {{0, 0}, {80, 0}}), oneway(2, {{80, 14}, {0, 14}}), road(3, {{0, -60}, {0, 0}, {0, 14}, {0, 70}})});
+  EXPECT_EQ(all.junctions.size(), 1u);
+}
+
+TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
+  const std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, SurfaceClass::kResidentialRoad, 2, 0),
+                                   made_road(2, {{0, 0}, {0, 50}}, 6, SurfaceClass::kResidentialRoad, 0, 2)};
+  const Outlined all = sound(roads);
+  ASSERT_EQ(all.junctions.size(), 1u);
+  const auto arms = arms_of(all.junctions, roads);
+  const std::vector<Ring> rings = stroke_corner_pavements(all.junctions[0], roads, arms[0]);
+  ASSERT_EQ(rings.size(), 1u);
+  // about the kerb's centre at 8, 8: a kerb 5 off and the pavement's edge 3 off
+  const Polygon corner{rings[0], {}};
+  const Vec2 inward = unit(Vec2{-1, -1});
+  EXPECT_TRUE(contains(corner, Vec2{8, 8} + inward * 3.1));
+  EXPECT_FALSE(contains(corner, Vec2{8, 8} + inward * 2.9));
+}
+
+TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
+  const auto streets = [&](double apart_m) {
+    return sound({road(1, {{-80, 0}, {0, 0}, {apart_m, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
+                  road(3, {{apart_m, 0}, {apart_m, -50}})})
+        .junctions.size();
+  };
+  EXPECT_EQ(streets(10), 1u);
+  EXPECT_EQ(streets(12), 2u);
+}
+
+TEST_F(Junctions, ADrivewayNearACornerIsNotPartOfIt) {
+  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {10, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
+                              road(3, {{10, 0}, {10, -50}}, 3, SurfaceClass::kServiceRoad)});
+  EXPECT_EQ(all.junctions.size(), 2u);
+}
+
+TEST_F(Junctions, AnIslandBetweenTwoOnewaysIsInsideOne) {
+  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}}, 7), road(2, {{20, 0}, {90, 0}}, 7),
+                              oneway(3, {{0, 0}, {10, -6}, {20, 0}}, 4), oneway(4, {{20, 0}, {10, 6}, {0, 0}}, 4)});
+  ASSERT_EQ(all.junctions.size(), 1u);
+  ASSERT_EQ(all.outlines[0].size(), 1u);
+  EXPECT_EQ(all.outlines[0][0].holes.size(), 1u);
+}
+
+TEST_F(Junctions, BentArmsHaveRoundedCorners) {
+  // as a street leaves a roundabout: 30 degrees in its first 6 m, then away
+  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}, {60, 0}}), road(2, {{0, 0}, {5, 3}, {8, 8}, {8, 60}}, 5)});
+  ASSERT_EQ(all.junctions.size(), 1u);
+  const auto& cuts = all.junctions[0].cuts;
+  EXPECT_EQ(std::ranges::count_if(cuts, [](const Cut& cut) { return cut.radius_m >= 2; }), 2);
+}
+
+TEST_F(Junctions, WidthsTaperOneInFive) {
+  const std::vector<Road> roads = {road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {60, 0}}, 6)};
+  const Outlined all = sound(roads);
+  ASSERT_EQ(all.junctions.size(), 1u);
+  EXPECT_EQ(all.junctions[0].cuts, (std::vector<Cut>{{1, 0}, {10, 0}}));
+  EXPECT_NEAR(area_m2(all.outlines[0][0]), 10 * 1 + 10 * (10 + 6) / 2, 1e-6);
+}
+
+TEST_F(Junctions, ATaperIsNoLongerThanHalfItsLink) {
+  const Outlined all =
+      sound({road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {12, 0}}, 6), road(3, {{12, 0}, {60, 0}}, 10)});
+  ASSERT_EQ(all.junctions.size(), 2u);
+  EXPECT_EQ(all.junctions[0].cuts[1].length_m, 6);
+  EXPECT_EQ(all.report.counts()[Code::kArmSwallowed], 0u);
+}
+
+Road with_point(Road made, std::uint32_t vertex, map::TrackPointKind kind) {
+  made.points.push_back({vertex, kind, 0});
+  return made;
+}
+
+TEST_F(Junctions, AtATurningCircleHaveOneArm) {
+  const Outlined all = sound({with_point(road(1, {{0, 0}, {50, 0}}), 1, map::TrackPointKind::kTurningCircle)});
+  ASSERT_EQ(all.junctions.size(), 1u);
+  EXPECT_EQ(all.junctions[0].cuts, (std::vector<Cut>{{6, 0}}));
+  double area = 0;
+  for (const Polygon& polygon : all.outlines[0]) area += area_m2(polygon);
+  EXPECT_NEAR(area, 36 * std::numbers::pi, 4);
+}
+
+TEST_F(Junctions, AMiniRoundaboutCoversItsDisk) {
+  const Outlined all =
+      sound({with_point(road(1, {{-50, 0}, {0, 0}, {50, 0}}, 9), 1, map::TrackPointKind::kMiniRoundabout),
+             road(2, {{0, 0}, {0, 50}}, 5)});
+  ASSERT_EQ(all.outlines.size(), 1u);
+  ASSERT_EQ(all.outlines[0].size(), 1u);
+  // half the wide road, and a little more
+  for (const Vec2 p : {Vec2{5.9, 0}, Vec2{-4.1, -4.1}, Vec2{0, -5.9}, Vec2{4.1, 4.1}})
+    EXPECT_TRUE(contains(all.outlines[0][0], p)) << p.x << ' ' << p.y;
+}
+
 TEST_F(Junctions, OfFootpathsOnAStreetAreNone) {
   EXPECT_TRUE(sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}),
                      road(2, {{0, -50}, {0, 0}, {0, 50}}, 2, SurfaceClass::kPavedFootPath)})
@@ -201,6 +311,9 @@ std::vector<Road> random_roads(std::mt19937_64& chance) {
     if (chance() % 8 == 0) place = axis.back();
     const auto surface = chance() % 2 == 0 ? SurfaceClass::kPrimaryRoad : SurfaceClass::kResidentialRoad;
     roads.push_back(road(a + 1, std::move(axis), snapped(width) > 0 ? snapped(width) : 1, surface));
+    if (chance() % 8 == 0) roads.back().section.lanes.front().way = map::LaneWay::kForward;
+    if (chance() % 16 == 0) roads.back().points.push_back({0, map::TrackPointKind::kMiniRoundabout, 0});
+    if (chance() % 16 == 0) roads.back().points.push_back({1, map::TrackPointKind::kTurningCircle, 0});
   }
   return roads;
 }
