@@ -5,6 +5,7 @@
 
 #include "compiler/ground/plan.h"
 #include "compiler/roads/corner_pavements.h"
+#include "compiler/roads/islands.h"
 #include "compiler/roads/network.h"
 #include "compiler/roads/through_road.h"
 
@@ -31,7 +32,13 @@ void add(Surface surface, std::vector<Surface>& surfaces) {
   if (!surface.rings.empty()) surfaces.push_back(std::move(surface));
 }
 
-// What is no road: areas, junctions, water, buildings.
+Surface island_surface(const roads::Island& island) {
+  // apart from all parts that a way is cut into, and from its junctions
+  constexpr std::uint32_t kIslandPart = 0x40000000u;
+  return {{island.id.osm, island.id.part | kIslandPart}, island.surface, ground::kStripArea_m2, {island.ring}};
+}
+
+// What is no road: areas, islands, junctions, water, buildings.
 std::vector<Surface> but_roads(const Chunk& chunk) {
   std::vector<Surface> surfaces = chunk.surfaces;
   const auto arms = roads::arms_of(chunk.junctions, chunk.roads);
@@ -41,6 +48,7 @@ std::vector<Surface> but_roads(const Chunk& chunk) {
     add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
     add(corner_pavement_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
   }
+  for (const roads::Island& island : roads::islands_of(chunk.roads)) add(island_surface(island), surfaces);
   for (const roads::Strip& stream : chunk.streams) add(ground::surface_of(stream), surfaces);
   for (const buildings::Building& building : chunk.buildings)
     if (building.stands_on_ground) add(footprint_surface(building), surfaces);

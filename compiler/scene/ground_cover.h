@@ -18,8 +18,8 @@ struct GroundCover {
   std::vector<roads::Pattern> patterns;  ///< Of marked pieces; some may be equal.
 };
 
-/// Everything that covers the ground: surfaces, roads, junctions, streams, the footprints of buildings that stand on
-/// it. Below kPlainRoads_m roads come in pieces. Total. O(n log n).
+/// Everything that covers the ground: surfaces, roads, the islands between them, junctions, streams, the footprints of
+/// buildings that stand on it. Below kPlainRoads_m roads come in pieces. Total. O(n log n).
 GroundCover cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
 /// The same with every road as one surface from kerb to kerb: for clearances, which no tolerance may change.
