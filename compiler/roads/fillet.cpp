@@ -115,10 +115,11 @@ std::optional<Fillet> largest_fillet(const ArmPath& arm, const ArmPath& next, do
   };
   if (auto wanted = fitting(wanted_radius_m)) return wanted;
   std::optional<Fillet> best = fitting(0);
-  double low = 0, high = std::floor(wanted_radius_m * 4);
+  constexpr double kSteps = 2;  // a metre
+  double low = 0, high = std::ceil(wanted_radius_m * kSteps);
   while (low + 1 < high) {
     const double middle = std::floor((low + high) / 2);
-    if (auto fillet = fitting(middle / 4)) {
+    if (auto fillet = fitting(middle / kSteps)) {
       best = fillet, low = middle;
     } else {
       high = middle;

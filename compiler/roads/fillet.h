@@ -47,8 +47,8 @@ struct FilletLimits {
   double along_arm_m = 0, along_next_m = 0;
 };
 
-/// The fillet of the largest radius, a multiple of 1/4 m up to the one wanted, that keeps to the limits. Nothing where
-/// even the kerbs' own corner does not.
+/// The fillet of the radius wanted, or of the largest multiple of 1/2 m below it that keeps to the limits. Nothing
+/// where even the kerbs' own corner does not.
 std::optional<Fillet> largest_fillet(const ArmPath& arm, const ArmPath& next, double wanted_radius_m,
                                      const FilletLimits& limits);
 

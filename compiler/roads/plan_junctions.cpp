@@ -178,7 +178,9 @@ void want_cuts(Draft& draft) {
   for (const std::uint32_t arm : draft.order) {
     // a cut that nothing asks for still shows where the junction is
     draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
-    draft.cuts[arm].length_m = std::ceil(std::min(draft.cuts[arm].length_m, reach_m(draft, arm)) * 4) / 4;
+    // half metres, of which a manifest has fewer than of quarters
+    const double cut_m = std::ceil(draft.cuts[arm].length_m * 2) / 2;
+    draft.cuts[arm].length_m = std::min(cut_m, std::ceil(reach_m(draft, arm) * 4) / 4);
   }
 }
 

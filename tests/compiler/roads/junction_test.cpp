@@ -157,8 +157,8 @@ TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
 }
 
 TEST_F(Junctions, ADrivewayNearACornerIsNotPartOfIt) {
-  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {10, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
-                              road(3, {{10, 0}, {10, -50}}, 3, SurfaceClass::kServiceRoad)});
+  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {8, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
+                              road(3, {{8, 0}, {8, -50}}, 3, SurfaceClass::kServiceRoad)});
   EXPECT_EQ(all.junctions.size(), 2u);
 }
 
