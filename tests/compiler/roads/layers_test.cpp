@@ -78,12 +78,16 @@ TEST(RoadLayers, OneAboveAnotherDoesNotMeetIt) {
 }
 
 TEST(RoadLayers, ATunnelDoesNotMeetTheBridgeItRunsInto) {
-  const auto layers = layers_of(
-      {track(1, Passage::kBridge, 0, kEastward, {1, 2, 3}), track(2, Passage::kTunnel, 0, kNorthward, {4, 2, 5})});
+  const auto layers = layers_of({track(1, Passage::kBridge, 0, kEastward, {1, 2, 3}),
+                                 track(2, Passage::kTunnel, 0, {{60, 0}, {60, 60}}, {3, 4}),
+                                 track(3, Passage::kBridge, 0, {{0, 0}, {0, 60}}, {2, 5})});
   ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].layer, -1);
   EXPECT_EQ(layers[0].passage, Passage::kTunnel);
+  EXPECT_TRUE(layers[0].junctions.empty());
+  EXPECT_EQ(layers[1].layer, 1);
   EXPECT_EQ(layers[1].passage, Passage::kBridge);
-  for (const RoadLayer& layer : layers) EXPECT_TRUE(layer.junctions.empty());
+  EXPECT_EQ(layers[1].junctions.size(), 1u);
 }
 
 TEST(RoadLayers, WhatIsUntoldLiesNextToTheGround) {
@@ -163,6 +167,20 @@ TEST(RoadLayers, AreSortedAndCountTheirPlaces) {
     EXPECT_EQ(account.out, junctions);
     EXPECT_EQ(account.in, places);
   }
+}
+
+TEST(RoadLayers, PlacesOfOneJunctionAreMerged) {
+  map::Features features;
+  features.tracks = {track(1, Passage::kBridge, 1, {{-60, 0}, {0, 0}, {5, 0}, {60, 0}}, {1, 2, 3, 4}),
+                     track(2, Passage::kBridge, 1, {{0, 0}, {0, 60}}, {2, 5}),
+                     track(3, Passage::kBridge, 1, {{5, 0}, {5, -60}}, {3, 6})};
+  Report report;
+  ASSERT_EQ(plan_layers(features, report).size(), 1u);
+  const Account& account = report.account("roads", "junction_off_ground");
+  EXPECT_EQ(account.in, 2u);
+  EXPECT_EQ(account.merged, 1u);
+  EXPECT_EQ(account.out, 1u);
+  EXPECT_TRUE(report.balances());
 }
 
 }  // namespace
