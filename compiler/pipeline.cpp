@@ -10,6 +10,7 @@
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
+#include "compiler/roads/layers.h"
 #include "compiler/roads/narrow.h"
 #include "compiler/roads/plan.h"
 #include "compiler/scene/assemble.h"
@@ -56,6 +57,8 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::narrow(std::move(recipes.roads), recipes.junctions, features.footprints, report);
+  // off the ground they are counted only, until they have heights
+  roads::plan_layers(features, report);
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
   recipes.streams = ground::plan_streams(features, report);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/map/surface_class.h"
-#include "compiler/roads/junction.h"
+#include "compiler/roads/layers.h"
 #include "compiler/roads/plan.h"
 
 namespace citykiln::commands {
@@ -62,15 +62,27 @@ Layer plants_of(const map::Features& features) {
   return layer;
 }
 
+std::string name_of(map::Passage passage) {
+  return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
+}
+
+// Where a network is: on the ground, of a tile or whole; or above or below.
+struct Network {
+  std::string tile;
+  int layer = 0;
+  map::Passage passage = map::Passage::kGround;
+};
+
 // Outlines in the order of their junctions, named after their main roads.
 void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
-                   const std::string& tile, Layer& layer) {
+                   const Network& network, Layer& layer) {
   const auto outlines = roads::outline(junctions, roads, 0);
   const auto arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
-      layer.push_back({main.id, class_of(main.surface), ShapeKind::kPolygon, rings_of(polygon), tile});
+      layer.push_back({main.id, class_of(main.surface), ShapeKind::kPolygon, rings_of(polygon), network.tile, 0, 0, 0,
+                       network.layer, name_of(network.passage)});
   }
 }
 
@@ -79,6 +91,8 @@ Layer junctions_of(const map::Features& features) {
   const std::vector<roads::Road> roads = roads::plan(features, ignored);
   Layer layer;
   add_junctions(roads::plan_junctions(roads, ignored), roads, {}, layer);
+  for (const roads::RoadLayer& off_ground : roads::plan_layers(features, ignored))
+    add_junctions(off_ground.junctions, off_ground.roads, {{}, off_ground.layer, off_ground.passage}, layer);
   return layer;
 }
 
@@ -99,7 +113,7 @@ Layer roads_of(const scene::Scene& scene) {
 Layer junctions_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks)
-    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, name_of(chunk.tile), layer);
+    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, {name_of(chunk.tile)}, layer);
   return layer;
 }
 
@@ -191,6 +205,8 @@ void write_properties(std::string& out, const Shape& shape) {
   fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(shape.id.osm),
                  shape.id.part, shape.kind);
   if (!shape.tile.empty()) fmt::format_to(std::back_inserter(out), R"(,"tile":"{}")", shape.tile);
+  if (shape.layer) fmt::format_to(std::back_inserter(out), R"(,"layer":{})", *shape.layer);
+  if (!shape.passage.empty()) fmt::format_to(std::back_inserter(out), R"(,"passage":"{}")", shape.passage);
   if (shape.width_m > 0) fmt::format_to(std::back_inserter(out), R"(,"width_m":{})", shape.width_m);
   if (shape.bottom_m != 0) fmt::format_to(std::back_inserter(out), R"(,"bottom_m":{})", shape.bottom_m);
   if (shape.height_m > 0) fmt::format_to(std::back_inserter(out), R"(,"height_m":{})", shape.height_m);

@@ -1,6 +1,7 @@
 // Layers for QGIS: shapes of the plane written as GeoJSON in longitude and latitude.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,14 @@ struct Shape {
   std::vector<Ring> parts;  ///< One point, one line, or one polygon's rings with the outer one first. Plane metres.
   std::string tile{};       ///< Of which chunk it is a piece; empty: whole.
   double width_m = 0, bottom_m = 0, height_m = 0;  ///< 0: it has none.
+  std::optional<int> layer{};                      ///< Of junctions: 0 on the ground.
+  std::string passage{};                           ///< "bridge", "tunnel"; empty: on the ground.
 };
 using Layer = std::vector<Shape>;
 
-/// The layer `name` (roads, areas, buildings, plants) of a map or of a manifest. Of a manifest, roads and areas are
-/// pieces, trimmed to their tiles. Errors: an unknown name, and layers of later versions (junctions).
+/// The layer `name` (roads, junctions, areas, buildings, plants) of a map or of a manifest. Of a manifest, roads and
+/// areas are pieces, trimmed to their tiles, and junctions those of the ground alone; of a map, bridges' and tunnels'
+/// follow the ground's. Errors: an unknown name.
 Result<Layer> layer_of(const map::Features& features, const std::string& name);
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name);
 

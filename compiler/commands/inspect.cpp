@@ -170,7 +170,7 @@ Verb inspect_verb() {
   Verb verb{"inspect", "says what is in a manifest, a .glb or a map; draws layers of it for QGIS", {}, {}};
   verb.options = {
       {"file", "FILE", "a .kiln, a .glb or a map", false, into(request->path)},
-      {"--layer", "NAME", "roads, areas, buildings or plants", false, into(request->layer)},
+      {"--layer", "NAME", "roads, junctions, areas, buildings or plants", false, into(request->layer)},
       {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false, into(request->geojson_path)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };

@@ -1,7 +1,6 @@
 #include "compiler/roads/plan.h"
 
 namespace citykiln::roads {
-namespace {
 
 Road road_of(const map::Track& track) {
   return {track.id,
@@ -16,8 +15,6 @@ Road road_of(const map::Track& track) {
           track.points,
           {}};
 }
-
-}  // namespace
 
 std::vector<Road> plan(const map::Features& features, Report& report) {
   std::vector<Road> roads;

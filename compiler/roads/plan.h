@@ -9,6 +9,9 @@
 
 namespace citykiln::roads {
 
+/// The track as a road of its network: not narrowed.
+Road road_of(const map::Track& track);
+
 /// All tracks of the ground, sorted by id. Ledger "roads/track": what leaves the ground counts as merged (into
 /// structures/). Total.
 std::vector<Road> plan(const map::Features& features, Report& report);

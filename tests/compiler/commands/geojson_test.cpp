@@ -62,6 +62,29 @@ TEST(GeoJson, JunctionsAreNamedAfterTheirMainRoad) {
   EXPECT_EQ((*layer)[0].id.osm.id, 1);
 }
 
+TEST(GeoJson, JunctionsSayTheirLayer) {
+  map::Features features;
+  for (const int way : {1, 2, 3, 4}) {
+    map::Track& track = features.tracks.emplace_back();
+    track.id = {{OsmType::kWay, way}, 0};
+    const double y = way % 2 == 0 ? 50 : -50;
+    track.axis = {{y, 0}, {0, 0}, {0, y}};
+    track.node_ids = {1, way > 2 ? 7 : 2, 3};
+    track.surface = map::SurfaceClass::kResidentialRoad;
+    track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
+    track.passage = way > 2 ? map::Passage::kBridge : map::Passage::kGround;
+    track.layer = way > 2 ? 2 : 0;
+  }
+  const Result<Layer> layer = layer_of(features, "junctions");
+  ASSERT_TRUE(layer);
+  ASSERT_EQ(layer->size(), 2u);
+  const std::string text = geojson_of(*layer, map::Plane({10, 48}), {});
+  EXPECT_NE(text.find(R"("id":"w2","part":0,"class":"ResidentialRoad","layer":0})"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("id":"w4","part":0,"class":"ResidentialRoad","layer":2,"passage":"bridge"})"),
+            std::string::npos)
+      << text;
+}
+
 TEST(GeoJson, UnknownLayersAreErrors) {
   EXPECT_TRUE(to_string(layer_of(scene::Scene{}, "clouds").error()).starts_with("--layer: expected "));
 }
