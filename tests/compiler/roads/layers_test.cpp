@@ -78,8 +78,9 @@ TEST(RoadLayers, OneAboveAnotherDoesNotMeetIt) {
 }
 
 TEST(RoadLayers, ATunnelDoesNotMeetTheBridgeItRunsInto) {
-  const auto layers = layers_of({track(1, Passage::kBridge, 0, kEastward, {1, 2, 3}),
-                                 track(2, Passage::kTunnel, 0, {{60, 0}, {60, 60}}, {3, 4}),
+  // the highest of the one's nodes is the lowest of the other's: they are neighbours wherever nodes are sorted
+  const auto layers = layers_of({track(1, Passage::kBridge, 0, kEastward, {1, 2, 9}),
+                                 track(2, Passage::kTunnel, 0, {{60, 0}, {60, 60}}, {9, 10}),
                                  track(3, Passage::kBridge, 0, {{0, 0}, {0, 60}}, {2, 5})});
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].layer, -1);
