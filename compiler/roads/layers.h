@@ -31,6 +31,8 @@ struct RoadLayer {
 /// those that share one with these, are of the lowest layer among them. So a layer's name hangs on all that a chain of
 /// bridges reaches, however far; which ways a junction is made of hangs on plan_junctions()'s reach alone. Where a
 /// bridge comes down on the ground both ends simply meet: no junction spans the abutment, nor a tunnel's mouth.
+/// Junctions of one layer may still lie above each other, where a chain climbs over itself: outline() then gives what
+/// they share to one of them, as on the ground.
 /// Ledger "roads/junction_off_ground": places in, junctions out, places of one junction merged. Diagnosed: as
 /// plan_junctions(). Total. O(n log n) in vertices off the ground.
 std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report);

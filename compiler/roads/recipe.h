@@ -1,5 +1,5 @@
-// A road at ground level: an axis, and the lanes on either side of it. What leaves the ground (bridges, tunnels) is
-// structures/.
+// A road in plan: an axis, and the lanes on either side of it. A scene holds those of the ground; what leaves it
+// (bridges, tunnels) has its own networks (layers.h), and in a scene is structures/.
 #pragma once
 
 #include <vector>
