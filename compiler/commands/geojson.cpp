@@ -24,7 +24,8 @@ std::vector<Ring> rings_of(const Polygon& polygon) {
 Layer roads_of(const map::Features& features) {
   Layer layer;
   for (const map::Track& track : features.tracks) {
-    layer.push_back({track.id, class_of(track.surface), ShapeKind::kLine, {track.axis}, {}, track.width_m});
+    const double width_m = map::carriageway_width_m(track.section);
+    layer.push_back({track.id, class_of(track.surface), ShapeKind::kLine, {track.axis}, {}, width_m});
   }
   return layer;
 }

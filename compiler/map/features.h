@@ -48,16 +48,14 @@ struct Track {
   Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
   std::vector<std::int64_t> node_ids;  ///< OSM node of each axis point.
   SurfaceClass surface{};
-  double width_m = 0;  ///< Kerb to kerb. > 0, a multiple of 2^-10.
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
-  double pavement_left_m = 0, pavement_right_m = 0;  ///< Beyond the kerbs; multiples of 1/4 m.
-  bool is_roundabout = false;                        ///< junction=roundabout or circular.
-  bool is_link = false;                              ///< A ramp or slip road: highway=*_link.
-  std::vector<TrackPoint> points;                    ///< Sorted. Those of a closed axis at its first vertex, once.
-  CrossSection section;                              ///< As the tags tell it; width_m is its carriageway.
-  DrivingSide side{};                                ///< Of its traffic.
+  bool is_roundabout = false;      ///< junction=roundabout or circular.
+  bool is_link = false;            ///< A ramp or slip road: highway=*_link.
+  std::vector<TrackPoint> points;  ///< Sorted. Those of a closed axis at its first vertex, once.
+  CrossSection section;            ///< As the tags tell it.
+  DrivingSide side{};              ///< Of its traffic.
 };
 
 /// A building's outline, or a part of one.

@@ -131,10 +131,17 @@ bool has_shoulder(const LaneTags& tags, Flow flow) {
   return names_side(tags, flow, tags("shoulder"), false) || tags.beside(flow, "cycleway") == "shoulder";
 }
 
-bool has_sidewalk(const LaneTags& tags, Flow flow) {
-  const std::string_view beside = tags.beside(flow, "sidewalk");
+// Of pavements and verges, which a one-way road has on both sides.
+bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
+  const std::string_view beside = tags.beside(flow, key);
   if (!beside.empty()) return beside == "yes" || beside == "both" || beside == tags.roadside(flow);
-  return names_side(tags, flow, tags("sidewalk"), true);
+  return names_side(tags, flow, tags(key), true);
+}
+
+void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
+  if (!is_beside(tags, flow, "verge")) return;
+  const double width_m = snapped(tags.width_beside(flow, "verge").value_or(kVerge_m));
+  lanes.push_back({{LaneKind::kVerge, LaneWay::kBoth, width_m, 0, true}, 0});
 }
 
 }  // namespace
@@ -149,8 +156,9 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
     const double width_m = snapped(tags.width_beside(flow, "shoulder").value_or(usual_m));
     lanes.push_back({{LaneKind::kShoulder, parking_way(tags, flow), width_m, 0, false}, 0});
   }
+  add_verge(tags, flow, lanes);
   add_cycleway(tags, flow, true, lanes);
-  if (has_sidewalk(tags, flow)) {
+  if (is_beside(tags, flow, "sidewalk")) {
     const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
     lanes.push_back({{LaneKind::kSidewalk, LaneWay::kBoth, width_m, 0, true}, 0});
   }

@@ -1,4 +1,4 @@
-// What lies beside the moving lanes of a road: cycle lanes, parked cars, shoulders, cycle tracks, pavements.
+// What lies beside the moving lanes of a road: cycle lanes, parked cars, shoulders, verges, cycle tracks, pavements.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct RoadsideLane {
   double inside_m = 0;
 };
 
-/// The roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised, buffer,
-/// cycle track and pavement. At most five. Of a one-way road the other flow too has a roadside.
+/// The roadside of a flow, from its outer lane outwards: buffer, cycle lane, parking, shoulder; then, raised, verge,
+/// buffer, cycle track and pavement. At most six. Of a one-way road the other flow too has a roadside.
 ///
 /// @param has_cycle_lane  The flow's own lanes hold one already.
 std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,

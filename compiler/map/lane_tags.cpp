@@ -15,12 +15,13 @@ std::optional<double> readable_width_m(std::string_view text) {
 // "left", "right" or "both" after a key, before the last word of the tag's key.
 bool is_side(std::string_view text) { return text == "left" || text == "right" || text == "both"; }
 
-// "sidewalk:left:width".
+// "sidewalk:left:width", "verge:width".
 bool is_width_beside(std::string_view key) {
+  if (key == "verge:width") return true;
   const std::size_t first = key.find(':'), last = key.rfind(':');
   if (first == last || key.substr(last) != ":width" || !is_side(key.substr(first + 1, last - first - 1))) return false;
   const std::string_view what = key.substr(0, first);
-  return what == "cycleway" || what == "parking" || what == "shoulder" || what == "sidewalk";
+  return what == "cycleway" || what == "parking" || what == "shoulder" || what == "sidewalk" || what == "verge";
 }
 
 // "cycleway:buffer", "cycleway:both:buffer".
@@ -80,7 +81,8 @@ std::optional<double> LaneTags::count(const std::string& key, double least) cons
 }
 
 std::optional<double> LaneTags::width_beside(Flow flow, std::string_view key) const {
-  return readable_width_m(beside(flow, key, ":width"));
+  const std::string_view text = beside(flow, key, ":width");
+  return readable_width_m(text.empty() && key == "verge" ? (*this)("verge:width") : text);
 }
 
 std::optional<Traffic> told_traffic(std::string_view oneway) {

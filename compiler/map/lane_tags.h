@@ -62,13 +62,14 @@ struct LaneTags {
 
   /// A number of lanes, least … kMostLanes; diagnosed and nothing where it is not one.
   std::optional<double> count(const std::string& key, double least) const;
-  /// A width beside the road, 0.1 … 20 m. Not diagnosed here: one value may tell of both sides.
+  /// A width beside the road, 0.1 … 20 m; of verges verge:width too. Not diagnosed here: one value may tell of both
+  /// sides.
   std::optional<double> width_beside(Flow flow, std::string_view key) const;
 };
 
 /// One way.
 inline constexpr int kMostLanes = 16;
-/// Of both directions together; with four cycle lanes and two roadsides of five, 40.
+/// Of both directions together; with four cycle lanes and two roadsides of six, 42.
 inline constexpr int kMostLanesOfRoad = 26;
 
 /// What a value of oneway=* says; nothing where nobody knows the word.

@@ -67,6 +67,8 @@ char letter_of(LaneKind kind) {
       return 'f';
     case LaneKind::kRail:
       return 'r';
+    case LaneKind::kVerge:
+      return 'g';
     case LaneKind::kCount:
       break;
   }

@@ -1,8 +1,8 @@
 // Cross-sections: which lanes a way has from its left edge to its right one, read from its OSM tags.
 //
 //     s|pddp|s     letters    s pavement  p parking  c cycling  b bus  d driving  t turning from both directions
-//     -|vv^^|-     directions S shoulder  / buffer   f foot     r rails; ^ along the way, v against it, - both;
-//                             | a kerb: what is outside it is raised
+//     -|vv^^|-     directions S shoulder  / buffer   f foot     r rails  g verge
+//                             ^ along the way, v against it, - both; | a kerb: what is outside it is raised
 //
 // Who wins when tags disagree (each disagreement is diagnosed kBadTagValue once):
 //   1. lanes:forward, lanes:backward, lanes:both_ways over lanes; lanes over the number of entries of …:lanes lists
@@ -11,15 +11,15 @@
 //   4. width:lanes over width over est_width over the class's widths (track_rules.inc); never narrower than
 //      kNarrowestLane_m of lane_rules.inc, but for a lane that is alone
 //
-// What the tags do not say: pavements, shoulders, parking and cycle lanes are only there where tagged (an untagged
-// residential street has no pavement). lanes=* counts driving, bus and turning lanes, neither cycling nor parking. The
-// odd lane of a two-way road whose directions are not told is driven both ways. A road of two lanes that no tag
-// counted is one lane where two cars would not pass. A roundabout and a motorway are one-way. width=* is kerb to kerb:
-// cycle lanes and cars parked on the carriageway are inside it; bays, shoulders, raised cycle tracks and pavements are
-// beside it.
+// What the tags do not say: pavements, verges, shoulders, parking and cycle lanes are only there where tagged (an
+// untagged residential street has no pavement). lanes=* counts driving, bus and turning lanes, neither cycling nor
+// parking. The odd lane of a two-way road whose directions are not told is driven both ways. A road of two lanes that
+// no tag counted is one lane where two cars would not pass. A roundabout and a motorway are one-way. width=* is kerb to
+// kerb: cycle lanes and cars parked on the carriageway are inside it; bays, shoulders, verges, raised cycle tracks and
+// pavements are beside it. Outside the kerb the verge comes first, then the cycle track, then the pavement.
 //
 // Source: wiki.openstreetmap.org, Key:lanes, Lanes, Key:turn, Key:placement, Key:cycleway, Key:sidewalk,
-// Street_parking, Key:parking:lane, Key:busway, Key:shoulder, Key:width.
+// Street_parking, Key:parking:lane, Key:busway, Key:shoulder, Key:verge, Key:width.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +44,7 @@ enum class LaneKind : std::uint8_t {
   kSidewalk,  ///< A road's pavement. Always raised.
   kFoot,      ///< The whole of a footway, path, bridleway, pedestrian street or stairs.
   kRail,      ///< The whole of a track of rails.
+  kVerge,     ///< A strip of grass. Always raised.
   kCount
 };
 
@@ -63,12 +64,12 @@ struct Lane {
   LaneWay way = LaneWay::kBoth;
   double width_m = 0;       ///< > 0, a multiple of 2^-10.
   std::uint16_t turns = 0;  ///< LaneTurn bits.
-  bool is_raised = false;   ///< Outside the kerb: pavements and cycle tracks.
+  bool is_raised = false;   ///< Outside the kerb: pavements, cycle tracks, verges.
   bool operator==(const Lane&) const = default;
 };
 
 struct CrossSection {
-  std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 40 in all.
+  std::vector<Lane> lanes;   ///< Left to right, seen along the way. At least one is not raised, at most 42 in all.
   double axis_offset_m = 0;  ///< From the left edge of the carriageway (of the lanes that are not raised) to the way; a
                              ///< multiple of 2^-11.
   bool operator==(const CrossSection&) const = default;

@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <array>
-#include <span>
 
-#include "compiler/geometry/snap.h"
 #include "compiler/map/driving_side.h"
 #include "compiler/map/each_line.h"
 #include "compiler/map/lane_tags.h"
@@ -38,26 +35,6 @@ SurfaceClass surfaced(SurfaceClass surface, std::string_view tagged) {
   return surface;
 }
 
-// Wider ones are squares, and areas of their own.
-constexpr double kMostRaised_m = 32;
-
-// What is raised on one side of the carriageway: pavements and cycle tracks.
-double raised_m(std::span<const Lane> lanes) {
-  double width = 0;
-  for (const Lane& lane : lanes) {
-    if (!lane.is_raised) break;
-    width += lane.width_m;
-  }
-  return std::min(kMostRaised_m, snapped_to(0.25, width));
-}
-
-void take_section(CrossSection&& section, Track& track) {
-  track.width_m = std::max(kQuantum_m, carriageway_width_m(section));
-  track.pavement_left_m = raised_m(section.lanes);
-  track.pavement_right_m = raised_m(std::vector(section.lanes.rbegin(), section.lanes.rend()));
-  track.section = std::move(section);
-}
-
 DrivingSide side_of(const Reading& reading, const source::Way& way) {
   const source::Location at = reading.osm.nodes_of(way).front().at;
   return driving_side_at({at.lon_deg(), at.lat_deg()});
@@ -72,7 +49,7 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
   track.node_ids = std::move(line.node_ids);
   track.surface = surfaced(row.surface, reading.tag(way.tags, "surface"));
   track.side = side;
-  take_section(cross_section_of(reading, id, way.tags, side), track);
+  track.section = cross_section_of(reading, id, way.tags, side);
   track.layer = tagged_layer(reading, id, way.tags);
   track.passage = tagged_passage(reading, way.tags);
   track.is_oneway = told_traffic(reading.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;

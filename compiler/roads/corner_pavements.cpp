@@ -8,12 +8,13 @@
 namespace citykiln::roads {
 namespace {
 
-double raised_left_of(std::span<const Road> roads, const Arm& arm) {
-  return arm.step > 0 ? raised_left_m(roads[arm.road]) : raised_right_m(roads[arm.road]);
+// Verges outside of pavements do not go round corners.
+double paved_left_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? paved_left_m(roads[arm.road]) : paved_right_m(roads[arm.road]);
 }
 
-double raised_right_of(std::span<const Road> roads, const Arm& arm) {
-  return arm.step > 0 ? raised_right_m(roads[arm.road]) : raised_left_m(roads[arm.road]);
+double paved_right_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? paved_right_m(roads[arm.road]) : paved_left_m(roads[arm.road]);
 }
 
 // An arm, and how far along it its pavement may go round a corner.
@@ -48,8 +49,8 @@ std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<co
   for (std::uint32_t a = 0; a < arms.size(); ++a) {
     if (next[a] == a) continue;
     const Arm &arm = arms[a], &other = arms[next[a]];
-    if (auto ring = stroke_corner(raised_arm(roads, arm, raised_left_of(roads, arm), junction.cuts[a]),
-                                  raised_arm(roads, other, raised_right_of(roads, other), junction.cuts[next[a]]),
+    if (auto ring = stroke_corner(raised_arm(roads, arm, paved_left_of(roads, arm), junction.cuts[a]),
+                                  raised_arm(roads, other, paved_right_of(roads, other), junction.cuts[next[a]]),
                                   junction.cuts[a].radius_m))
       rings.push_back(std::move(*ring));
   }

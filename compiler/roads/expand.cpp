@@ -141,11 +141,13 @@ std::vector<Ring> stroke_carriageway(const Road& road, const Ends& ends) {
 }
 
 std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends) {
-  const double left = raised_left_m(road), right = raised_right_m(road);
+  const double left = paved_left_m(road), right = paved_right_m(road);
   if (left == 0 && right == 0) return {};
+  // verges farther out have given way before anything else does
   const auto outer = [&](double along_m) {
     const Edges edges = edges_at(road, along_m);
-    return Halves{edges.left_m, edges.right_m};
+    return Halves{std::min(edges.left_m, edges.kerb_left_m + left),
+                  std::min(edges.right_m, edges.kerb_right_m + right)};
   };
   return stroke_along(road.axis, stations_along(road, outer), ends);
 }

@@ -24,8 +24,8 @@ std::vector<Ring> stroke(const Strip& strip, const Ends& ends = {});
 /// wherever an edge bends beside it.
 std::vector<Ring> stroke_carriageway(const Road& road, const Ends& ends = {});
 
-/// The road with what is raised beside it, likewise; empty where nothing is. What lies between this and the
-/// carriageway is pavement.
+/// The road out to its outermost pavement or cycle track, likewise; empty where it has none. What lies between this and
+/// the carriageway is pavement, verges within it and all; verges farther out are not in it.
 std::vector<Ring> stroke_pavements(const Road& road, const Ends& ends = {});
 
 }  // namespace citykiln::roads

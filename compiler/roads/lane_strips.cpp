@@ -15,7 +15,10 @@ SurfaceClass surface_of(const Road& road, const map::Lane& lane) {
       return SurfaceClass::kCycleTrack;
     case LaneKind::kParking:
       return SurfaceClass::kParkingLane;
+    case LaneKind::kVerge:
+      return SurfaceClass::kVerge;
     default:
+      // a raised buffer too: no tag tells of planted ones, and what is laid across the carriageway goes over it
       return SurfaceClass::kPavement;
   }
 }

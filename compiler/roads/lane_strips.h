@@ -1,7 +1,7 @@
 // Strips of lanes: a road cut along its length, from the left edge to the right one, into runs of neighbouring lanes of
 // one kind of surface.
 //
-//     verge | pavement | kerb | parking |  carriageway: driving, bus, cycle lanes …  | kerb | pavement
+//     pavement | verge | kerb | parking |  carriageway: driving, bus, cycle lanes …  | kerb | verge | pavement
 #pragma once
 
 #include <vector>

@@ -94,7 +94,8 @@ Line shoulder_line(const Lane& a, const Lane& b, const Pattern& pattern, const R
 }
 
 Line line_between(const Lane& a, const Lane& b, const Pattern& pattern, const Rules& rules) {
-  for (const LaneKind bare : {LaneKind::kSidewalk, LaneKind::kFoot, LaneKind::kRail, LaneKind::kParking})
+  for (const LaneKind bare :
+       {LaneKind::kSidewalk, LaneKind::kFoot, LaneKind::kRail, LaneKind::kParking, LaneKind::kVerge})
     if (is_any(bare, a, b)) return {};
   if (is_any(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kUnbroken};
   if (is_any(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, pattern, rules);

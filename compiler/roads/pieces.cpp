@@ -32,9 +32,10 @@ Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
 
 bool is_crossing(Stretch stretch) { return stretch == Stretch::kZebra || stretch == Stretch::kCrossing; }
 
-// What a stretch makes of a strip: crossings lead over everything between the kerbs.
+// What a stretch makes of a strip: crossings lead over everything between the kerbs, and to them nobody walks on grass.
 SurfaceClass surface_of(const Road& road, const LaneStrip& strip, Stretch stretch) {
   if (stretch == Stretch::kLevelCrossing) return SurfaceClass::kLevelCrossing;
+  if (is_crossing(stretch) && strip.surface == SurfaceClass::kVerge) return SurfaceClass::kPavement;
   return is_crossing(stretch) && strip.surface == road.surface ? SurfaceClass::kCrossing : strip.surface;
 }
 

@@ -51,9 +51,9 @@ struct RoadPieces {
 
 /// All of a road from its left edge to its right one.
 ///
-/// Guarantees: pieces cover what stroke() and stroke_pavements() cover, but for snapping and for the inside of bends
-/// too sharp for a mitre; neighbours share their corners exactly; no case fails: where a mitre does not fit, both
-/// segments end square and a joint fills the wedge. O(points · strips).
+/// Guarantees: pieces cover what stroke_carriageway() and stroke_pavements() cover, and the verges outside of it, but
+/// for snapping and for the inside of bends too sharp for a mitre; neighbours share their corners exactly; no case
+/// fails: where a mitre does not fit, both segments end square and a joint fills the wedge. O(points · strips).
 RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
                      double tolerance_m);
 

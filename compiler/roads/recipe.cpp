@@ -7,8 +7,8 @@
 namespace citykiln::roads {
 namespace {
 
-template <typename Lanes>
-double raised_before_kerb_m(const Lanes& lanes) {
+// Lanes from an outer edge inwards.
+double raised_before_kerb_m(const std::vector<map::Lane>& lanes) {
   double width = 0;
   for (const map::Lane& lane : lanes) {
     if (!lane.is_raised) break;
@@ -17,15 +17,29 @@ double raised_before_kerb_m(const Lanes& lanes) {
   return width;
 }
 
+double verges_before_pavement_m(const std::vector<map::Lane>& lanes) {
+  double width = 0;
+  for (const map::Lane& lane : lanes) {
+    if (!lane.is_raised || lane.kind != map::LaneKind::kVerge) break;
+    width += lane.width_m;
+  }
+  return width;
+}
+
+std::vector<map::Lane> from_the_right(const Road& road) {
+  return {road.section.lanes.rbegin(), road.section.lanes.rend()};
+}
+
 }  // namespace
 
 double left_m(const Road& road) { return road.section.axis_offset_m; }
 double right_m(const Road& road) { return map::carriageway_width_m(road.section) - road.section.axis_offset_m; }
 
 double raised_left_m(const Road& road) { return raised_before_kerb_m(road.section.lanes); }
-double raised_right_m(const Road& road) {
-  return raised_before_kerb_m(std::vector(road.section.lanes.rbegin(), road.section.lanes.rend()));
-}
+double raised_right_m(const Road& road) { return raised_before_kerb_m(from_the_right(road)); }
+
+double paved_left_m(const Road& road) { return raised_left_m(road) - verges_before_pavement_m(road.section.lanes); }
+double paved_right_m(const Road& road) { return raised_right_m(road) - verges_before_pavement_m(from_the_right(road)); }
 
 std::vector<double> distances_along(const Road& road) {
   std::vector<double> along = {road.passed_m};

@@ -59,6 +59,10 @@ inline double width_m(const Road& road) { return left_m(road) + right_m(road); }
 double raised_left_m(const Road& road);
 double raised_right_m(const Road& road);
 
+/// Of that, what lies within the outermost pavement or cycle track: all but verges farther out.
+double paved_left_m(const Road& road);
+double paved_right_m(const Road& road);
+
 /// How far along the whole way each vertex lies: segments measured to 2^-10 m, so the same in a trimmed run. O(n).
 std::vector<double> distances_along(const Road& road);
 

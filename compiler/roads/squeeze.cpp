@@ -11,6 +11,7 @@ namespace {
 // One side of a road, from the carriageway's middle to the outer edge.
 struct Side {
   double carriageway_m, raised_m;
+  double paved_m = 0;  // of what is raised, without the verges outside of it
 };
 
 // What is there, and what the carriageway keeps.
@@ -28,7 +29,10 @@ bool is_walked_or_cycled(const map::Lane& lane) {
 
 Sides sides_of(const Road& road) {
   const double left = left_m(road), right = right_m(road), half = (left + right) / 2;
-  return {(left - right) / 2, {half, raised_left_m(road)}, {half, raised_right_m(road)}, least_half_m(road)};
+  return {(left - right) / 2,
+          {half, raised_left_m(road), paved_left_m(road)},
+          {half, raised_right_m(road), paved_right_m(road)},
+          least_half_m(road)};
 }
 
 Side give_way(const Side& whole, double least_m, double limit_m) {
@@ -73,8 +77,8 @@ std::vector<Vec2> profile_of(std::span<const Pinch> pinches, double whole_m) {
 // Where the profile bends, and where it goes through a limit at which something else begins to give way.
 void add_bends(std::span<const Pinch> pinches, const Side& side, double least_m, std::vector<double>& bends) {
   const double kept = std::min(side.raised_m, kLeastPavement_m);
-  const std::array<double, 4> turns = {side.carriageway_m + side.raised_m, side.carriageway_m + kept, least_m + kept,
-                                       least_m};
+  const std::array<double, 5> turns = {side.carriageway_m + side.raised_m, side.carriageway_m + side.paved_m,
+                                       side.carriageway_m + kept, least_m + kept, least_m};
   const std::vector<Vec2> corners = profile_of(pinches, turns[0]);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     bends.push_back(corners[i].x);
@@ -99,7 +103,7 @@ void take(double& width_m, double& asked_m) {
 // Lanes beyond a kerb, outermost first.
 void squeeze_raised(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double asked_m) {
   for (std::size_t i = 0; i < lanes.size(); ++i)
-    if (lanes[i]->kind == map::LaneKind::kBuffer) take(*widths[i], asked_m);
+    if (lanes[i]->kind == map::LaneKind::kBuffer || lanes[i]->kind == map::LaneKind::kVerge) take(*widths[i], asked_m);
   for (double* width : widths) take(*width, asked_m);
 }
 

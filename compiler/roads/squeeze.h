@@ -50,7 +50,8 @@ struct Edges {
 /// The road's edges, narrowed. O(log n) in pinches, O(n) in lanes.
 Edges edges_at(const Road& road, double along_m);
 
-/// Distances along the whole way between which all edges run straight beside their axis, sorted. None where no building
+/// Distances along the whole way between which all edges, that of the paved part too, run straight beside their axis,
+/// sorted. None where no building
 /// is near. O(n log n) in pinches.
 std::vector<double> bends_of_edges(const Road& road);
 

@@ -49,13 +49,13 @@ Span bridge_of(const map::Track& track, const DeckGraph& graph, const std::vecto
                const std::vector<double>& heights_m) {
   std::vector<Vec3> axis;
   for (const std::uint32_t s : stations) axis.push_back(at_height(graph.stations[s].at, heights_m[s]));
-  Span span{track.id, {axis.front()}, track.surface, track.width_m};
+  Span span{track.id, {axis.front()}, track.surface, map::carriageway_width_m(track.section)};
   keep_bends(axis, 0, axis.size() - 1, span.axis);
   return span;
 }
 
 Span tunnel_of(const map::Track& track, const map::Heightfield& heights) {
-  Span span{track.id, {}, track.surface, track.width_m};
+  Span span{track.id, {}, track.surface, map::carriageway_width_m(track.section)};
   const double from_m = height_m_at(heights, track.axis.front()), to_m = height_m_at(heights, track.axis.back());
   const double whole_m = length_m(track.axis);
   double walked_m = 0;

@@ -10,7 +10,7 @@ map::Features one_of_each() {
   map::Track track;
   track.id = {{OsmType::kWay, 7}, 0};
   track.axis = {{0, 0}, {100, 0}};
-  track.width_m = 5.5;
+  track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 5.5}}, 2.75};
   features.tracks.push_back(track);
   map::Footprint building;
   building.id = {{OsmType::kRelation, 8}, 1};

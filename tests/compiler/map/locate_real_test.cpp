@@ -103,7 +103,7 @@ TEST(LocateReal, EveryExtractKeepsEveryPromise) {
     for (const Track& track : f.tracks) {
       EXPECT_EQ(track.axis.size(), track.node_ids.size());
       EXPECT_GE(track.axis.size(), 2u);
-      EXPECT_GT(track.width_m, 0);
+      EXPECT_GT(carriageway_width_m(track.section), 0);
       EXPECT_TRUE(box_of(track.axis).touches(f.region));
     }
   }

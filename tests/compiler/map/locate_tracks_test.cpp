@@ -44,7 +44,7 @@ TEST(LocateTracks, TagsDecideClassAndWidth) {
   for (const auto& c : cases) {
     const Track track = track_of(c.tags);
     EXPECT_EQ(values_of(track.surface).name, values_of(c.surface).name) << c.tags;
-    EXPECT_EQ(track.width_m, c.width_m) << c.tags;
+    EXPECT_EQ(carriageway_width_m(track.section), c.width_m) << c.tags;
   }
 }
 
@@ -72,7 +72,6 @@ TEST(LocateTracks, RoundaboutsAndLinksAreKnown) {
 TEST(LocateTracks, TheCrossSectionIsKeptWhole) {
   const Track track = track_of("highway=residential lanes=3 sidewalk=right cycleway:left=lane");
   EXPECT_EQ(to_string(track.section), "cddd|s vv-^|-");
-  EXPECT_EQ(track.width_m, carriageway_width_m(track.section));
   EXPECT_EQ(track.side, DrivingSide::kRight);
 }
 
@@ -82,7 +81,7 @@ TEST(LocateTracks, BadValuesAreDiagnosedAndTheClassesValuesUsed) {
     Report report;
     const Features features = features_of(std::string("w1 0:0 50:0 highway=residential ") + bad, report);
     ASSERT_EQ(features.tracks.size(), 1u);
-    EXPECT_EQ(features.tracks[0].width_m, 5.5) << bad;
+    EXPECT_EQ(carriageway_width_m(features.tracks[0].section), 5.5) << bad;
     EXPECT_EQ(features.tracks[0].layer, 0) << bad;
     EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
   }
@@ -144,7 +143,7 @@ TEST(LocateTracks, PavementsLieWhereTagsSaySo) {
       {"sidewalk:left=yes sidewalk:right=no", 2, 0},
       {"sidewalk=both sidewalk:left=separate", 0, 2},
       {"sidewalk:both=yes sidewalk:right=no", 2, 0},
-      {"sidewalk=both sidewalk:both:width=3.1", 3, 3},
+      {"sidewalk=both sidewalk:both:width=3.25", 3.25, 3.25},
       {"sidewalk=both sidewalk:left:width=1.5 sidewalk:right:width=4", 1.5, 4},
       {"sidewalk=both sidewalk:left:width=wide", 2, 2},
       {"sidewalk=both sidewalk:right:width=-3", 2, 2},
@@ -152,8 +151,9 @@ TEST(LocateTracks, PavementsLieWhereTagsSaySo) {
   for (const auto& c : cases) {
     const Features features = features_of(std::string("w1 0:0 50:0 highway=residential ") + c.tags);
     ASSERT_EQ(features.tracks.size(), 1u) << c.tags;
-    EXPECT_EQ(features.tracks[0].pavement_left_m, c.left_m) << c.tags;
-    EXPECT_EQ(features.tracks[0].pavement_right_m, c.right_m) << c.tags;
+    const std::vector<Lane>& lanes = features.tracks[0].section.lanes;
+    EXPECT_EQ(lanes.front().is_raised ? lanes.front().width_m : 0, c.left_m) << c.tags;
+    EXPECT_EQ(lanes.back().is_raised ? lanes.back().width_m : 0, c.right_m) << c.tags;
   }
 }
 

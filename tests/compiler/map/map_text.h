@@ -160,8 +160,9 @@ inline std::string text_of(const Features& f) {
   const auto material = [](const std::optional<materials::Material>& m) { return m ? static_cast<int>(*m) : -1; };
   text += fmt::format("region {:a}:{:a} {:a}:{:a}\n", f.region.min.x, f.region.min.y, f.region.max.x, f.region.max.y);
   for (const Track& t : f.tracks) {
-    text += fmt::format("track {} {} {:a} {} {} {}{}{}{}", id(t.id), values_of(t.surface).name, t.width_m, t.layer,
-                        static_cast<int>(t.passage), t.is_oneway, t.is_lit, t.is_rail, line(t.axis));
+    text += fmt::format("track {} {} {:a} {} {} {}{}{}{}", id(t.id), values_of(t.surface).name,
+                        carriageway_width_m(t.section), t.layer, static_cast<int>(t.passage), t.is_oneway, t.is_lit,
+                        t.is_rail, line(t.axis));
     for (const std::int64_t node : t.node_ids) text += fmt::format(" n{}", node);
     text += fmt::format(" {}{} side {} {} {:a}", t.is_roundabout, t.is_link, static_cast<int>(t.side),
                         to_string(t.section), t.section.axis_offset_m);

@@ -84,6 +84,17 @@ TEST(Pavements, LieBesideTheStripOnTheirSide) {
   EXPECT_EQ(box_of(left.front()), (Box2{{0, -3}, {100, 5}}));
 }
 
+TEST(Pavements, EndBeforeVergesOutsideOfThem) {
+  const map::Lane verge{map::LaneKind::kVerge, map::LaneWay::kBoth, 1.5, 0, true};
+  Road edged = road({{0, 0}, {100, 0}}, 2, 2);
+  edged.section.lanes.insert(edged.section.lanes.begin(), verge);    // outside the left pavement
+  edged.section.lanes.insert(edged.section.lanes.end() - 1, verge);  // between the right one and its kerb
+  EXPECT_EQ(box_of(stroke_pavements(edged).front()), (Box2{{0, -6.5}, {100, 5}}));
+  Road green = road({{0, 0}, {100, 0}});
+  green.section.lanes.push_back(verge);
+  EXPECT_TRUE(stroke_pavements(green).empty());
+}
+
 TEST(Pavements, FollowBends) {
   const double length = 100 + std::sqrt(2600.0);
   EXPECT_NEAR(area_of(stroke_pavements(road({{0, 0}, {100, 0}, {110, 50}}, 2, 2))), 10 * length, 0.2);

@@ -146,6 +146,14 @@ TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
   EXPECT_FALSE(contains(corner, Vec2{8, 8} + inward * 2.9));
 }
 
+TEST_F(Junctions, VergesWithoutAPavementGoRoundNoCorner) {
+  std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, SurfaceClass::kResidentialRoad, 2, 0),
+                             made_road(2, {{0, 0}, {0, 50}}, 6, SurfaceClass::kResidentialRoad, 0, 2)};
+  roads[1].section.lanes.back().kind = map::LaneKind::kVerge;
+  const Outlined all = sound(roads);
+  EXPECT_TRUE(stroke_corner_pavements(all.junctions[0], roads, arms_of(all.junctions, roads)[0]).empty());
+}
+
 TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
   const auto streets = [&](double apart_m) {
     return sound({road(1, {{-80, 0}, {0, 0}, {apart_m, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),

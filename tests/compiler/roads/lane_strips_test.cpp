@@ -33,9 +33,17 @@ TEST(LaneStrips, AreRunsOfOneSurfaceWithKerbsBetween) {
   EXPECT_EQ(text_of(strips_of(road_of("", "dd", ""), 0.02)), "ResidentialRoad");
 }
 
+TEST(LaneStrips, VergesAreStripsOfTheirOwnAndRaisedBuffersPavement) {
+  EXPECT_EQ(text_of(strips_of(road_of("sg", "dd", "g"), 0.02)), "Pavement Verge Kerb ResidentialRoad Kerb Verge");
+  EXPECT_EQ(text_of(strips_of(road_of("", "dd", "g/cs"), 0.02)),
+            "ResidentialRoad Kerb Verge Pavement CycleTrack Pavement");
+  const auto strips = strips_of(road_of("sg", "dd", ""), 0.02);
+  EXPECT_DOUBLE_EQ(strips[1].left_m - strips[1].right_m, usual_width_m(map::LaneKind::kVerge) - kKerb_m);
+}
+
 TEST(LaneStrips, LieEdgeToEdgeAndAsWideAsTheirLanes) {
   for (const char* middle : {"d", "pddp", "Sdd/c"})
-    for (const char* side : {"", "s", "cs"}) {
+    for (const char* side : {"", "s", "cs", "g", "gs"}) {
       const Road road = road_of(side, middle, side);
       const auto strips = strips_of(road, 0.02);
       EXPECT_DOUBLE_EQ(strips.front().left_m, left_m(road) + raised_left_m(road));

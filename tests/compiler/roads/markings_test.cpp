@@ -301,7 +301,7 @@ Pattern random_pattern(std::mt19937& random) {
   strip.surface = kSurfaces[below(std::size(kSurfaces))];
   for (unsigned lanes = 1 + below(7); lanes > 0; --lanes) {
     map::Lane lane;
-    lane.kind = static_cast<map::LaneKind>(below(10));
+    lane.kind = static_cast<map::LaneKind>(below(11));
     lane.way = static_cast<map::LaneWay>(below(3));
     lane.width_m = (256 + below(5000)) / 1024.0;
     lane.turns = below(2) ? static_cast<std::uint16_t>(below(1024)) : 0;

@@ -8,7 +8,7 @@
 namespace citykiln::roads {
 
 inline map::LaneKind kind_of(char letter) {
-  const std::string letters = "dbtcpS/sfr";
+  const std::string letters = "dbtcpS/sfrg";
   return static_cast<map::LaneKind>(letters.find(letter));
 }
 
@@ -17,7 +17,7 @@ inline map::LaneWay way_of(char letter) {
 }
 
 inline double usual_width_m(map::LaneKind kind) {
-  constexpr double kWidths_m[] = {3.25, 3.25, 3, 1.5, 2, 2.5, 0.5, 2, 2, 4};
+  constexpr double kWidths_m[] = {3.25, 3.25, 3, 1.5, 2, 2.5, 0.5, 2, 2, 4, 1.5};
   return kWidths_m[static_cast<int>(kind)];
 }
 

@@ -144,6 +144,23 @@ TEST(Pieces, GiveWayWhereTheRoadDoes) {
   EXPECT_NEAR(covered_m2(pieces), covered_m2(stroke_pavements(road)), 0.2);
 }
 
+TEST(Pieces, VergesArePavedWhereACrossingLeadsToThem) {
+  Road road = made_road(1, away({{0, 0}, {50, 0}, {100, 0}}), 8, map::SurfaceClass::kPrimaryRoad, 2, 2);
+  road.section.lanes.insert(road.section.lanes.begin() + 1, {map::LaneKind::kVerge, map::LaneWay::kBoth, 1.5, 0, true});
+  const auto verges_at = [&](double x) {
+    std::size_t count = 0;
+    for (const Piece& piece : pieces_of_whole(road).pieces) {
+      const Box2 box = box_of(piece.ring);
+      count += piece.surface == map::SurfaceClass::kVerge && box.min.x < kAway.x + x && kAway.x + x < box.max.x;
+    }
+    return count;
+  };
+  EXPECT_EQ(verges_at(49.5), 1u);
+  road.points = {{1, map::TrackPointKind::kZebra, 0}};
+  EXPECT_EQ(verges_at(49.5), 0u);
+  EXPECT_EQ(verges_at(20), 1u);
+}
+
 TEST(Pieces, MarkedStripsHaveAPattern) {
   Road road = made_road(1, away({{0, 0}, {100, 0}}), 3.5, map::SurfaceClass::kPrimaryRoad, 2, 2);
   road.section.lanes.insert(road.section.lanes.begin() + 1, road.section.lanes[1]);

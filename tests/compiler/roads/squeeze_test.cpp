@@ -90,6 +90,34 @@ TEST(SqueezedLanes, AddUpToWhatTheEdgesSayAndNeverJump) {
   EXPECT_EQ(squeezed_at(road, 100).widths_m, (std::vector<double>{2, 0.25, 1.5, 2, 3, 3, 0.5, 0.5}));
 }
 
+// The street with a verge outside of its left pavement and one inside of its right one.
+Road street_with_verges(double half_m) {
+  Road road = street(half_m);
+  const map::Lane verge{map::LaneKind::kVerge, map::LaneWay::kBoth, 1, 0, true};
+  road.section.lanes.insert(road.section.lanes.begin(), verge);
+  road.section.lanes.insert(road.section.lanes.end() - 1, verge);
+  return road;
+}
+
+TEST(SqueezedLanes, VergesGiveWayBeforePavements) {
+  Road road = street_with_verges(5.5);
+  road.narrowing.right = {{100, 4.5, false}};
+  EXPECT_EQ(squeezed_at(road, 100).widths_m, (std::vector<double>{0.5, 2, 6, 0, 1.5}));
+}
+
+TEST(SqueezeBends, AreWhereAVergeOutsideAPavementIsUsedUp) {
+  const Road road = street_with_verges(3.25);
+  EXPECT_EQ(paved_left_m(road), 2);
+  EXPECT_EQ(paved_right_m(road), 3);
+  const auto paved_m = [&](double along_m) {
+    const Edges edges = edges_at(road, along_m);
+    return std::min(edges.left_m, edges.kerb_left_m + paved_left_m(road));
+  };
+  const std::vector<double> bends = bends_of_edges(road);
+  for (std::size_t i = 1; i < bends.size(); ++i)
+    EXPECT_NEAR(paved_m((bends[i - 1] + bends[i]) / 2), (paved_m(bends[i - 1]) + paved_m(bends[i])) / 2, 1e-9);
+}
+
 TEST(SqueezeBends, AreWhereEdgesTurn) {
   Road road = street(1);
   road.narrowing.left.push_back({120, 3, false});

@@ -29,7 +29,7 @@ map::Track track(std::int64_t id, Passage passage, Polyline axis, std::vector<st
   t.axis = std::move(axis);
   t.node_ids = std::move(nodes);
   t.surface = map::SurfaceClass::kResidentialRoad;
-  t.width_m = 6;
+  t.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
   t.layer = static_cast<std::int8_t>(layer);
   t.passage = passage;
   return t;
