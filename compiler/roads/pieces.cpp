@@ -70,7 +70,9 @@ struct Making {
       for (const StretchRun& run : stretches) {
         patterns.push_back(kNoPattern);
         Pattern pattern = pattern_of(road, strip, run);
-        if (strip.lanes.empty() || !is_marked(pattern)) continue;
+        // crossings are painted between the kerbs
+        const bool is_beside = strip.lanes.empty() || (is_crossing(run.stretch) && strip.lanes.front().is_raised);
+        if (is_beside || !is_marked(pattern)) continue;
         patterns.back() = static_cast<std::uint32_t>(made.patterns.size());
         made.patterns.push_back(std::move(pattern));
       }
