@@ -54,8 +54,9 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
 /// Which outlines are not simple, and time for one, over the grid they are written on, for three ways of computing
 /// them.
 Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);
-/// Time of the network and its outlines over the number of ways, and over that of their points, for the 1/16 to all of
-/// each map's ways that are nearest to its middle; the exponent of the power law through them in the series' names.
+/// Processor time of the network and its outlines over the number of ways, and over that of their points, for the 1/16
+/// to all of each map's ways that are nearest to its middle; the exponent of the power law through them in the series'
+/// names.
 Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
 
 /// p of the power law y = c x^p that fits the points, all positive, by least squares of logarithms. 0 for fewer than
