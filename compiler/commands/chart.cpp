@@ -19,7 +19,7 @@ struct Kind {
   Result<std::vector<Chart>> (*make)(const ChartRequest& request);
 };
 constexpr std::array kKinds = {Kind{"plane", chart_plane}, Kind{"terrain", chart_terrain},
-                               Kind{"junctions", chart_junctions}};
+                               Kind{"junctions", chart_junctions}, Kind{"roads", chart_roads}};
 
 Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
   std::string known;
@@ -31,7 +31,7 @@ Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& req
 }
 
 Result<Exit> run(const ChartRequest& request, const Console& console) {
-  if (request.names.empty()) return Error{"", "no chart is named (plane, terrain, junctions)"};
+  if (request.names.empty()) return Error{"", "no chart is named (plane, terrain, junctions, roads)"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
     const Result<std::vector<Chart>> charts = make(name, request);
@@ -73,8 +73,8 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME...", "plane, terrain, junctions", true, onto(request->names)},
-      {"--map", "FILE...", "junctions: the maps", true, onto(request->maps)},
+      {"names", "NAME...", "plane, terrain, junctions, roads", true, onto(request->names)},
+      {"--map", "FILE...", "junctions, roads: the maps", true, onto(request->maps)},
       {"--dem", "FILE[,key=value...]", "terrain: the heightmap", true, onto(request->rasters)},
       {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false,
        [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},

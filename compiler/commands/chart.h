@@ -39,7 +39,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of the junctions chart.
+  std::vector<std::string> maps;     ///< Of the junctions and roads charts.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
@@ -54,5 +54,13 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request);
 /// Which outlines are not simple, and time for one, over the grid they are written on, for three ways of computing
 /// them.
 Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);
+/// Processor time of the network and its outlines over the number of ways, and over that of their points, for the 1/16
+/// to all of each map's ways that are nearest to its middle; the exponent of the power law through them in the series'
+/// names.
+Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
+
+/// p of the power law y = c x^p that fits the points, all positive, by least squares of logarithms. 0 for fewer than
+/// two different x.
+double exponent_of(const Series& series);
 
 }  // namespace citykiln::commands

@@ -6,14 +6,12 @@
 #include <chrono>
 
 #include "compiler/commands/chart.h"
+#include "compiler/commands/read_roads.h"
 #include "compiler/geometry/exact_union.h"
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/map/locate.h"
 #include "compiler/roads/junction_ring.h"
-#include "compiler/roads/plan.h"
-#include "compiler/source/read_osm.h"
 
 namespace citykiln::commands {
 namespace {
@@ -25,12 +23,10 @@ struct Case {
 };
 
 Result<std::vector<Case>> cases_of(const std::string& path, int threads) {
+  const Result<std::vector<roads::Road>> read = read_roads(path, threads);
+  if (!read) return read.error();
+  const std::vector<roads::Road>& roads = *read;
   Report ignored;
-  const Result<source::OsmData> osm = source::read_osm(path, threads, ignored);
-  if (!osm) return osm.error();
-  const source::LonLatBox box = map::choose_box(*osm, {});
-  const auto features = map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, ignored);
-  const std::vector<roads::Road> roads = roads::plan(features, ignored);
   const std::vector<roads::Junction> junctions = roads::plan_junctions(roads, ignored);
   const auto arms = roads::arms_of(junctions, roads);
   std::vector<Case> cases;

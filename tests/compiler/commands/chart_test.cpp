@@ -59,6 +59,29 @@ TEST(ChartOfJunctions, NeverFindsSnapRoundingInvalid) {
   for (const auto& [grid_m, share] : charts->front().series.back().points) EXPECT_EQ(share, 0) << grid_m;
 }
 
+TEST(ChartOfRoads, AsksForMaps) {
+  EXPECT_EQ(to_string(chart_roads({}).error()), "chart roads: needs maps (--map FILE)");
+}
+
+TEST(ChartOfRoads, MeasuresNestedPartsUpToAllRoads) {
+  ChartRequest request;
+  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  const Result<std::vector<Chart>> charts = chart_roads(request);
+  ASSERT_TRUE(charts) << to_string(charts.error());
+  for (const Chart& chart : *charts) {
+    const auto& points = chart.series.front().points;
+    ASSERT_FALSE(points.empty()) << chart.name;
+    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_LT(points[i - 1].first, points[i].first) << chart.name;
+    for (const auto& [size, seconds] : points) EXPECT_GT(seconds, 0) << chart.name << " " << size;
+  }
+}
+
+TEST(ChartOfRoads, FindsTheExponentOfAPowerLaw) {
+  EXPECT_NEAR(exponent_of({"", {{1, 3}, {4, 24}, {16, 192}}}), 1.5, 1e-12);
+  EXPECT_NEAR(exponent_of({"", {{10, 5}, {20, 10}, {80, 40}}}), 1, 1e-12);
+  EXPECT_EQ(exponent_of({"", {{7, 1}}}), 0);
+}
+
 TEST(ChartOfTerrain, AsksForAHeightmap) {
   EXPECT_EQ(to_string(chart_terrain({}).error()), "chart terrain: needs a heightmap (--dem FILE)");
 }
