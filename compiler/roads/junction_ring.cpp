@@ -234,7 +234,7 @@ std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> 
   const auto taper = [&] {
     return taper_ring(around.paths[0], junction.cuts[0].length_m, around.paths[1], junction.cuts[1].length_m);
   };
-  auto ring = is_taper(around.lines) ? taper() : walk_unchecked(junction, roads, arms, around);
+  auto ring = is_taper(junction.family, around.lines) ? taper() : walk_unchecked(junction, roads, arms, around);
   if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
   return ring;
 }

@@ -53,9 +53,9 @@ std::optional<Vec2> across(const std::vector<Station>& stations, std::size_t i) 
 
 }  // namespace
 
-bool is_taper(std::span<const ArmLine> lines) {
+bool is_taper(Family family, std::span<const ArmLine> lines) {
   constexpr double kStraightCosine = -0.866;
-  return lines.size() == 2 && dot(lines[0].along, lines[1].along) < kStraightCosine;
+  return family == Family::kStreet && lines.size() == 2 && dot(lines[0].along, lines[1].along) < kStraightCosine;
 }
 
 double taper_length_m(const ArmPath& arm, const ArmPath& other) {

@@ -13,8 +13,9 @@
 
 namespace citykiln::roads {
 
-/// Two arms that a driver takes for one road: less than some 30 degrees from straight on.
-bool is_taper(std::span<const ArmLine> lines);
+/// Two arms that a driver takes for one road: of streets, less than some 30 degrees from straight on. Stairs and paths
+/// step from one width to another.
+bool is_taper(Family family, std::span<const ArmLine> lines);
 
 /// How long an arm tapers towards another one: at least 1 m.
 double taper_length_m(const ArmPath& arm, const ArmPath& other);

@@ -194,6 +194,13 @@ TEST_F(Junctions, WidthsTaperOneInFive) {
   EXPECT_NEAR(area_m2(all.outlines[0][0]), 10 * 1 + 10 * (10 + 6) / 2, 1e-6);
 }
 
+TEST_F(Junctions, StairsAndPathsStepFromWidthToWidth) {
+  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}}, 40, SurfaceClass::kSteps),
+                              road(2, {{0, 0}, {60, 0}}, 2, SurfaceClass::kPavedFootPath)});
+  ASSERT_EQ(all.junctions.size(), 1u);
+  for (const Cut& cut : all.junctions[0].cuts) EXPECT_LE(cut.length_m, 1);
+}
+
 TEST_F(Junctions, ATaperIsNoLongerThanHalfItsLink) {
   const Outlined all =
       sound({road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {12, 0}}, 6), road(3, {{12, 0}, {60, 0}}, 10)});
