@@ -52,9 +52,9 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 /// Decides all junctions of a layer's roads.
 ///
 /// Guarantees: cuts of one road never overlap, unless its whole link is inside; places of one junction lie in a
-/// square of kReach_m; what is decided depends on nothing farther than 8 kReach_m away. Diagnosed:
-/// kArmSwallowed (a road between two junctions that nothing is left of), kJunctionsMerged. Sorted by their first arm.
-/// Total. O(n log n).
+/// square of kReach_m; what is decided depends on nothing farther than 14 kReach_m away (three rounds of merging; 8 as
+/// a rule). Diagnosed: kArmSwallowed (a road between two junctions that nothing is left of), kJunctionsMerged. Sorted
+/// by their first arm. Total. O(n log n).
 std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report);
 
 /// The junction as overlapping counter-clockwise rings, snapped; their union is what it covers, before higher junctions

@@ -10,6 +10,7 @@
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junction_claims.h"
+#include "tests/compiler/roads/real_map.h"
 
 namespace citykiln::roads {
 namespace {
@@ -183,11 +184,10 @@ TEST_P(JunctionsReal, AreSimpleWithoutSpikesApartAndWithinReach) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;
-  const auto osm = source::read_osm(path, 0, report);
-  ASSERT_TRUE(osm) << to_string(osm.error());
-  const source::LonLatBox box = map::choose_box(*osm, {});
-  const map::Plane plane(map::default_origin(box));
-  const std::vector<Road> roads = plan(map::locate(*osm, plane, box, {}, report), report);
+  const auto real = read_real_map(path, report);
+  ASSERT_TRUE(real) << to_string(real.error());
+  const map::Plane plane(real->origin);
+  const std::vector<Road> roads = plan(real->features, report);
 
   const std::vector<Junction> junctions = plan_junctions(roads, report);
   const auto outlines = outline(junctions, roads, 0);

@@ -8,6 +8,7 @@
 #include "compiler/roads/layers.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junction_claims.h"
+#include "tests/compiler/roads/real_map.h"
 
 namespace citykiln::roads {
 namespace {
@@ -39,10 +40,9 @@ TEST_P(LayersReal, JunctionsAreSimpleWithoutSpikesApartAndWithinReach) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;
-  const auto osm = source::read_osm(path, 0, report);
-  ASSERT_TRUE(osm) << to_string(osm.error());
-  const source::LonLatBox box = map::choose_box(*osm, {});
-  const map::Features features = map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, report);
+  const auto real = read_real_map(path, report);
+  ASSERT_TRUE(real) << to_string(real.error());
+  const map::Features& features = real->features;
 
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<RoadLayer> layers = plan_layers(features, report);

@@ -13,6 +13,7 @@
 #include "compiler/roads/squeeze.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junction_claims.h"
+#include "tests/compiler/roads/real_map.h"
 
 namespace citykiln::roads {
 namespace {
@@ -56,10 +57,9 @@ TEST_P(NarrowReal, KeepsOutOfBuildingsOrSaysThatItDoesNot) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   const Geos geos;
   Report report;
-  const auto osm = source::read_osm(path, 0, report);
-  ASSERT_TRUE(osm) << to_string(osm.error());
-  const source::LonLatBox box = map::choose_box(*osm, {});
-  const map::Features features = map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, report);
+  const auto real = read_real_map(path, report);
+  ASSERT_TRUE(real) << to_string(real.error());
+  const map::Features& features = real->features;
   const std::vector<Road> roads = plan(features, report);
   const std::vector<Road> narrowed = narrow(roads, plan_junctions(roads, report), features.footprints, report);
 

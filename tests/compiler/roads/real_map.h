@@ -1,0 +1,24 @@
+// An extract as roads see it.
+#pragma once
+
+#include <string>
+
+#include "compiler/map/locate.h"
+#include "compiler/source/read_osm.h"
+
+namespace citykiln::roads {
+
+struct RealMap {
+  map::LonLat origin;  ///< Of the plane.
+  map::Features features;
+};
+
+inline Result<RealMap> read_real_map(const std::string& path, Report& report) {
+  const auto osm = source::read_osm(path, 0, report);
+  if (!osm) return osm.error();
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::LonLat origin = map::default_origin(box);
+  return RealMap{origin, map::locate(*osm, map::Plane(origin), box, {}, report)};
+}
+
+}  // namespace citykiln::roads
