@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
@@ -19,6 +20,7 @@ struct Surface {
                               ///< junctions. Of two surfaces with one priority the smaller wins, then the lower id.
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   std::uint32_t piece = 0;  ///< Tells the pieces of one road apart, which are made when it is baked: 1, 2 … along it.
+  std::optional<double> level_m{};  ///< Of standing water: plane height, a multiple of kProfileQuantum_m.
   bool operator==(const Surface&) const = default;
 };
 

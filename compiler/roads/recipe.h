@@ -6,6 +6,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/geometry/profile.h"
 #include "compiler/map/features.h"
 #include "compiler/map/lanes.h"
 #include "compiler/map/surface_class.h"
@@ -18,6 +19,8 @@ struct Strip {
   Polyline axis;  ///< Plane metres, snapped, at least two points.
   map::SurfaceClass surface{};
   double left_m = 0, right_m = 0;  ///< From the axis to the edges, seen along it; multiples of 2^-10, their sum > 0.
+  Profile profile{};               ///< Of its axis, counted from passed_m.
+  double passed_m = 0;             ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
   bool operator==(const Strip&) const = default;
 };
 
@@ -46,6 +49,7 @@ struct Road {
   double passed_m = 0;                  ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
   std::vector<map::TrackPoint> points;  ///< Sorted; their vertices are of this axis.
   Narrowing narrowing;
+  Profile profile{};  ///< Of its axis, decided by ground/; empty until then, and for what follows the ground as it is.
   bool operator==(const Road&) const = default;
 };
 
