@@ -87,7 +87,13 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "narrowed road",
                                         "pinches",
                                         "pinch steps",
-                                        "pinch half"};
+                                        "pinch half",
+                                        "knots",
+                                        "knot steps",
+                                        "knot height",
+                                        "knot tilt",
+                                        "levelled",
+                                        "water level"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -248,11 +254,50 @@ void points(auto& io, const char* kind, std::vector<Vec2>& axis, std::size_t lea
   list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
 }
 
+// In whole quanta, as a difference to the last one.
+void quanta(auto& io, const char* name, double& value, double quantum) {
+  auto count = static_cast<std::int64_t>(std::floor(value / quantum + 0.5));
+  io.delta(name, count);
+  value = static_cast<double>(count) * quantum;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (std::abs(value) > kFarthest_m) io.fail(name), value = 0;
+}
+
+// How far from the knot before, in eighths of a metre.
+void knot(auto& io, Knot& k, const Knot* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((k.at_m - from_m) * 8);
+  io.number("knot steps", steps);
+  k.at_m = from_m + static_cast<double>(steps) / 8;
+  quanta(io, "knot height", k.z_m, kProfileQuantum_m);
+  quanta(io, "knot tilt", k.tilt, kTiltQuantum);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if ((before && steps == 0) || k.at_m > kFarthest_m) io.fail("knot steps");
+}
+
+void profile(auto& io, Profile& p) {
+  std::size_t i = 0;
+  list(io, "knots", p, 0, [&](Knot& k) {
+    knot(io, k, i > 0 ? &p[i - 1] : nullptr);
+    ++i;
+  });
+}
+
+// Standing water has one.
+void level(auto& io, ground::Surface& s) {
+  bool is_levelled = s.level_m.has_value();
+  flag(io, "levelled", is_levelled);
+  if (!is_levelled) return;
+  if (!s.level_m) s.level_m.emplace();
+  quanta(io, "water level", *s.level_m, kProfileQuantum_m);
+}
+
 void surface(auto& io, ground::Surface& s) {
   id(io, s.id);
   enumerator(io, "surface class", s.surface, map::SurfaceClass::kCount);
   io.number("surface area", s.area_m2);
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
+  level(io, s);
 }
 
 // Whole quarters of a metre, below 64 m.
@@ -347,6 +392,7 @@ void road(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32
     if constexpr (std::remove_reference_t<decltype(io)>::kReads)
       if (p.vertex >= r.axis.size()) io.fail("track vertex");
   });
+  profile(io, r.profile);
 }
 
 // How far from the pinch before on its side, in quarters of a metre, and whether the limit runs straight from there.
@@ -409,6 +455,8 @@ void stream(auto& io, roads::Strip& s) {
   points(io, "road points", s.axis, 2);
   enumerator(io, "water class", s.surface, map::SurfaceClass::kCount);
   io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
+  passed(io, s.passed_m);
+  profile(io, s.profile);
 }
 
 void junction(auto& io, roads::Junction& j) {

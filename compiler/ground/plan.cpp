@@ -62,7 +62,7 @@ Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {
 }
 
 Surface trimmed_to(const Surface& surface, const Box2& box) {
-  Surface trimmed{surface.id, surface.surface, surface.area_m2, {}};
+  Surface trimmed{surface.id, surface.surface, surface.area_m2, {}, surface.piece, surface.level_m};
   for (const Ring& ring : surface.rings)
     if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
   return trimmed;

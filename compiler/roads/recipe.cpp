@@ -41,12 +41,14 @@ double raised_right_m(const Road& road) { return raised_before_kerb_m(from_the_r
 double paved_left_m(const Road& road) { return raised_left_m(road) - verges_before_pavement_m(road.section.lanes); }
 double paved_right_m(const Road& road) { return raised_right_m(road) - verges_before_pavement_m(from_the_right(road)); }
 
-std::vector<double> distances_along(const Road& road) {
-  std::vector<double> along = {road.passed_m};
-  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
-    along.push_back(along.back() + snapped(distance(road.axis[i], road.axis[i + 1])));
+std::vector<double> distances_along(const Polyline& axis, double passed_m) {
+  std::vector<double> along = {passed_m};
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
   return along;
 }
+
+std::vector<double> distances_along(const Road& road) { return distances_along(road.axis, road.passed_m); }
 
 double breadth_m(const Road& road) {
   // a mitre of less than a right angle lies within 1.42 of what it bends

@@ -69,6 +69,8 @@ double paved_right_m(const Road& road);
 
 /// How far along the whole way each vertex lies: segments measured to 2^-10 m, so the same in a trimmed run. O(n).
 std::vector<double> distances_along(const Road& road);
+/// Of any axis of which `passed_m` lie before its first point.
+std::vector<double> distances_along(const Polyline& axis, double passed_m);
 
 /// No point of the road, kerbs and pavements and all, lies farther from its axis than this, not even a bend's tip.
 double breadth_m(const Road& road);

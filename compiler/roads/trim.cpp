@@ -73,8 +73,18 @@ Road part_of(const Road& road, Run run) {
   part.passed_m = along[run.first];
   part.narrowing = {pinches_between(road.narrowing.left, along[run.first], along[run.last]),
                     pinches_between(road.narrowing.right, along[run.first], along[run.last])};
+  part.profile = between(road.profile, along[run.first], along[run.last]);
   std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
   for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
+  return part;
+}
+
+Strip part_of(const Strip& strip, Run run) {
+  const std::vector<double> along = distances_along(strip.axis, strip.passed_m);
+  Strip part = strip;
+  part.axis = part_of(strip.axis, run);
+  part.passed_m = along[run.first];
+  part.profile = between(strip.profile, along[run.first], along[run.last]);
   return part;
 }
 
@@ -92,8 +102,7 @@ std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m) {
   std::vector<Strip> parts;
   for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + halo_m))) {
-    parts.push_back(strip);
-    parts.back().axis = part_of(strip.axis, run);
+    parts.push_back(part_of(strip, run));
   }
   return parts;
 }

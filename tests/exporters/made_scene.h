@@ -20,10 +20,11 @@ class SceneMaker {
     finest_m_ = finest_m;
     scene::Chunk c;
     c.tile = tile, c.heights = field();
-    for (auto i = below(4); i > 0; --i) c.surfaces.push_back({id(), surface(), number(90000), {ring(), ring()}});
+    for (auto i = below(4); i > 0; --i) c.surfaces.push_back(ground_surface());
     for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
     for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
-    for (auto i = below(2); i > 0; --i) c.streams.push_back({id(), line(), surface(), metres(20), metres(20)});
+    for (auto i = below(2); i > 0; --i)
+      c.streams.push_back({id(), line(), surface(), metres(20), metres(20), profile(), metres(99)});
     for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
@@ -87,6 +88,21 @@ class SceneMaker {
     for (const Vec2 p : line()) points.push_back(at_height(p, coordinate()));
     return points;
   }
+  ground::Surface ground_surface() {
+    ground::Surface s{id(), surface(), number(90000), {ring(), ring()}};
+    if (below(3) == 0) s.level_m = (static_cast<double>(below(9000)) - 400) * kProfileQuantum_m;
+    return s;
+  }
+  Profile profile() {
+    Profile knots;
+    double at_m = below(3);
+    for (auto i = below(5); i > 0; --i) {
+      knots.push_back({at_m, (static_cast<double>(below(90000)) - 900) * kProfileQuantum_m, 0});
+      if (below(3) == 0) knots.back().tilt = (static_cast<double>(below(99)) - 50) * kTiltQuantum;
+      at_m += (1 + below(999)) / 8.0;
+    }
+    return knots;
+  }
   roads::Road road() {
     roads::Road r;
     r.id = id(), r.axis = line(), r.surface = surface(), r.section = section();
@@ -95,6 +111,7 @@ class SceneMaker {
     if (below(3) == 0) r.passed_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
+    r.profile = profile();
     if (below(3) == 0) r.narrowing = {pinches(), pinches()};
     for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
     return r;

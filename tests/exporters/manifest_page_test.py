@@ -185,11 +185,18 @@ class Chunk:
 
     def surface(self):
         return (self.id(), self.plain("surface class"), self.plain("surface area"),
-                self.all("surface rings", lambda: self.points("ring points")))
+                self.all("surface rings", lambda: self.points("ring points")), self.level())
+
+    def level(self):
+        return self.streams["water level"].step() / 128 if self.plain("levelled") else None
+
+    def profile(self):
+        return self.all("knots", lambda: (self.plain("knot steps") / 8, self.streams["knot height"].step() / 128,
+                                          self.streams["knot tilt"].step() / 1024))
 
     def road(self):
         return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("passed") / 1024,
-                self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))))
+                self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))), self.profile())
 
     def narrowed_road(self):
         return self.plain("narrowed road"), *(self.all("pinches", self.pinch) for side in ("left", "right"))
@@ -206,7 +213,7 @@ class Chunk:
 
     def water(self):
         return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
-                self.metres("water sides"))
+                self.metres("water sides"), self.plain("passed") / 1024, self.profile())
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),
