@@ -1,0 +1,106 @@
+#include "compiler/ground/carve_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace citykiln::ground {
+namespace {
+
+using Line = std::pair<GridPoint, GridPoint>;
+
+// Closer to the terrain than this, a road has no bank.
+constexpr double kNoBank_m = 0.03125;
+
+// How often the foot of a bank is looked for, each time from where the terrain was found to be.
+constexpr int kFootSteps = 4;
+
+void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
+  const GridPoint p = grid_point(a), q = grid_point(b);
+  if (p != q) lines.push_back(std::minmax({p, q}));
+}
+
+// Rows, columns and diagonals, square by square, so that every crossing is an end.
+void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
+  const auto first = [&](double low, double start) { return static_cast<int>(std::floor((low - start) / field.step_m)); };
+  const int i0 = std::max(0, first(cell.min.x, field.min.x)), j0 = std::max(0, first(cell.min.y, field.min.y));
+  const int i1 = std::min(field.columns - 1, first(cell.max.x, field.min.x) + 1),
+            j1 = std::min(field.rows - 1, first(cell.max.y, field.min.y) + 1);
+  const auto vertex = [&](int i, int j) { return field.min + Vec2{i * field.step_m, j * field.step_m}; };
+  for (int j = j0; j <= j1; ++j)
+    for (int i = i0; i <= i1; ++i) {
+      if (i < i1) add_line(vertex(i, j), vertex(i + 1, j), lines);
+      if (j < j1) add_line(vertex(i, j), vertex(i, j + 1), lines);
+      if (i < i1 && j < j1) add_line(vertex(i, j), vertex(i + 1, j + 1), lines);
+    }
+}
+
+// Where the profile of a segment is felt: its ends, its knots, and whole multiples of kStation_m of the way.
+std::vector<double> stations_of(const GradedSegment& s, const Profile& profile) {
+  std::vector<double> stations = {s.from_m, s.to_m};
+  for (const Knot& knot : profile) stations.push_back(knot.at_m);
+  for (double at_m = std::ceil(s.from_m / kStation_m) * kStation_m; at_m < s.to_m; at_m += kStation_m)
+    stations.push_back(at_m);
+  std::erase_if(stations, [&](double at_m) { return at_m < s.from_m || at_m > s.to_m; });
+  std::ranges::sort(stations);
+  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+  return stations;
+}
+
+// How far from the edge a bank from there ends, `out` a step of a metre.
+double foot_m(const map::Heightfield& terrain, Vec2 edge, Vec2 out, double edge_m) {
+  double away_m = 0;
+  for (int i = 0; i < kFootSteps; ++i) {
+    const double rise_m = std::abs(map::height_m_at(terrain, edge + out * away_m) - edge_m);
+    away_m = rise_m < kNoBank_m ? 0 : std::min(rise_m / kEarthSlope, kCarve_m);
+  }
+  return away_m;
+}
+
+// The feet of both banks where a line crosses the road.
+struct CrossSection {
+  Vec2 left, right;
+};
+
+CrossSection cross_section_at(const Carving& carving, const GradedSegment& s, double at_m) {
+  const Vec2 along = unit(s.to - s.from), left = left_of(along);
+  const double t = (at_m - s.from_m) / (s.to_m - s.from_m);
+  const Vec2 axis = s.from + (s.to - s.from) * t;
+  const Knot knot = knot_at(carving.roads.profiles[s.road], at_m);
+  const auto foot = [&](Vec2 out, double half_m, double edge_m) {
+    return axis + out * (half_m + foot_m(carving.terrain, axis + out * half_m, out, edge_m));
+  };
+  return {foot(left, s.left_m, knot.z_m + knot.tilt * s.left_m),
+          foot(left * -1.0, s.right_m, knot.z_m - knot.tilt * s.right_m)};
+}
+
+void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<Line>& lines) {
+  const Profile& profile = carving.roads.profiles[s.road];
+  if (profile.empty()) return;
+  const std::vector<double> stations = stations_of(s, profile);
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const CrossSection here = cross_section_at(carving, s, stations[i]);
+    add_line(here.left, here.right, lines);
+    if (i == 0) continue;
+    const CrossSection before = cross_section_at(carving, s, stations[i - 1]);
+    add_line(before.left, here.left, lines);
+    add_line(before.right, here.right, lines);
+  }
+}
+
+bool may_touch(const Line& line, const Box2& cell) {
+  return box_of(std::array{plane_point(line.first), plane_point(line.second)}).touches(cell.widened(1));
+}
+
+}  // namespace
+
+std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
+  std::vector<Line> lines;
+  for (const std::uint32_t i : boxes_about(carving.roads.grid, cell))
+    add_road_lines(carving, carving.roads.segments[i], lines);
+  add_terrain_lines(carving.terrain, cell, lines);
+  std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
+  return lines;
+}
+
+}  // namespace citykiln::ground

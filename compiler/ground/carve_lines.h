@@ -1,0 +1,20 @@
+// Lines along which the carved ground bends: the terrain's own grid, lines across roads where their profiles bend, and
+// the feet of cuts and banks. A cell's reference triangulation has them as edges.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "compiler/geometry/arrangement.h"
+#include "compiler/ground/carving.h"
+
+namespace citykiln::ground {
+
+/// Profiles are felt beside the road at every knot and at least this often.
+inline constexpr double kStation_m = 16;
+
+/// All that may touch the cell, each from its lower end; they may cross. They depend on the carving near them, not on
+/// the cell. O(roads near the cell + squares of the terrain's grid in it).
+std::vector<std::pair<GridPoint, GridPoint>> carve_lines(const Carving& carving, const Box2& cell);
+
+}  // namespace citykiln::ground

@@ -1,0 +1,96 @@
+#include "compiler/ground/road_field.h"
+
+#include <algorithm>
+#include <array>
+
+namespace citykiln::ground {
+namespace {
+
+// About the reach of a road of two lanes: most places look into one bucket with few segments.
+constexpr double kBucket_m = 32;
+
+// Weights of strands beside which a place lies are those of a quarter of a metre at least.
+constexpr double kNearest_m = 0.25;
+
+bool is_graded(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
+
+double kerb_of(const roads::Road& road) {
+  return roads::raised_left_m(road) > 0 || roads::raised_right_m(road) > 0 ? kKerbRise_m : 0;
+}
+
+void add_segments(const roads::Road& road, double kerb_m, RoadField& field) {
+  const std::vector<double> along = roads::distances_along(road);
+  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
+               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const auto number = static_cast<std::uint32_t>(field.profiles.size());
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
+    field.segments.push_back(
+        {road.axis[i], road.axis[i + 1], along[i], along[i + 1], left_m, right_m, kerb_m, number});
+  field.profiles.push_back(road.profile);
+}
+
+Box2 reach_of(const GradedSegment& s) {
+  return box_of(std::array{s.from, s.to}).widened(std::max(s.left_m, s.right_m) + kCarve_m);
+}
+
+Strand strand_at(const RoadField& field, const GradedSegment& s, Vec2 p, double terrain_m) {
+  const Vec2 along = s.to - s.from;
+  const double length2 = dot(along, along);
+  const double t = std::clamp(dot(p - s.from, along) / length2, 0.0, 1.0);
+  const double aside_m = cross(along, p - s.from) / std::sqrt(length2);
+  const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
+  const double from_axis_m = distance(p, s.from + along * t);
+  Strand strand{terrain_m, s.kerb_m, from_axis_m / std::max(half_m, kNearest_m), std::max(0.0, from_axis_m - half_m)};
+  const Profile& profile = field.profiles[s.road];
+  if (profile.empty()) return strand;
+  const Knot knot = knot_at(profile, s.from_m + (s.to_m - s.from_m) * t);
+  strand.z_m = knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m);
+  strand.is_graded = true;
+  return strand;
+}
+
+double weight_of(const Strand& strand, bool is_on_road) {
+  if (is_on_road) {
+    const double slack = 1 - strand.inside * strand.inside;
+    return strand.inside < 1 ? slack * slack + 1e-9 : 0;
+  }
+  const double near_m = strand.beyond_m + kNearest_m;
+  return 1 / (near_m * near_m * near_m);
+}
+
+}  // namespace
+
+RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
+  RoadField field;
+  for (const roads::Road& road : roads) {
+    const double kerb_m = has_kerbs ? kerb_of(road) : 0;
+    if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
+  }
+  std::vector<Box2> boxes;
+  for (const GradedSegment& s : field.segments) boxes.push_back(reach_of(s));
+  field.grid = grid_of(boxes, kBucket_m);
+  return field;
+}
+
+std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m) {
+  std::vector<Strand> strands;
+  for (const std::uint32_t i : boxes_about(field.grid, p)) {
+    if (!reach_of(field.segments[i]).contains(p)) continue;
+    const Strand strand = strand_at(field, field.segments[i], p, terrain_m);
+    if (strand.beyond_m < kCarve_m) strands.push_back(strand);
+  }
+  return strands;
+}
+
+RoadHeight blend(std::span<const Strand> strands) {
+  const bool is_on_road = std::ranges::any_of(strands, [](const Strand& s) { return s.inside < 1; });
+  double weight = 0;
+  RoadHeight sum;
+  for (const Strand& strand : strands) {
+    const double w = weight_of(strand, is_on_road);
+    weight += w, sum.z_m += w * strand.z_m, sum.kerb_m += w * strand.kerb_m;
+  }
+  return {sum.z_m / weight, sum.kerb_m / weight};
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,63 @@
+// The heights of roads as functions of the place: near a road, its profile at the nearest point of its axis, tilted as
+// the profile says; where strips overlap, blended, so that nothing on the roads ever jumps.
+//
+//        A's own height     blended     B's own height
+//     |---------------------|=======|---------------------|
+//     weight of A: 1 on its axis, 0 at its edge; B's likewise
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/profile.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::ground {
+
+/// The top of a kerb lies this high above the carriageway: 10 to 15 cm are built.
+inline constexpr double kKerbRise_m = 0.125;
+
+/// No road is felt farther from its edge than this: there every cut and every bank has met the terrain.
+inline constexpr double kCarve_m = 16;
+
+/// A straight piece of a road that has a profile, or kerbs, or both.
+struct GradedSegment {
+  Vec2 from, to;                   ///< Of the axis, plane metres.
+  double from_m = 0, to_m = 0;     ///< Along the whole way.
+  double left_m = 0, right_m = 0;  ///< From the axis to the outer edges, pavements and all.
+  double kerb_m = 0;               ///< How far its carriageway lies below its edges.
+  std::uint32_t road = 0;          ///< Into profiles.
+};
+
+struct RoadField {
+  std::vector<GradedSegment> segments;  ///< In the order of roads.
+  std::vector<Profile> profiles;        ///< One a road that has segments; empty: it follows the terrain.
+  BoxGrid grid;                         ///< Of the segments' reach.
+};
+
+/// @param has_kerbs  False where the tolerance sees none: carriageways then lie level with what is beside them.
+RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs);
+
+/// One segment as a place sees it.
+struct Strand {
+  double z_m = 0;          ///< Height of the road there, at the top of its kerbs.
+  double kerb_m = 0;       ///< How far the carriageway lies below that.
+  double inside = 0;       ///< From the axis, of the way to the edge: below 1 on the road.
+  double beyond_m = 0;     ///< From the edge; 0 on the road.
+  bool is_graded = false;  ///< False where it follows the terrain.
+};
+
+/// Those whose edge is nearer than kCarve_m, in the order of the field's segments.
+/// @param terrain_m  The terrain's height at p.
+std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m);
+
+/// What the strands agree on: those that the place lies on, each the more the nearer its axis; else all, the near ones
+/// by far the most. There must be one at least.
+struct RoadHeight {
+  double z_m = 0, kerb_m = 0;
+};
+RoadHeight blend(std::span<const Strand> strands);
+
+}  // namespace citykiln::ground
