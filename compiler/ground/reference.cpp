@@ -17,13 +17,42 @@ double height_of(const Reference& reference, std::uint32_t vertex, HeightLayer l
   return reference.heights[vertex][static_cast<std::size_t>(layer)];
 }
 
-// The face that holds p, found on the straight line from the nearest vertex.
-std::uint32_t face_at(const Reference& reference, FinePoint p, GridPoint near) {
-  const std::uint32_t start = nearest_point(reference.buckets, reference.triangulation.vertices(), near);
-  StraightWalk walk = walk_from_vertex(walk_ground(reference), start, p);
+// The centre of a bucket, in the cell.
+FinePoint centre_of(const Reference& reference, std::int64_t column, std::int64_t row) {
+  const GridPoint min = reference.buckets.min, max = grid_point(reference.cell.max);
+  const std::int64_t side = reference.buckets.side;
+  return fine_point(
+      GridPoint{std::min(min.x + column * side + side / 2, max.x), std::min(min.y + row * side + side / 2, max.y)});
+}
+
+std::uint32_t end_of(StraightWalk walk) {
   while (!next(walk).is_end()) {
   }
   return walk.face;
+}
+
+// Walks from centre to centre, row by row.
+std::vector<std::uint32_t> faces_at_centres(const Reference& reference) {
+  std::vector<std::uint32_t> faces;
+  const PointBuckets& buckets = reference.buckets;
+  std::uint32_t row_start = end_of(walk_from_vertex(walk_ground(reference), 0, centre_of(reference, 0, 0)));
+  for (std::int64_t row = 0; row < buckets.rows; ++row) {
+    const FinePoint below = centre_of(reference, 0, std::max<std::int64_t>(row - 1, 0));
+    row_start = end_of(walk_from_face(walk_ground(reference), row_start, below, centre_of(reference, 0, row)));
+    faces.push_back(row_start);
+    for (std::int64_t column = 1; column < buckets.columns; ++column)
+      faces.push_back(end_of(walk_from_face(walk_ground(reference), faces.back(), centre_of(reference, column - 1, row),
+                                            centre_of(reference, column, row))));
+  }
+  return faces;
+}
+
+// The face that holds p, found on the straight line from its bucket's centre. `near`: p on the grid.
+std::uint32_t face_at(const Reference& reference, FinePoint p, GridPoint near) {
+  const std::int64_t column = reference.buckets.column(near.x), row = reference.buckets.row(near.y);
+  const std::uint32_t start =
+      reference.centre_faces[static_cast<std::size_t>(row * reference.buckets.columns + column)];
+  return end_of(walk_from_face(walk_ground(reference), start, centre_of(reference, column, row), p));
 }
 
 // How far along from a to b a point on the line between them is, 0 to 1; differences are whole and exact.
@@ -114,7 +143,9 @@ struct Plane {
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell) {
   PointBuckets buckets = bucket_points(triangulation.vertices(), grid_point(cell.min), grid_point(cell.max));
   std::vector<std::uint32_t> first = first_faces(triangulation);
-  return {std::move(triangulation), std::move(heights), cell, std::move(buckets), std::move(first)};
+  Reference reference{std::move(triangulation), std::move(heights), cell, std::move(buckets), std::move(first), {}};
+  reference.centre_faces = faces_at_centres(reference);
+  return reference;
 }
 
 double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {

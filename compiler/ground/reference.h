@@ -16,10 +16,11 @@ namespace citykiln::ground {
 
 struct Reference {
   Delaunay triangulation;
-  std::vector<Heights> heights;            ///< One a vertex.
-  Box2 cell;                               ///< What the triangulation covers.
-  PointBuckets buckets;                    ///< Of the vertices.
-  std::vector<std::uint32_t> first_faces;  ///< One a vertex (geometry/straight_walk.h).
+  std::vector<Heights> heights;             ///< One a vertex.
+  Box2 cell;                                ///< What the triangulation covers.
+  PointBuckets buckets;                     ///< Of the vertices.
+  std::vector<std::uint32_t> first_faces;   ///< One a vertex (geometry/straight_walk.h).
+  std::vector<std::uint32_t> centre_faces;  ///< One a bucket: what holds its centre. Walks to a place start there.
 };
 
 /// @param triangulation  Covers the cell exactly. Only its faces count: a face may be Delaunay or not.
