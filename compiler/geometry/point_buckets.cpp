@@ -1,6 +1,7 @@
 #include "compiler/geometry/point_buckets.h"
 
 #include <cmath>
+#include <utility>
 
 namespace citykiln {
 namespace {
@@ -76,8 +77,8 @@ Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y,
     run.high = std::max(run.high, static_cast<std::int64_t>(std::ceil(x)) + 1);
   };
   for (int i = 0; i < 3; ++i) {
-    const auto [a, b] =
-        std::minmax(corners[i], corners[(i + 1) % 3], [](GridPoint p, GridPoint q) { return p.y < q.y; });
+    GridPoint a = corners[i], b = corners[(i + 1) % 3];
+    if (b.y < a.y) std::swap(a, b);
     if (a.y > high_y || b.y < low_y) continue;
     const double slope = b.y > a.y ? static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y) : 0;
     const auto x_at = [&](std::int64_t y) { return static_cast<double>(a.x) + static_cast<double>(y - a.y) * slope; };
