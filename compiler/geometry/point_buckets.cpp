@@ -1,0 +1,91 @@
+#include "compiler/geometry/point_buckets.h"
+
+#include <cmath>
+#include <utility>
+
+namespace citykiln {
+namespace {
+
+std::int64_t squared_distance(GridPoint a, GridPoint b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+}
+
+struct Nearest {
+  std::uint32_t index = 0;
+  std::int64_t squared = -1;  // none yet
+};
+
+// Looks at the buckets that are `ring` columns or rows away from a bucket.
+void look_at_ring(Nearest& nearest, const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p,
+                  std::int64_t ring) {
+  const std::int64_t column = buckets.column(p.x), row = buckets.row(p.y);
+  for (std::int64_t r = std::max<std::int64_t>(row - ring, 0); r <= std::min(row + ring, buckets.rows - 1); ++r) {
+    const bool is_side = r == row - ring || r == row + ring;
+    for (std::int64_t c = column - ring; c <= column + ring; c += is_side ? 1 : 2 * ring) {
+      if (c < 0 || c >= buckets.columns) continue;
+      for (const std::uint32_t i : buckets.bucket(c, r)) {
+        const std::int64_t squared = squared_distance(p, points[i]);
+        const bool is_nearer = nearest.squared < 0 || squared < nearest.squared ||
+                               (squared == nearest.squared && points[i] < points[nearest.index]);
+        if (is_nearer) nearest = {i, squared};
+      }
+    }
+  }
+}
+
+}  // namespace
+
+PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, GridPoint max) {
+  PointBuckets buckets;
+  buckets.min = min;
+  const double width = static_cast<double>(std::max<std::int64_t>(max.x - min.x, 1));
+  const double height = static_cast<double>(std::max<std::int64_t>(max.y - min.y, 1));
+  const double wanted = std::max(1.0, static_cast<double>(points.size()) / 2);
+  // at most a thousand a side, for boxes that are long and thin
+  const double side = std::max({std::sqrt(width * height / wanted), width / 1024, height / 1024, 1.0});
+  buckets.side = static_cast<std::int64_t>(std::ceil(side));
+  buckets.columns = (max.x - min.x) / buckets.side + 1;
+  buckets.rows = (max.y - min.y) / buckets.side + 1;
+  const auto index = [&](GridPoint p) {
+    return static_cast<std::size_t>(buckets.row(p.y) * buckets.columns + buckets.column(p.x));
+  };
+  buckets.starts.assign(static_cast<std::size_t>(buckets.columns * buckets.rows) + 1, 0);
+  for (const GridPoint p : points) ++buckets.starts[index(p) + 1];
+  for (std::size_t i = 1; i < buckets.starts.size(); ++i) buckets.starts[i] += buckets.starts[i - 1];
+  buckets.members.resize(points.size());
+  std::vector<std::uint32_t> next(buckets.starts.begin(), buckets.starts.end() - 1);
+  for (std::uint32_t i = 0; i < points.size(); ++i) buckets.members[next[index(points[i])]++] = i;
+  return buckets;
+}
+
+std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p) {
+  Nearest nearest;
+  const std::int64_t rings = std::max(buckets.columns, buckets.rows);
+  for (std::int64_t ring = 0; ring <= rings; ++ring) {
+    // whatever lies in this ring or beyond is at least so far away
+    const std::int64_t least = std::max<std::int64_t>(ring - 1, 0) * buckets.side;
+    if (nearest.squared >= 0 && nearest.squared < least * least) break;
+    look_at_ring(nearest, buckets, points, p, ring);
+  }
+  return nearest.index;
+}
+
+Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y) {
+  Run run{INT64_MAX, INT64_MIN};
+  const auto reach = [&](double x) {
+    run.low = std::min(run.low, static_cast<std::int64_t>(std::floor(x)) - 1);
+    run.high = std::max(run.high, static_cast<std::int64_t>(std::ceil(x)) + 1);
+  };
+  for (int i = 0; i < 3; ++i) {
+    GridPoint a = corners[i], b = corners[(i + 1) % 3];
+    if (b.y < a.y) std::swap(a, b);
+    if (a.y > high_y || b.y < low_y) continue;
+    const double slope = b.y > a.y ? static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y) : 0;
+    const auto x_at = [&](std::int64_t y) { return static_cast<double>(a.x) + static_cast<double>(y - a.y) * slope; };
+    reach(a.y >= low_y ? static_cast<double>(a.x) : x_at(low_y));
+    reach(b.y <= high_y ? static_cast<double>(b.x) : x_at(high_y));
+  }
+  return run;
+}
+
+}  // namespace citykiln

@@ -1,0 +1,135 @@
+#include "compiler/geometry/straight_walk.h"
+
+#include <cmath>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln {
+namespace {
+
+__extension__ using Wide = __int128;
+
+FinePoint place(const StraightWalk& walk, std::uint32_t vertex) { return fine_point(walk.ground.vertices[vertex]); }
+
+int corner_of(const DelaunayFace& face, std::uint32_t vertex) {
+  return face.vertices[0] == vertex ? 0 : face.vertices[1] == vertex ? 1 : 2;
+}
+
+// The next face counter-clockwise about a vertex.
+std::uint32_t turned_left(const DelaunayFace& face, std::uint32_t vertex) {
+  return face.neighbours[(corner_of(face, vertex) + 1) % 3];
+}
+
+std::uint32_t turned_right(const DelaunayFace& face, std::uint32_t vertex) {
+  return face.neighbours[(corner_of(face, vertex) + 2) % 3];
+}
+
+// Does b lie farther along from v through w?
+bool is_beyond(FinePoint v, FinePoint w, FinePoint b) {
+  return Wide{w.x - v.x} * (b.x - w.x) + Wide{w.y - v.y} * (b.y - w.y) > 0;
+}
+
+// From the walk's vertex along the edge to another one.
+Met along_edge(StraightWalk& walk, std::uint32_t end) {
+  if (!is_beyond(place(walk, walk.vertex), place(walk, end), walk.to)) return {};
+  walk.vertex = end;
+  return {end, end};
+}
+
+Met through_vertex(StraightWalk& walk, std::uint32_t vertex) {
+  walk.vertex = vertex;
+  return {vertex, vertex};
+}
+
+// Across edge i of the walk's face. Ends where there is nothing beyond.
+Met across_edge(StraightWalk& walk, int i) {
+  const DelaunayFace& face = walk.ground.faces[walk.face];
+  if (face.neighbours[i] == kNoFace) return {};
+  walk.face = face.neighbours[i];
+  walk.vertex = kNoVertex;
+  return {face.vertices[(i + 1) % 3], face.vertices[(i + 2) % 3]};
+}
+
+Met leave_vertex(StraightWalk& walk) {
+  const std::uint32_t vertex = walk.vertex;
+  const FinePoint v = place(walk, vertex);
+  walk.face = walk.ground.first_faces[vertex];
+  for (std::uint32_t f = walk.face;;) {
+    const DelaunayFace& face = walk.ground.faces[f];
+    const int i = corner_of(face, vertex);
+    const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
+    const int right = side_of(v, place(walk, p), walk.to), left = side_of(v, place(walk, q), walk.to);
+    if (right >= 0 && left <= 0) {
+      walk.face = f;
+      if (right == 0) return along_edge(walk, p);
+      if (left == 0) return along_edge(walk, q);
+      return side_of(place(walk, p), place(walk, q), walk.to) >= 0 ? Met{} : across_edge(walk, i);
+    }
+    f = turned_left(face, vertex);
+    if (f == kNoFace || f == walk.face) return {};
+  }
+}
+
+// The edge of the walk's face by which it goes on: the goal lies beyond it, and the line passes it. -1: it has arrived.
+int way_out(const StraightWalk& walk) {
+  const DelaunayFace& face = walk.ground.faces[walk.face];
+  for (int i = 0; i < 3; ++i) {
+    const FinePoint p = place(walk, face.vertices[(i + 1) % 3]), q = place(walk, face.vertices[(i + 2) % 3]);
+    const bool leads_on =
+        side_of(p, q, walk.to) < 0 && side_of(walk.from, walk.to, p) <= 0 && side_of(walk.from, walk.to, q) >= 0;
+    if (leads_on) return i;
+  }
+  return -1;
+}
+
+Met leave_face(StraightWalk& walk) {
+  for (;;) {
+    const int i = way_out(walk);
+    if (i < 0) return {};
+    const DelaunayFace& face = walk.ground.faces[walk.face];
+    const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
+    if (side_of(walk.from, walk.to, place(walk, p)) == 0) return through_vertex(walk, p);
+    if (side_of(walk.from, walk.to, place(walk, q)) == 0) return through_vertex(walk, q);
+    // an edge that it starts on is not met
+    const bool starts_here = side_of(place(walk, p), place(walk, q), walk.from) == 0;
+    const Met met = across_edge(walk, i);
+    if (met.is_end() || !starts_here) return met;
+  }
+}
+
+}  // namespace
+
+FinePoint fine_point(Vec2 p) {
+  constexpr double kSteps = (1 << kFineStepsLog2) / kQuantum_m;
+  return {static_cast<std::int64_t>(std::floor(p.x * kSteps + 0.5)),
+          static_cast<std::int64_t>(std::floor(p.y * kSteps + 0.5))};
+}
+
+int side_of(FinePoint a, FinePoint b, FinePoint c) {
+  const Wide left = Wide{b.x - a.x} * (c.y - a.y), right = Wide{b.y - a.y} * (c.x - a.x);
+  return left > right ? 1 : left < right ? -1 : 0;
+}
+
+std::vector<std::uint32_t> first_faces(const Delaunay& triangulation) {
+  const std::vector<DelaunayFace>& faces = triangulation.faces();
+  std::vector<std::uint32_t> first(triangulation.vertices().size(), kNoFace);
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (const std::uint32_t v : faces[f].vertices)
+      if (first[v] == kNoFace || turned_right(faces[f], v) == kNoFace) first[v] = f;
+  return first;
+}
+
+StraightWalk walk_from_vertex(const WalkGround& ground, std::uint32_t vertex, FinePoint to) {
+  return {ground, fine_point(ground.vertices[vertex]), to, ground.first_faces[vertex], vertex};
+}
+
+StraightWalk walk_from_face(const WalkGround& ground, std::uint32_t face, FinePoint from, FinePoint to) {
+  StraightWalk walk{ground, from, to, face, kNoVertex};
+  for (const std::uint32_t v : ground.faces[face].vertices)
+    if (place(walk, v) == from) walk.vertex = v;
+  return walk;
+}
+
+Met next(StraightWalk& walk) { return walk.vertex == kNoVertex ? leave_face(walk) : leave_vertex(walk); }
+
+}  // namespace citykiln

@@ -1,0 +1,198 @@
+#include "compiler/ground/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compiler/geometry/straight_walk.h"
+
+namespace citykiln::ground {
+namespace {
+
+WalkGround walk_ground(const Reference& reference) {
+  return {reference.triangulation.vertices(), reference.triangulation.faces(), reference.first_faces};
+}
+
+double height_of(const Reference& reference, std::uint32_t vertex, HeightLayer layer) {
+  return reference.heights[vertex][static_cast<std::size_t>(layer)];
+}
+
+// The centre of a bucket, in the cell.
+FinePoint centre_of(const Reference& reference, std::int64_t column, std::int64_t row) {
+  const GridPoint min = reference.buckets.min, max = grid_point(reference.cell.max);
+  const std::int64_t side = reference.buckets.side;
+  return fine_point(
+      GridPoint{std::min(min.x + column * side + side / 2, max.x), std::min(min.y + row * side + side / 2, max.y)});
+}
+
+std::uint32_t end_of(StraightWalk walk) {
+  while (!next(walk).is_end()) {
+  }
+  return walk.face;
+}
+
+// Walks from centre to centre, row by row.
+std::vector<std::uint32_t> faces_at_centres(const Reference& reference) {
+  std::vector<std::uint32_t> faces;
+  const PointBuckets& buckets = reference.buckets;
+  std::uint32_t row_start = end_of(walk_from_vertex(walk_ground(reference), 0, centre_of(reference, 0, 0)));
+  for (std::int64_t row = 0; row < buckets.rows; ++row) {
+    const FinePoint below = centre_of(reference, 0, std::max<std::int64_t>(row - 1, 0));
+    row_start = end_of(walk_from_face(walk_ground(reference), row_start, below, centre_of(reference, 0, row)));
+    faces.push_back(row_start);
+    for (std::int64_t column = 1; column < buckets.columns; ++column)
+      faces.push_back(end_of(walk_from_face(walk_ground(reference), faces.back(), centre_of(reference, column - 1, row),
+                                            centre_of(reference, column, row))));
+  }
+  return faces;
+}
+
+// The face that holds p, found on the straight line from its bucket's centre. `near`: p on the grid.
+std::uint32_t face_at(const Reference& reference, FinePoint p, GridPoint near) {
+  const std::int64_t column = reference.buckets.column(near.x), row = reference.buckets.row(near.y);
+  const std::uint32_t start =
+      reference.centre_faces[static_cast<std::size_t>(row * reference.buckets.columns + column)];
+  return end_of(walk_from_face(walk_ground(reference), start, centre_of(reference, column, row), p));
+}
+
+// How far along from a to b a point on the line between them is, 0 to 1; differences are whole and exact.
+double share_along(FinePoint a, FinePoint b, FinePoint p) {
+  const bool by_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+  return by_x ? static_cast<double>(p.x - a.x) / static_cast<double>(b.x - a.x)
+              : static_cast<double>(p.y - a.y) / static_cast<double>(b.y - a.y);
+}
+
+double between(double from, double to, double share) { return from + (to - from) * share; }
+
+double height_on_edge(const Reference& reference, std::uint32_t u, std::uint32_t v, FinePoint p, HeightLayer layer) {
+  const auto& vertices = reference.triangulation.vertices();
+  // from the lower end, so that all who ask get the same bits
+  if (vertices[v] < vertices[u]) std::swap(u, v);
+  const double share = share_along(fine_point(vertices[u]), fine_point(vertices[v]), p);
+  return between(height_of(reference, u, layer), height_of(reference, v, layer), share);
+}
+
+double height_inside(const Reference& reference, const DelaunayFace& face, FinePoint p, HeightLayer layer) {
+  const auto& vertices = reference.triangulation.vertices();
+  const auto offset = [&](FinePoint q) {
+    const FinePoint origin = fine_point(vertices[face.vertices[0]]);
+    return Vec2{static_cast<double>(q.x - origin.x), static_cast<double>(q.y - origin.y)};
+  };
+  const Vec2 u = offset(fine_point(vertices[face.vertices[1]])), v = offset(fine_point(vertices[face.vertices[2]]));
+  const double area = cross(u, v), s = cross(offset(p), v) / area, t = cross(u, offset(p)) / area;
+  const double z = height_of(reference, face.vertices[0], layer);
+  return z + s * (height_of(reference, face.vertices[1], layer) - z) +
+         t * (height_of(reference, face.vertices[2], layer) - z);
+}
+
+void consider(WorstPoint& worst, double error_m, Vec2 at) {
+  if (error_m > worst.error_m) worst = {error_m, at};
+}
+
+// An edge of a mesh, and its ends on the grid.
+struct MeshEdge {
+  Vec3 a, b;
+  GridPoint from, to;
+};
+
+void consider_vertex(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, std::uint32_t v,
+                     HeightLayer layer) {
+  const GridPoint place = reference.triangulation.vertices()[v];
+  const double share = share_along(fine_point(edge.from), fine_point(edge.to), fine_point(place));
+  consider(worst, std::abs(between(edge.a.z, edge.b.z, share) - height_of(reference, v, layer)), plane_point(place));
+}
+
+void consider_crossing(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, Met met,
+                       HeightLayer layer) {
+  const GridPoint p = reference.triangulation.vertices()[met.p], q = reference.triangulation.vertices()[met.q];
+  // whole numbers below 2^62: their sum is exact too
+  const std::int64_t from_a = turn(p, q, edge.from), from_b = turn(p, q, edge.to);
+  const std::int64_t from_p = turn(edge.from, edge.to, p), from_q = turn(edge.from, edge.to, q);
+  const double along_edge = static_cast<double>(from_a) / static_cast<double>(from_a - from_b);
+  const double along_met = static_cast<double>(from_p) / static_cast<double>(from_p - from_q);
+  const double z = between(height_of(reference, met.p, layer), height_of(reference, met.q, layer), along_met);
+  consider(worst, std::abs(between(edge.a.z, edge.b.z, along_edge) - z),
+           in_plan(edge.a + (edge.b - edge.a) * along_edge));
+}
+
+StraightWalk walk_along(const Reference& reference, const MeshEdge& edge) {
+  const FinePoint from = fine_point(edge.from);
+  return walk_from_face(walk_ground(reference), face_at(reference, from, edge.from), from, fine_point(edge.to));
+}
+
+// A triangle in plan, with the plane through its corners.
+struct Plane {
+  std::array<GridPoint, 3> corners;
+  std::array<Vec3, 3> heights;
+
+  // Strictly inside: all tests exact.
+  bool holds(GridPoint p) const {
+    return turn(corners[0], corners[1], p) > 0 && turn(corners[1], corners[2], p) > 0 &&
+           turn(corners[2], corners[0], p) > 0;
+  }
+  double height_m_at(GridPoint p) const {
+    const auto area = static_cast<double>(turn(corners[0], corners[1], corners[2]));
+    const double s = static_cast<double>(turn(corners[2], corners[0], p)) / area;
+    const double t = static_cast<double>(turn(corners[0], corners[1], p)) / area;
+    return heights[0].z + s * (heights[1].z - heights[0].z) + t * (heights[2].z - heights[0].z);
+  }
+};
+
+}  // namespace
+
+Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell) {
+  PointBuckets buckets = bucket_points(triangulation.vertices(), grid_point(cell.min), grid_point(cell.max));
+  std::vector<std::uint32_t> first = first_faces(triangulation);
+  Reference reference{std::move(triangulation), std::move(heights), cell, std::move(buckets), std::move(first), {}};
+  reference.centre_faces = faces_at_centres(reference);
+  return reference;
+}
+
+double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {
+  const Vec2 inside{std::clamp(p.x, reference.cell.min.x, reference.cell.max.x),
+                    std::clamp(p.y, reference.cell.min.y, reference.cell.max.y)};
+  const FinePoint fine = fine_point(inside);
+  const DelaunayFace& face = reference.triangulation.faces()[face_at(reference, fine, grid_point(inside))];
+  const auto place = [&](int i) { return fine_point(reference.triangulation.vertices()[face.vertices[i % 3]]); };
+  for (int i = 0; i < 3; ++i)
+    if (place(i) == fine) return height_of(reference, face.vertices[i], layer);
+  for (int i = 0; i < 3; ++i)
+    if (side_of(place(i), place(i + 1), fine) == 0)
+      return height_on_edge(reference, face.vertices[i], face.vertices[(i + 1) % 3], fine, layer);
+  return height_inside(reference, face, fine, layer);
+}
+
+WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer) {
+  // from the lower end, so that both faces of an edge find the same
+  if (in_plan(b) < in_plan(a)) std::swap(a, b);
+  const MeshEdge edge{a, b, grid_point(in_plan(a)), grid_point(in_plan(b))};
+  WorstPoint worst;
+  StraightWalk walk = walk_along(reference, edge);
+  for (Met met = next(walk); !met.is_end(); met = next(walk)) {
+    if (met.is_vertex())
+      consider_vertex(worst, reference, edge, met.p, layer);
+    else
+      consider_crossing(worst, reference, edge, met, layer);
+  }
+  return worst;
+}
+
+WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer) {
+  Plane plane{{}, corners};
+  for (int i = 0; i < 3; ++i) plane.corners[i] = grid_point(in_plan(corners[i]));
+  const auto& vertices = reference.triangulation.vertices();
+  WorstPoint worst;
+  for_each_near_triangle(reference.buckets, plane.corners, [&](std::uint32_t v) {
+    if (!plane.holds(vertices[v])) return;
+    consider(worst, std::abs(plane.height_m_at(vertices[v]) - height_of(reference, v, layer)),
+             plane_point(vertices[v]));
+  });
+  return worst;
+}
+
+Vec2 nearest_vertex(const Reference& reference, Vec2 p) {
+  const auto& vertices = reference.triangulation.vertices();
+  return plane_point(vertices[nearest_point(reference.buckets, vertices, grid_point(p))]);
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,47 @@
+// The carved ground of one cell, as exact as it gets: heights that are linear on every face of one triangulation, a
+// height a layer. Coarser meshes are measured against it as against the raw field (height_error.h): the largest
+// vertical distance lies at a vertex of the overlay, so looking at those is exact.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "compiler/geometry/box.h"
+#include "compiler/geometry/delaunay.h"
+#include "compiler/geometry/point_buckets.h"
+#include "compiler/ground/height_error.h"
+#include "compiler/ground/height_layer.h"
+
+namespace citykiln::ground {
+
+struct Reference {
+  Delaunay triangulation;
+  std::vector<Heights> heights;             ///< One a vertex.
+  Box2 cell;                                ///< What the triangulation covers.
+  PointBuckets buckets;                     ///< Of the vertices.
+  std::vector<std::uint32_t> first_faces;   ///< One a vertex (geometry/straight_walk.h).
+  std::vector<std::uint32_t> centre_faces;  ///< One a bucket: what holds its centre. Walks to a place start there.
+};
+
+/// @param triangulation  Covers the cell exactly. Only its faces count: a face may be Delaunay or not.
+/// @param heights        One a vertex.
+/// O(n).
+Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell);
+
+/// At a point of the closed cell; those outside are moved to its border. At a vertex exactly its height, on an edge a
+/// function of the edge alone, so the same from both sides and in both cells of a border. O(1) expected.
+double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer);
+
+/// Along an edge from a to b (on the 2^-10 m grid, in the closed cell), ends left out: at its crossings with edges of
+/// the reference, and at vertices it passes. The same from b to a. On the cell's border that is the border's vertices,
+/// so both cells find the same. O(faces crossed).
+WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer);
+
+/// At the reference's vertices inside a triangle (in plan, counter-clockwise, corners on the 2^-10 m grid), its edges
+/// left out. O(vertices in the buckets it touches).
+WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer);
+
+/// The place of the reference's vertex nearest to a point; of equals the first by place. O(1) expected.
+Vec2 nearest_vertex(const Reference& reference, Vec2 p);
+
+}  // namespace citykiln::ground

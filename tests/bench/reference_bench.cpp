@@ -1,0 +1,84 @@
+// Measuring a mesh against the raw field and against the same heights as a reference: what a triangle of a coarser mesh
+// costs.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "compiler/ground/height_error.h"
+#include "tests/compiler/ground/made_references.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Hills on 8 m squares, 1,024 m wide: 16,641 vertices.
+map::Heightfield hills() {
+  map::Heightfield field{{0, 0}, 8, 129, 129, {}};
+  for (int j = 0; j < field.rows; ++j)
+    for (int i = 0; i < field.columns; ++i) {
+      const double metres = 40 * std::sin(i * 0.05) + 12 * std::cos(j * 0.17) + 3 * std::sin(i * 0.7 + j * 0.5);
+      field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));
+    }
+  return field;
+}
+
+// A mesh as it is midway: right triangles of this width, off the grid's lines, jittered.
+std::vector<std::array<Vec3, 3>> triangles(double width_m) {
+  std::vector<std::array<Vec3, 3>> all;
+  const Draw draw(1, StableId{1}, "jitter");
+  const int count = static_cast<int>(1000 / width_m);
+  const auto corner = [&](int i, int j) {
+    const auto index = static_cast<std::uint32_t>(2 * (i + j * (count + 1)));
+    return Vec3{std::floor(4 + i * width_m + draw.unit(index) * width_m / 4),
+                std::floor(4 + j * width_m + draw.unit(index + 1) * width_m / 4), 20};
+  };
+  for (int j = 0; j < count; ++j)
+    for (int i = 0; i < count; ++i) {
+      all.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
+      all.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
+    }
+  return all;
+}
+
+template <typename Inside, typename Edge>
+void measure(benchmark::State& state, Inside inside, Edge edge) {
+  const auto mesh = triangles(static_cast<double>(state.range(0)));
+  for (auto _ : state)
+    for (const auto& corners : mesh) {
+      benchmark::DoNotOptimize(inside(corners));
+      for (int i = 0; i < 3; ++i) benchmark::DoNotOptimize(edge(corners[i], corners[(i + 1) % 3]));
+    }
+  state.counters["triangles/s"] =
+      benchmark::Counter(static_cast<double>(mesh.size() * state.iterations()), benchmark::Counter::kIsRate);
+}
+
+void measure_by_field(benchmark::State& state) {
+  const map::Heightfield field = hills();
+  measure(
+      state, [&](const auto& corners) { return worst_inside(field, corners); },
+      [&](Vec3 a, Vec3 b) { return worst_on_edge(field, a, b); });
+}
+
+void measure_by_reference(benchmark::State& state) {
+  const Reference reference = reference_of_field(hills());
+  measure(
+      state, [&](const auto& corners) { return worst_inside(reference, corners, HeightLayer::kLand); },
+      [&](Vec3 a, Vec3 b) { return worst_on_edge(reference, a, b, HeightLayer::kLand); });
+}
+
+void heights_by_reference(benchmark::State& state) {
+  const Reference reference = reference_of_field(hills());
+  const Draw draw(1, StableId{1}, "places");
+  std::uint32_t i = 0;
+  for (auto _ : state) {
+    const Vec2 p{draw.between(0, 1024, i), draw.between(0, 1024, i + 1)};
+    i += 2;
+    benchmark::DoNotOptimize(height_m_at(reference, p, HeightLayer::kLand));
+  }
+}
+
+BENCHMARK(measure_by_field)->ArgName("width_m")->Arg(4)->Arg(16)->Arg(64)->Arg(250)->Unit(benchmark::kMillisecond);
+BENCHMARK(measure_by_reference)->ArgName("width_m")->Arg(4)->Arg(16)->Arg(64)->Arg(250)->Unit(benchmark::kMillisecond);
+BENCHMARK(heights_by_reference);
+
+}  // namespace
+}  // namespace citykiln::ground
