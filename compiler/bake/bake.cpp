@@ -10,6 +10,7 @@
 #include "compiler/buildings/expand.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
+#include "compiler/scene/ground_carving.h"
 #include "compiler/structures/expand.h"
 
 namespace citykiln::bake {
@@ -53,11 +54,11 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
-void fire_ground(Firing& firing, const Box2& box, int threads, Report& report) {
+void fire_ground(Firing& firing, const ground::Carving& carving, const Box2& box, int threads, Report& report) {
   const scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
   Markings markings = lay_out_markings(cover, firing.tolerance_m);
   for (const ground::GroundMesh& ground :
-       expand_cells(firing.chunk, cover.surfaces, box, firing.tolerance_m, threads, report)) {
+       expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(ground.error_m);
     firing.take(dress(ground, cover, markings, firing.header.seed));
   }
@@ -90,9 +91,10 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
 }
 
 // Trees are placed before features are numbered, and written after.
-plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const Box2& box, Report& report) {
+plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const ground::Carving& carving,
+                           const Box2& box, Report& report) {
   const scene::Chunk& chunk = firing.chunk;
-  plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, chunk.heights, box, firing.header.seed, report);
+  plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, carving, box, firing.header.seed, report);
   for (const auto& placements : placed)
     for (const Placement& p : placements) firing.features.insert(p.feature);
   return placed;
@@ -130,11 +132,11 @@ Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const Box2& box
 }
 
 // What stands of one kind; false where the tolerance leaves nothing of it.
-bool fire_lamps(Firing& firing, const Lamps& lamps, props::LampKind kind) {
+bool fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, props::LampKind kind) {
   constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
   std::vector<Placement> placements;
   for (const props::StreetLamp& lamp : lamps.standing)
-    if (lamp.kind == kind) placements.push_back(props::place(lamp, firing.chunk.heights));
+    if (lamp.kind == kind) placements.push_back(props::place(lamp, carving));
   const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
   firing.certify(lamp.error_m);
   fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
@@ -142,9 +144,9 @@ bool fire_lamps(Firing& firing, const Lamps& lamps, props::LampKind kind) {
 }
 
 // Only what somebody mapped is named where the tolerance drops it.
-void fire_lamps(Firing& firing, const Lamps& lamps, Report& report) {
-  const bool is_left[] = {fire_lamps(firing, lamps, props::LampKind::kPostTop),
-                          fire_lamps(firing, lamps, props::LampKind::kArm)};
+void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report) {
+  const bool is_left[] = {fire_lamps(firing, lamps, carving, props::LampKind::kPostTop),
+                          fire_lamps(firing, lamps, carving, props::LampKind::kArm)};
   Account mapped, derived;
   for (std::size_t i = 0; i < lamps.standing.size(); ++i) {
     const props::StreetLamp& lamp = lamps.standing[i];
@@ -183,21 +185,22 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
   Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
 
-  fire_ground(firing, box, threads, report);
+  const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
+  fire_ground(firing, carving, box, threads, report);
   fire_each(firing, chunk.bridges, "bridge", report,
             [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
   fire_each(firing, chunk.buildings, "building", report,
             [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
   fire_each(firing, chunk.barriers, "barrier", report,
-            [&](const auto& b) { return props::expand(b, chunk.heights, tolerance_m); });
+            [&](const auto& b) { return props::expand(b, carving, tolerance_m); });
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const plants::Placed trees = place_trees(firing, map, box, report);
+  const plants::Placed trees = place_trees(firing, map, carving, box, report);
   const Lamps lamps = place_lamps(firing, map, box);
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
   fire_trees(firing, trees);
-  fire_lamps(firing, lamps, report);
+  fire_lamps(firing, lamps, carving, report);
   return tile;
 }
 

@@ -56,7 +56,7 @@ std::vector<Box2> cells_of(const Box2& tile) {
   return cells;
 }
 
-std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const Surface> surfaces,
+std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report) {
   struct Slot {
     ground::GroundMesh ground;
@@ -67,7 +67,7 @@ std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::spa
   std::vector<Slot> slots = for_each_slot<Slot>(cells.size(), threads, [&](std::size_t c) {
     Slot slot;
     const CellSurfaces near = surfaces_near(surfaces, candidates[c], cells[c]);
-    slot.ground = ground::expand_cell(near.surfaces, chunk.heights, cells[c], tolerance_m, slot.report);
+    slot.ground = ground::expand_cell(near.surfaces, carving, cells[c], tolerance_m, slot.report);
     for (std::uint32_t& surface : slot.ground.face_surface)
       if (surface != kNoSurface) surface = near.numbers[surface];
     return slot;

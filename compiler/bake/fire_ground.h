@@ -14,7 +14,7 @@ namespace citykiln::bake {
 std::vector<Box2> cells_of(const Box2& tile);
 
 /// The ground of each cell, in the order of cells_of.
-std::vector<ground::GroundMesh> expand_cells(const scene::Chunk& chunk, std::span<const ground::Surface> surfaces,
+std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report);
 
 }  // namespace citykiln::bake

@@ -59,7 +59,7 @@ Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, doubl
 }
 
 struct Terrain {
-  map::Heightfield heights;
+  ground::Carving ground;  ///< Nothing is carved.
   std::vector<Box2> cells;
 };
 
@@ -89,7 +89,7 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
   Result<map::Heightfield> heights = map::resample(rasters, plane, region, ignored);
   if (!heights) return heights.error();
-  return Terrain{std::move(*heights), cells_of(region, request.cell_m)};
+  return Terrain{ground::Carving(std::move(*heights)), cells_of(region, request.cell_m)};
 }
 
 struct Measure {
@@ -100,7 +100,7 @@ Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Measure> cells = for_each_slot<Measure>(terrain.cells.size(), threads, [&](std::size_t i) {
     Report ignored;
-    const ground::GroundMesh cell = ground::expand_cell({}, terrain.heights, terrain.cells[i], tolerance_m, ignored);
+    const ground::GroundMesh cell = ground::expand_cell({}, terrain.ground, terrain.cells[i], tolerance_m, ignored);
     return Measure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
   });
   Measure all;
@@ -124,7 +124,7 @@ std::span<const Peer> peers_on(const std::string& raster) {
 Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
   const Result<Terrain> terrain = read_terrain(request);
   if (!terrain) return terrain.error();
-  const map::Heightfield& heights = terrain->heights;
+  const map::Heightfield& heights = terrain->ground.terrain;
   const std::string what = fmt::format("{} x {} heights every {} m, cells of {} m", heights.columns, heights.rows,
                                        heights.step_m, request.cell_m);
   Chart triangles{"terrain_triangles",

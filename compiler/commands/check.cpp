@@ -13,6 +13,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/expand.h"
+#include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
 #include "exporters/file.h"
 #include "exporters/glb.h"
@@ -80,12 +81,13 @@ const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
 /// The cells of one tile, put together again: their areas must add up.
 double ground_area_m2(const scene::Header& header, const scene::Chunk& chunk, const Box2& box, double tolerance_m) {
   const scene::GroundCover cover = scene::cover_of(header, chunk, tolerance_m);
+  const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
   double area = 0;
   Report ignored;
   for (double y = box.min.y; y < box.max.y; y += map::kCell_m) {
     for (double x = box.min.x; x < box.max.x; x += map::kCell_m) {
       const Box2 cell{{x, y}, {x + map::kCell_m, y + map::kCell_m}};
-      const ground::GroundMesh ground = ground::expand_cell(cover.surfaces, chunk.heights, cell, tolerance_m, ignored);
+      const ground::GroundMesh ground = ground::expand_cell(cover.surfaces, carving, cell, tolerance_m, ignored);
       for (const Triangle& t : ground.mesh.triangles) {
         const auto corner = [&](std::size_t i) { return in_plan(ground.mesh.positions[t[i]]); };
         area += 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
@@ -103,7 +105,8 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
                      fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
-  const GroundSamples samples = sample_ground(tile, subject.leaving, chunk.heights, box, kSampleStep_m);
+  const GroundSamples samples = sample_ground(
+      tile, subject.leaving, scene::carving_of(subject.scene.header, chunk, tile.tolerance_m), box, kSampleStep_m);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {

@@ -94,10 +94,17 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<cons
   return edges;
 }
 
+/// The ground may lie on any layer.
+double off_m(const ground::Heights& heights, double z) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const double height : heights) least_m = std::min(least_m, std::abs(z - height));
+  return least_m;
+}
+
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving,
-                            const map::Heightfield& heights, const Box2& box, double step_m) {
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const ground::Carving& carving,
+                            const Box2& box, double step_m) {
   Lattice lattice = lattice_of(box, step_m);
   for_each_ground_triangle(tile, leaving, [&](const Corners& corners) { lower(lattice, corners); });
 
@@ -110,7 +117,7 @@ GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> 
       if (std::isinf(z)) {
         ++samples.uncovered;
       } else {
-        samples.error_m = std::max(samples.error_m, std::abs(z - map::height_m_at(heights, lattice.middle(i, j))));
+        samples.error_m = std::max(samples.error_m, off_m(ground::heights_at(carving, lattice.middle(i, j)), z));
       }
     }
   }

@@ -9,7 +9,7 @@
 #include "compiler/bake/baked.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/ground/carving.h"
 
 namespace citykiln::commands {
 
@@ -24,8 +24,8 @@ struct GroundSamples {
 /// material there is the ground.
 /// @param leaving  Sorted: features that leave the ground (bridges), whose decks may be made of the same materials;
 /// overlooked. O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving,
-                            const map::Heightfield& heights, const Box2& box, double step_m);
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const ground::Carving& carving,
+                            const Box2& box, double step_m);
 
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;

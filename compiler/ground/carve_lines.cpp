@@ -22,7 +22,9 @@ void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
 
 // Rows, columns and diagonals, square by square, so that every crossing is an end.
 void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
-  const auto first = [&](double low, double start) { return static_cast<int>(std::floor((low - start) / field.step_m)); };
+  const auto first = [&](double low, double start) {
+    return static_cast<int>(std::floor((low - start) / field.step_m));
+  };
   const int i0 = std::max(0, first(cell.min.x, field.min.x)), j0 = std::max(0, first(cell.min.y, field.min.y));
   const int i1 = std::min(field.columns - 1, first(cell.max.x, field.min.x) + 1),
             j1 = std::min(field.rows - 1, first(cell.max.y, field.min.y) + 1);

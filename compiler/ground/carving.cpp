@@ -69,6 +69,8 @@ Heights heights_at(const Carving& carving, Vec2 p) {
   return {land_m, road.z_m, road.z_m - road.kerb_m, land_m};
 }
 
+double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }
+
 Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
   if (boxes_about(carving.roads.grid, p).empty()) return map::normal_at(carving.terrain, p);
   const Vec2 east{kNormalStep_m, 0}, north{0, kNormalStep_m};

@@ -42,8 +42,12 @@ struct Carving {
 Carving carve(map::Heightfield terrain, std::span<const roads::Road> roads, std::vector<Surface> paved, const Box2& box,
               bool has_kerbs);
 
-/// Of all layers at a place. Far from roads all are the land's; far from water the water's is the land's. O(roads near).
+/// Of all layers at a place. Far from roads all are the land's; far from water the water's is the land's. O(roads
+/// near).
 Heights heights_at(const Carving& carving, Vec2 p);
+
+/// What stands on the ground stands at this height: the land's, on roads that of their kerbs' tops.
+double land_m(const Carving& carving, Vec2 p);
 
 /// Of one layer, smoothed over a metre or two; where nothing is carved, over the terrain's squares. Unit length.
 Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer);

@@ -1,13 +1,14 @@
 // The ground: one conforming constrained triangulation per cell, every face of one surface, with a certified vertical
-// error.
+// error against the carved ground.
 //
-//   1. the borders of all surfaces and the cell's own border become one arrangement on the 2^-10 m grid
-//   (geometry/arrange)
+//   1. the borders of all surfaces, the lines along which the carved ground bends and the cell's own border become one
+//      arrangement on the 2^-10 m grid; triangulated, with the carved heights at its vertices, it is the reference
 //   2. its faces learn what covers them by counting the rings they are inside of; borders between equal faces are
-//   forgotten
+//      forgotten
 //   3. what is left is split where the height along it would be off by more than the tolerance
-//   4. a constrained Delaunay triangulation takes samples of the field until no point is off by more than the tolerance
-//   (Garland, Heckbert 1995)
+//   4. a constrained Delaunay triangulation takes points of the reference until no face is off by more than the
+//      tolerance
+//   5. where surfaces of different layers meet at different heights, upright faces close the step
 //
 // See ground.md for why neighbouring cells fit byte for byte, and for the error's proof.
 #pragma once
@@ -19,30 +20,32 @@
 #include "compiler/contract/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
+#include "compiler/ground/carving.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/surface_map.h"
-#include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {
 
 struct GroundMesh {
-  Mesh mesh;                                ///< Upwards; positions on the 2^-10 m grid; normals of the field.
+  Mesh mesh;  ///< Upwards, then upright faces; positions on the 2^-10 m grid; normals of the carved ground.
   std::vector<std::uint32_t> face_surface;  ///< One a triangle: index into the surfaces given, or kNoSurface.
-  double error_m =
-      0;  ///< Largest vertical distance between mesh and field: measured at all vertices of their overlay, so exact.
+  std::uint32_t first_upright = 0;          ///< Triangles from here on stand upright: kerbs, quays, walls.
+  double error_m = 0;  ///< Largest vertical distance between mesh and carved ground, layer by layer: measured at all
+                       ///< vertices of their overlay, so exact.
 };
 
 /// The ground of one cell.
 ///
 /// @param surfaces     All that touch the cell, trimmed or not (map of roads, areas, footprints); others are ignored.
+/// @param carving      Of all that is within its reach of the cell.
 /// @param cell         Corners on whole metres.
 /// @param tolerance_m  > 0.
-/// Guarantees: triangles counter-clockwise from above, they tile the cell exactly (sum of plan areas equals the
-/// cell's); each inner edge has two faces; border vertices depend only on surfaces and heights that touch the border,
-/// so cells made apart meet vertex for vertex; vertices take the field's height rounded to 2^-10 m; error_m <=
-/// max(tolerance_m, what a further vertex could not mend; then diagnosed kToleranceNotMet). Cost: n log n in border
-/// segments and inserted samples.
-GroundMesh expand_cell(std::span<const Surface> surfaces, const map::Heightfield& heights, const Box2& cell,
-                       double tolerance_m, Report& report);
+/// Guarantees: triangles that are not upright are counter-clockwise from above, they tile the cell exactly (sum of plan
+/// areas equals the cell's); each inner edge has two faces, or an upright one between them; border vertices depend only
+/// on surfaces and heights that touch the border, so cells made apart meet vertex for vertex; vertices take the carved
+/// height of their layer rounded to 2^-10 m; error_m <= max(tolerance_m, what a further vertex could not mend; then
+/// diagnosed kToleranceNotMet). Cost: n log n in border segments and inserted samples.
+GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
+                       Report& report);
 
 }  // namespace citykiln::ground

@@ -24,8 +24,7 @@ void add_segments(const roads::Road& road, double kerb_m, RoadField& field) {
                right_m = roads::right_m(road) + roads::raised_right_m(road);
   const auto number = static_cast<std::uint32_t>(field.profiles.size());
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
-    field.segments.push_back(
-        {road.axis[i], road.axis[i + 1], along[i], along[i + 1], left_m, right_m, kerb_m, number});
+    field.segments.push_back({road.axis[i], road.axis[i + 1], along[i], along[i + 1], left_m, right_m, kerb_m, number});
   field.profiles.push_back(road.profile);
 }
 

@@ -46,7 +46,7 @@ bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
 }
 
 void place_trees(Placed& placed, std::span<const Tree> trees, const ground::SurfaceMap& map,
-                 const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report) {
+                 const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report) {
   Account account;
   for (const Tree& tree : trees) {
     if (!stands_in(box, tree.at)) continue;
@@ -58,7 +58,7 @@ void place_trees(Placed& placed, std::span<const Tree> trees, const ground::Surf
     ++account.out;
     const Draw draw(seed, stable_id(tree.id), "tree");
     const double height_m = tree.height_m > 0 ? tree.height_m : drawn_height_m(kUntaggedHeight_m, draw);
-    stand(placed, tree.archetype, at_height(tree.at, height_m_at(heights, tree.at)), height_m, draw, tree.id.osm);
+    stand(placed, tree.archetype, at_height(tree.at, land_m(ground, tree.at)), height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
 }
@@ -78,7 +78,7 @@ Box2 common(const Box2& a, const Box2& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const map::Heightfield& heights,
+void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map, const ground::Carving& ground,
                 const Box2& box, std::uint64_t seed, Report& report) {
   const std::uint32_t surface = surface_of(map, wood);
   if (surface == ground::kNoSurface) return;
@@ -90,7 +90,7 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
   const auto allowed = [&](Vec2 p, double& height_m) {
     if (!around.contains(p) || !map.box.contains(p) || ground::surface_at(map, p) != surface) return false;
     if (ground::clearance_m(map, p, kLeastBarePriority, kTrunkClearance_m) < kTrunkClearance_m) return false;
-    height_m = height_m_at(heights, p);
+    height_m = height_m_at(ground.terrain, p);
     return true;
   };
   const Sites sites = blue_noise(seed, stable_id(wood.surface), wood.spacing_m, here, kDecidingReach_m, allowed);
@@ -99,7 +99,7 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
     const Draw draw(seed, site.id, "tree");
     const Archetype archetype =
         draw.unit(kArchetypeDice) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
-    stand(placed, archetype, at_height(site.at, site.height_m), drawn_height_m(wood.height_m, draw), draw,
+    stand(placed, archetype, at_height(site.at, land_m(ground, site.at)), drawn_height_m(wood.height_m, draw), draw,
           wood.surface.osm);
   }
 }
@@ -107,10 +107,10 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
 }  // namespace
 
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
-              const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report) {
+              const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report) {
   Placed placed;
-  place_trees(placed, trees, surfaces, heights, box, seed, report);
-  for (const Wood& wood : woods) place_wood(placed, wood, surfaces, heights, box, seed, report);
+  place_trees(placed, trees, surfaces, ground, box, seed, report);
+  for (const Wood& wood : woods) place_wood(placed, wood, surfaces, ground, box, seed, report);
   return placed;
 }
 

@@ -8,8 +8,8 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/geometry/placement.h"
+#include "compiler/ground/carving.h"
 #include "compiler/ground/surface_map.h"
-#include "compiler/map/heightfield.h"
 #include "compiler/materials/dressed_mesh.h"
 #include "compiler/plants/recipe.h"
 
@@ -28,12 +28,14 @@ inline constexpr double kReach_m = 48;
 /// The trees whose trunks stand in the half-open box.
 ///
 /// @param surfaces  Covers the box widened by kReach_m.
+/// @param ground    Carved in the box; its terrain covers as much as the surfaces. Trees of a wood keep apart on the
+///                  terrain, and stand on the carved ground.
 /// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least
 /// spacing_m apart on the ground; a tree depends on nothing beyond kReach_m. Single trees on a building, road or water
 /// are dropped, diagnosed kTreeOnRoad. Method: blue_noise.h; what stays undecided is diagnosed kTreesUndecided. Ledger
 /// "bake/tree" for single trees.
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
-              const map::Heightfield& heights, const Box2& box, std::uint64_t seed, Report& report);
+              const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report);
 
 struct ArchetypeMesh {
   std::vector<materials::DressedMesh>

@@ -64,9 +64,9 @@ void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std
 
 }  // namespace
 
-Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double tolerance_m) {
+Expanded expand(const Barrier& barrier, const ground::Carving& ground, double tolerance_m) {
   if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
-  const std::vector<Vec3> axis = follow_ground(barrier.axis, heights);
+  const std::vector<Vec3> axis = follow_ground(barrier.axis, ground);
   if (axis.size() < 2) return {};
   const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
   Mesh band;
@@ -82,8 +82,8 @@ Expanded expand(const Barrier& barrier, const map::Heightfield& heights, double 
   return {{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}}, 0};
 }
 
-Placement place(const StreetLamp& lamp, const map::Heightfield& heights) {
-  const Vec3 foot = at_height(lamp.at, snapped(map::height_m_at(heights, lamp.at)));
+Placement place(const StreetLamp& lamp, const ground::Carving& ground) {
+  const Vec3 foot = at_height(lamp.at, snapped(land_m(ground, lamp.at)));
   return {foot, lamp.facing.x, lamp.facing.y, lamp.height_m, lamp.feature};
 }
 

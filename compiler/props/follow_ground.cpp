@@ -1,6 +1,8 @@
 #include "compiler/props/follow_ground.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "compiler/geometry/snap.h"
 
@@ -29,16 +31,28 @@ std::vector<double> crossings(Vec2 a, Vec2 b, const map::Heightfield& field) {
   return shares;
 }
 
+// Cuts and banks are a few metres wide.
+constexpr double kCarvedStep_m = 2;
+
+std::vector<double> bends(Vec2 a, Vec2 b, const ground::Carving& ground) {
+  std::vector<double> shares = crossings(a, b, ground.terrain);
+  const bool is_carved = !boxes_about(ground.roads.grid, box_of(std::array{a, b})).empty();
+  const double steps = is_carved ? std::ceil(distance(a, b) / kCarvedStep_m) : 1;
+  for (double i = 1; i < steps; ++i) shares.push_back(i / steps);
+  std::sort(shares.begin(), shares.end());
+  return shares;
+}
+
 }  // namespace
 
-std::vector<Vec3> follow_ground(const Polyline& line, const map::Heightfield& heights) {
+std::vector<Vec3> follow_ground(const Polyline& line, const ground::Carving& ground) {
   std::vector<Vec3> points;
   const auto push = [&](Vec2 p) {
-    if (points.empty() || in_plan(points.back()) != p) points.push_back(at_height(p, snapped(height_m_at(heights, p))));
+    if (points.empty() || in_plan(points.back()) != p) points.push_back(at_height(p, snapped(land_m(ground, p))));
   };
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (i > 0)
-      for (const double share : crossings(line[i - 1], line[i], heights))
+      for (const double share : bends(line[i - 1], line[i], ground))
         push(snapped(line[i - 1] + (line[i] - line[i - 1]) * share));
     push(line[i]);
   }

@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "compiler/geometry/polygon.h"
-#include "compiler/map/heightfield.h"
+#include "compiler/ground/carving.h"
 
 namespace citykiln::props {
 
-/// The polyline on the heightfield, with a point wherever it crosses an edge of the field, so that it lies on the
-/// ground all along.
+/// The polyline on the carved ground, with a point wherever it crosses an edge of the terrain's grid, and every two
+/// metres where the ground is carved.
 ///
 /// Guarantees: begins and ends where the polyline does; keeps its points; no two neighbours in one place in plan;
 /// snapped, so off the ground by no more than 2^-10 m times one and the steepness. Outside the field no points are
 /// added. O(length / step).
-std::vector<Vec3> follow_ground(const Polyline& line, const map::Heightfield& heights);
+std::vector<Vec3> follow_ground(const Polyline& line, const ground::Carving& ground);
 
 }  // namespace citykiln::props

@@ -60,14 +60,14 @@ double plan_area_m2(const GroundMesh& g) {
 TEST(Ground, FacesTileTheCellExactly) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
-    const GroundMesh g = expand_cell(crossing_surfaces(seed, 30), rough_field(16, 20), kCell, 0.5, report);
+    const GroundMesh g = expand_cell(crossing_surfaces(seed, 30), Carving(rough_field(16, 20)), kCell, 0.5, report);
     EXPECT_EQ(plan_area_m2(g), 128.0 * 128.0) << "seed " << seed;
   }
 }
 
 TEST(Ground, EachInnerEdgeHasTwoFaces) {
   Report report;
-  const GroundMesh g = expand_cell(crossing_surfaces(4, 30), rough_field(16, 20), kCell, 0.5, report);
+  const GroundMesh g = expand_cell(crossing_surfaces(4, 30), Carving(rough_field(16, 20)), kCell, 0.5, report);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
   for (const Triangle& t : g.mesh.triangles)
     for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
@@ -82,7 +82,7 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 20);
-    const GroundMesh g = expand_cell(surfaces, rough_field(16, 20), kCell, 0.5, report);
+    const GroundMesh g = expand_cell(surfaces, Carving(rough_field(16, 20)), kCell, 0.5, report);
     const SurfaceMap map = map_surfaces(surfaces, kCell);
     double wrong_m2 = 0;
     for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
@@ -101,7 +101,7 @@ TEST(Ground, StatedErrorIsNeverExceeded) {
   for (const double tolerance_m : {0.02, 0.5, 5.0}) {
     Report report;
     const Heightfield field = rough_field(16, 40);
-    const GroundMesh g = expand_cell(crossing_surfaces(9, 20), field, kCell, tolerance_m, report);
+    const GroundMesh g = expand_cell(crossing_surfaces(9, 20), Carving(Heightfield(field)), kCell, tolerance_m, report);
     EXPECT_LE(g.error_m, tolerance_m);
     const Draw draw(1, StableId{4}, "samples");
     double largest = 0;
@@ -136,7 +136,7 @@ TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
       field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));
     }
     Report report;
-    EXPECT_LE(expand_cell({}, field, {{0, 0}, {1024, 1024}}, 5, report).error_m, 5) << "seed " << seed;
+    EXPECT_LE(expand_cell({}, Carving(Heightfield(field)), {{0, 0}, {1024, 1024}}, 5, report).error_m, 5) << "seed " << seed;
     EXPECT_TRUE(report.counts().empty());
   }
 }
@@ -148,8 +148,8 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
     const Heightfield field = rough_field(16, 20);
     std::vector<Surface> trimmed;
     for (const Surface& s : surfaces) trimmed.push_back(trimmed_to(s, Box2{{128, 0}, {256, 128}}.widened(1)));
-    const GroundMesh west = expand_cell(surfaces, field, kCell, 0.1, report);
-    const GroundMesh east = expand_cell(trimmed, field, {{128, 0}, {256, 128}}, 0.1, report);
+    const GroundMesh west = expand_cell(surfaces, Carving(Heightfield(field)), kCell, 0.1, report);
+    const GroundMesh east = expand_cell(trimmed, Carving(Heightfield(field)), {{128, 0}, {256, 128}}, 0.1, report);
     EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
   }
 }
@@ -157,7 +157,7 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
 TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   Report report;
   const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
-  const GroundMesh g = expand_cell({}, flat, kCell, 0.02, report);
+  const GroundMesh g = expand_cell({}, Carving(Heightfield(flat)), kCell, 0.02, report);
   EXPECT_EQ(g.mesh.triangles.size(), 2u);
   EXPECT_EQ(g.error_m, 0);
 }

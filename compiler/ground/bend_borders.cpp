@@ -1,0 +1,86 @@
+#include "compiler/ground/bend_borders.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/refine.h"
+#include "compiler/ground/surface_map.h"
+
+namespace citykiln::ground {
+namespace {
+
+struct Place {
+  GridPoint at;
+  Heights heights;
+};
+
+Place place_at(const Reference& reference, GridPoint at) { return {at, snapped_heights(reference, plane_point(at))}; }
+
+Vec3 point_of(const Place& place, HeightLayer layer) {
+  return at_height(plane_point(place.at), of(place.heights, layer));
+}
+
+WorstPoint worst_of(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers) {
+  WorstPoint worst;
+  for (const HeightLayer layer : layers) {
+    const WorstPoint here = worst_on_edge(reference, point_of(a, layer), point_of(b, layer), layer);
+    if (here.error_m > worst.error_m) worst = here;
+  }
+  return worst;
+}
+
+// Cuts an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the
+// edge and the heights alone.
+void split_edge(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers,
+                double tolerance_m, std::vector<GridPoint>& points) {
+  const WorstPoint worst = worst_of(reference, a, b, layers);
+  if (worst.error_m <= tolerance_m) return;
+  const Place middle = place_at(reference, grid_point(snapped(worst.at)));
+  if (middle.at == a.at || middle.at == b.at) return;
+  points.push_back(middle.at);
+  split_edge(reference, a, middle, layers, tolerance_m, points);
+  split_edge(reference, middle, b, layers, tolerance_m, points);
+}
+
+// From the lower end to the upper.
+std::vector<GridPoint> path_of(const Reference& reference, const Border& border, std::span<const HeightLayer> layers,
+                               double tolerance_m) {
+  std::vector<GridPoint> path = {border.a, border.b};
+  split_edge(reference, place_at(reference, border.a), place_at(reference, border.b), layers, tolerance_m, path);
+  const auto along = [&](GridPoint p) {
+    return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
+  };
+  std::sort(path.begin(), path.end(), [&](GridPoint p, GridPoint q) { return along(p) < along(q); });
+  return path;
+}
+
+constexpr std::array kAllLayers = {HeightLayer::kLand, HeightLayer::kRoad, HeightLayer::kCarriageway,
+                                   HeightLayer::kWater};
+
+HeightLayer layer_of_side(std::span<const HeightLayer> layers, std::uint32_t surface) {
+  return surface == kNoSurface ? HeightLayer::kLand : layers[surface];
+}
+
+}  // namespace
+
+Bent bend_to(const Reference& reference, std::span<const Border> borders, std::span<const HeightLayer> layers,
+             double tolerance_m, double inner_m) {
+  Bent bent;
+  for (const Border& border : borders) {
+    if (border.is_cell_border) {
+      // the neighbour's surfaces may lie on other layers
+      const auto path = path_of(reference, border, kAllLayers, tolerance_m);
+      bent.points.insert(bent.points.end(), path.begin(), path.end());
+      bent.borders.push_back(border);
+      continue;
+    }
+    const std::array sides = {layer_of_side(layers, border.left), layer_of_side(layers, border.right)};
+    const auto path = path_of(reference, border, std::span(sides).first(sides[0] == sides[1] ? 1 : 2), inner_m);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});
+  }
+  return bent;
+}
+
+}  // namespace citykiln::ground

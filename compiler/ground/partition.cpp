@@ -1,0 +1,145 @@
+#include "compiler/ground/partition.h"
+
+#include <algorithm>
+
+#include "compiler/contract/tolerance.h"
+#include "compiler/ground/cover.h"
+#include "compiler/ground/surface_map.h"
+
+namespace citykiln::ground {
+namespace {
+
+std::vector<OwnedSegment> segments_of(const Layers& layers) {
+  std::vector<OwnedSegment> segments;
+  for (std::uint32_t owner = 0; owner < layers.order.size(); ++owner)
+    for (const Ring& ring : layers.surfaces[layers.order[owner]].rings)
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        segments.push_back({grid_point(ring[j]), grid_point(ring[i]), owner, 1});
+  return segments;
+}
+
+std::vector<WindingStep> windings_at(const Layers& layers, Vec2 p) {
+  std::vector<WindingStep> windings;
+  for (std::uint32_t owner = 0; owner < layers.order.size(); ++owner) {
+    int winding = 0;
+    for (const Ring& ring : layers.surfaces[layers.order[owner]].rings) winding += winding_number(ring, p);
+    if (winding != 0) windings.push_back({owner, winding});
+  }
+  return windings;
+}
+
+Delaunay triangulated(const Arrangement& arrangement) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
+  return Delaunay(arrangement.vertices, edges);
+}
+
+// The face whose circle is widest, so that no rounding has moved a border across its centre. Owners as in the layers.
+KnownFace known_face(const Delaunay& triangulation, const Layers& layers) {
+  const WidestFace widest = widest_face(triangulation);
+  return {widest.face, windings_at(layers, {widest.x * kQuantum_m, widest.y * kQuantum_m})};
+}
+
+// Owners are ranked as they are numbered.
+std::vector<std::uint32_t> ranks_of(std::size_t owners) {
+  std::vector<std::uint32_t> ranks(owners);
+  for (std::uint32_t i = 0; i < ranks.size(); ++i) ranks[i] = i;
+  return ranks;
+}
+
+// What is seen, sorted: the owners of a partition's borders are their places in this list.
+std::vector<std::uint32_t> surfaces_beside(std::span<const Border> borders) {
+  std::vector<std::uint32_t> surfaces;
+  for (const Border& border : borders) surfaces.insert(surfaces.end(), {border.left, border.right});
+  std::ranges::sort(surfaces);
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  return surfaces;
+}
+
+std::uint32_t place_in(const std::vector<std::uint32_t>& sorted, std::uint32_t value) {
+  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
+}
+
+// The face at the cell's south-western corner that has its southern side: what covers it tells the border piece there.
+std::uint32_t corner_face(const Delaunay& triangulation, GridPoint corner) {
+  const auto& vertices = triangulation.vertices();
+  const auto& faces = triangulation.faces();
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const GridPoint a = vertices[faces[f].vertices[(i + 1) % 3]], b = vertices[faces[f].vertices[(i + 2) % 3]];
+      if (faces[f].neighbours[i] == kNoFace && a == corner && b.y == corner.y) return f;
+    }
+  return 0;
+}
+
+std::uint32_t corner_surface(std::span<const Border> borders, GridPoint corner) {
+  const auto at_corner = [&](const Border& b) { return b.is_cell_border && b.a == corner && b.b.y == corner.y; };
+  const auto found = std::ranges::find_if(borders, at_corner);
+  return found == borders.end() ? kNoSurface : found->left;
+}
+
+}  // namespace
+
+Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
+  Layers layers{surfaces, {}};
+  // what ends a grid step outside may still round onto the border
+  const Box2 reach = cell.widened(kQuantum_m);
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    const auto& rings = surfaces[i].rings;
+    if (std::any_of(rings.begin(), rings.end(), [&](const Ring& ring) { return box_of(ring).touches(reach); }))
+      layers.order.push_back(i);
+  }
+  std::sort(layers.order.begin(), layers.order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
+  return layers;
+}
+
+Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                        const Box2& cell) {
+  std::vector<OwnedSegment> segments = segments_of(layers);
+  // lines have an owner of their own, under all others, so that none of them is lost
+  const auto line_owner = static_cast<std::uint32_t>(layers.order.size());
+  for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
+  Arrangement arrangement = arrange(segments, {}, cell);
+  Delaunay triangulation = triangulated(arrangement);
+  const KnownFace known = known_face(triangulation, layers);
+  std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks_of(line_owner + 1));
+  for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoSurface : layers.order[owner];
+  return {std::move(arrangement), std::move(triangulation), std::move(top)};
+}
+
+std::vector<Border> seen_borders(const Partition& all) {
+  std::vector<Border> borders;
+  const auto& faces = all.triangulation.faces();
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t beyond = faces[f].neighbours[i];
+      if (!faces[f].is_constrained[i]) continue;
+      const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]],
+                      b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
+      const std::uint32_t left = all.face_surface[f];
+      if (beyond == kNoFace) borders.push_back({std::min(a, b), std::max(a, b), left, left, true});
+      // an inner edge is met from both sides; the one that sees it from its lower end counts
+      else if (a < b && left != all.face_surface[beyond])
+        borders.push_back({a, b, left, all.face_surface[beyond], false});
+    }
+  return borders;
+}
+
+Partition partition_of(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell) {
+  const std::vector<std::uint32_t> surfaces = surfaces_beside(borders);
+  std::vector<OwnedSegment> segments;
+  for (const Border& border : borders) {
+    if (border.is_cell_border) continue;
+    segments.push_back({border.a, border.b, place_in(surfaces, border.left), 1});
+    segments.push_back({border.a, border.b, place_in(surfaces, border.right), -1});
+  }
+  Arrangement arrangement = arrange(segments, points, cell);
+  Delaunay triangulation = triangulated(arrangement);
+  const GridPoint corner = grid_point(cell.min);
+  const KnownFace known{corner_face(triangulation, corner), {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
+  std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks_of(surfaces.size()));
+  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoSurface : surfaces[owner];
+  return {std::move(arrangement), std::move(triangulation), std::move(top)};
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,42 @@
+// What covers a cell: a planar partition of it into triangles, each of one surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "compiler/geometry/arrangement.h"
+#include "compiler/geometry/box.h"
+#include "compiler/geometry/delaunay.h"
+#include "compiler/ground/border.h"
+#include "compiler/ground/recipe.h"
+
+namespace citykiln::ground {
+
+/// The edges, the triangles, and what covers each of them (an index into the surfaces given, or kNoSurface).
+struct Partition {
+  Arrangement arrangement;
+  Delaunay triangulation;
+  std::vector<std::uint32_t> face_surface;
+};
+
+/// The surfaces whose rings come near a cell, from the top down.
+struct Layers {
+  std::span<const Surface> surfaces;
+  std::vector<std::uint32_t> order;
+};
+Layers layers_near(std::span<const Surface> surfaces, const Box2& cell);
+
+/// Everything that is drawn, whether seen or hidden, with further lines as edges, and what lies on top in each face.
+/// @param lines  From the lower end to the upper; they bound nothing.
+Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines, const Box2& cell);
+
+/// The edges between faces of different surfaces, and the cell's border. O(faces).
+std::vector<Border> seen_borders(const Partition& partition);
+
+/// The same cell, of other borders: those given between surfaces, and the points given on the cell's border.
+/// @param borders  The cell's own border among them: what covers its south-western corner is told there.
+Partition partition_of(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell);
+
+}  // namespace citykiln::ground

@@ -1,0 +1,28 @@
+// A triangulation takes points of the carved ground, the worst first, until no face is off by more than the tolerance.
+#pragma once
+
+#include <vector>
+
+#include "compiler/ground/partition.h"
+#include "compiler/ground/reference.h"
+
+namespace citykiln::ground {
+
+/// A partition with the heights of its vertices.
+struct Refined {
+  Delaunay triangulation;
+  std::vector<std::uint32_t> face_surface;
+  std::vector<HeightLayer> face_layer;
+  std::vector<Heights> heights;  ///< One a vertex: the reference's, rounded to 2^-10 m.
+  double error_m = 0;            ///< Largest vertical distance of a face to its layer of the reference: exact.
+};
+
+/// The reference's heights at a place, rounded to 2^-10 m.
+Heights snapped_heights(const Reference& reference, Vec2 p);
+
+/// Guarantees: no point on a constrained edge, nor on the cell's border; error_m <= tolerance_m, or what no further
+/// point could mend. Cost: n log n in points, times the reference's faces about each.
+Refined refine(Partition&& partition, std::vector<HeightLayer>&& face_layer, const Reference& reference,
+               double tolerance_m);
+
+}  // namespace citykiln::ground

@@ -1,0 +1,92 @@
+#include "compiler/ground/step_mesh.h"
+
+#include <array>
+
+namespace citykiln::ground {
+namespace {
+
+constexpr std::uint32_t kNoVertex = 0xffffffffu;
+using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightLayer::kCount)>;
+
+struct Builder {
+  const Refined& refined;
+  const Carving& carving;
+  GroundMesh ground{};
+  std::vector<VertexByLayer> numbers{};
+
+  Vec3 place(std::uint32_t vertex, HeightLayer layer) const {
+    return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], layer));
+  }
+
+  std::uint32_t add_vertex(Vec3 position, Vec3 normal) {
+    ground.mesh.positions.push_back(position);
+    ground.mesh.normals.push_back(normal);
+    return static_cast<std::uint32_t>(ground.mesh.positions.size() - 1);
+  }
+
+  std::uint32_t vertex(std::uint32_t v, HeightLayer layer) {
+    std::uint32_t& number = numbers[v][static_cast<std::size_t>(layer)];
+    if (number != kNoVertex) return number;
+    const Vec3 p = place(v, layer), normal = normal_at(carving, in_plan(p), layer);
+    for (const std::uint32_t other : numbers[v])
+      if (other != kNoVertex && ground.mesh.positions[other] == p && ground.mesh.normals[other] == normal)
+        return number = other;
+    return number = add_vertex(p, normal);
+  }
+
+  void add_face(std::uint32_t f) {
+    const auto& v = refined.triangulation.faces()[f].vertices;
+    const HeightLayer layer = refined.face_layer[f];
+    ground.mesh.triangles.push_back({vertex(v[0], layer), vertex(v[1], layer), vertex(v[2], layer)});
+    ground.face_surface.push_back(refined.face_surface[f]);
+  }
+
+  // An upright quad from the lower edge a → b to the upper one, the upper face to the left of it; one triangle where
+  // the edges meet at an end.
+  void add_upright(Vec3 a, Vec3 b, double upper_a, double upper_b, std::uint32_t surface) {
+    const Vec2 along = unit(in_plan(b) - in_plan(a));
+    const Vec3 out = at_height(left_of(along) * -1.0, 0);
+    const auto va = add_vertex(a, out), vb = add_vertex(b, out);
+    const auto push = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+      ground.mesh.triangles.push_back({p, q, r});
+      ground.face_surface.push_back(surface);
+    };
+    const auto ua = upper_a != a.z ? add_vertex({a.x, a.y, upper_a}, out) : va;
+    const auto ub = upper_b != b.z ? add_vertex({b.x, b.y, upper_b}, out) : vb;
+    if (ub != vb) push(va, vb, ub);
+    if (ua != va) push(va, ub, ua);
+  }
+
+  // The step between a face and its neighbour beyond edge i, seen once.
+  void add_step(std::uint32_t f, int i) {
+    const DelaunayFace& face = refined.triangulation.faces()[f];
+    const std::uint32_t beyond = face.neighbours[i];
+    if (beyond == kNoFace || beyond < f || refined.face_layer[f] == refined.face_layer[beyond]) return;
+    const std::uint32_t from = face.vertices[(i + 1) % 3], to = face.vertices[(i + 2) % 3];
+    const Vec3 own_a = place(from, refined.face_layer[f]), own_b = place(to, refined.face_layer[f]);
+    const Vec3 other_a = place(from, refined.face_layer[beyond]), other_b = place(to, refined.face_layer[beyond]);
+    if (own_a == other_a && own_b == other_b) return;
+    if (own_a.z + own_b.z >= other_a.z + other_b.z)
+      add_upright(other_a, other_b, own_a.z, own_b.z, refined.face_surface[f]);
+    else
+      add_upright(own_b, own_a, other_b.z, other_a.z, refined.face_surface[beyond]);
+  }
+};
+
+}  // namespace
+
+GroundMesh step_mesh(const Refined& refined, const Carving& carving) {
+  VertexByLayer none;
+  none.fill(kNoVertex);
+  Builder builder{refined, carving};
+  builder.numbers.assign(refined.triangulation.vertices().size(), none);
+  const auto faces = static_cast<std::uint32_t>(refined.triangulation.faces().size());
+  for (std::uint32_t f = 0; f < faces; ++f) builder.add_face(f);
+  builder.ground.first_upright = faces;
+  for (std::uint32_t f = 0; f < faces; ++f)
+    for (int i = 0; i < 3; ++i) builder.add_step(f, i);
+  builder.ground.error_m = refined.error_m;
+  return std::move(builder.ground);
+}
+
+}  // namespace citykiln::ground

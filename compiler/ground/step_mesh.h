@@ -1,0 +1,18 @@
+// From a triangulation whose vertices have a height a layer to a mesh: faces at their layers' heights, and upright
+// faces where two layers part.
+//
+//      pavement ───┐ ← upright, of the upper face's surface, seen from the lower side
+//                  └─── carriageway
+#pragma once
+
+#include "compiler/ground/carving.h"
+#include "compiler/ground/expand.h"
+#include "compiler/ground/refine.h"
+
+namespace citykiln::ground {
+
+/// Vertices are shared within a layer, and between layers that touch; upright faces have their own, with level normals.
+/// O(faces).
+GroundMesh step_mesh(const Refined& refined, const Carving& carving);
+
+}  // namespace citykiln::ground
