@@ -1,6 +1,7 @@
 #include "compiler/bake/fire_ground.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/plan.h"
@@ -78,6 +79,19 @@ std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std
     grounds.push_back(std::move(slot.ground));
   }
   return grounds;
+}
+
+std::vector<ground::Reference> reference_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
+                                               const Box2& tile, int threads) {
+  const std::vector<Box2> cells = cells_of(tile);
+  const auto candidates = candidates_of(surfaces, cells);
+  auto slots = for_each_slot<std::optional<ground::Reference>>(cells.size(), threads, [&](std::size_t c) {
+    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cells[c]);
+    return std::optional(ground::reference_of_cell(near.surfaces, carving, cells[c]));
+  });
+  std::vector<ground::Reference> references;
+  for (auto& slot : slots) references.push_back(std::move(*slot));
+  return references;
 }
 
 }  // namespace citykiln::bake

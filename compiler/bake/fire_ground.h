@@ -17,4 +17,9 @@ std::vector<Box2> cells_of(const Box2& tile);
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report);
 
+/// What each of them is certified against, in the same order.
+std::vector<ground::Reference> reference_cells(const ground::Carving& carving,
+                                               std::span<const ground::Surface> surfaces, const Box2& tile,
+                                               int threads);
+
 }  // namespace citykiln::bake

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/bake/bake.h"
+#include "compiler/bake/fire_ground.h"
 #include "compiler/commands/measure_ground.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
@@ -22,8 +23,8 @@
 namespace citykiln::commands {
 namespace {
 
-/// Fine enough to meet every road, coarse enough to be quick.
-constexpr double kSampleStep_m = 4;
+/// A million places a tile.
+constexpr int kSamplesASide = 1024;
 
 /// One promise, how often it was put to the test, and where it broke.
 struct Finding {
@@ -78,35 +79,57 @@ const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
   return found == scene.chunks.end() ? nullptr : &*found;
 }
 
+/// The carved ground of a tile, and what is laid on it at a tolerance.
+struct Carved {
+  Box2 box;
+  ground::Carving carving;
+  scene::GroundCover cover;
+};
+
+Carved carved_ground(const Subject& subject, const scene::Chunk& chunk, double tolerance_m) {
+  const scene::Header& header = subject.scene.header;
+  return {scene::box_of(header, chunk.tile), scene::carving_of(header, chunk, tolerance_m),
+          scene::cover_of(header, chunk, tolerance_m)};
+}
+
 /// The cells of one tile, put together again: their areas must add up.
-double ground_area_m2(const scene::Header& header, const scene::Chunk& chunk, const Box2& box, double tolerance_m) {
-  const scene::GroundCover cover = scene::cover_of(header, chunk, tolerance_m);
-  const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
+double ground_area_m2(const Carved& carved, double tolerance_m) {
   double area = 0;
   Report ignored;
-  for (double y = box.min.y; y < box.max.y; y += map::kCell_m) {
-    for (double x = box.min.x; x < box.max.x; x += map::kCell_m) {
-      const Box2 cell{{x, y}, {x + map::kCell_m, y + map::kCell_m}};
-      const ground::GroundMesh ground = ground::expand_cell(cover.surfaces, carving, cell, tolerance_m, ignored);
-      for (const Triangle& t : ground.mesh.triangles) {
-        const auto corner = [&](std::size_t i) { return in_plan(ground.mesh.positions[t[i]]); };
-        area += 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
-      }
+  for (const ground::GroundMesh& cell :
+       bake::expand_cells(carved.carving, carved.cover.surfaces, carved.box, tolerance_m, 0, ignored)) {
+    for (const Triangle& t : cell.mesh.triangles) {
+      const auto corner = [&](std::size_t i) { return in_plan(cell.mesh.positions[t[i]]); };
+      area += 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
     }
   }
   return area;
 }
 
+GroundSamples sampled(const Subject& subject, const Carved& carved, const bake::BakedTile& tile) {
+  const auto references = bake::reference_cells(carved.carving, carved.cover.surfaces, carved.box, 0);
+  const auto rows = static_cast<std::size_t>(carved.box.height() / map::kCell_m);
+  const auto heights_at = [&](Vec2 p) {
+    const auto column = static_cast<std::size_t>((p.x - carved.box.min.x) / map::kCell_m);
+    const auto row = static_cast<std::size_t>((p.y - carved.box.min.y) / map::kCell_m);
+    const ground::Reference& cell = references[std::min(column * rows + row, references.size() - 1)];
+    ground::Heights heights;
+    for (std::size_t layer = 0; layer < heights.size(); ++layer)
+      heights[layer] = ground::height_m_at(cell, p, static_cast<ground::HeightLayer>(layer));
+    return heights;
+  };
+  return sample_ground(tile, subject.leaving, heights_at, carved.box, kSamplesASide);
+}
+
 void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
                   const std::string& name, Findings& findings) {
-  const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
-  const double tile_m2 = box.width() * box.height();
-  const double ground_m2 = ground_area_m2(subject.scene.header, chunk, box, tile.tolerance_m);
+  const Carved carved = carved_ground(subject, chunk, tile.tolerance_m);
+  const double tile_m2 = carved.box.width() * carved.box.height();
+  const double ground_m2 = ground_area_m2(carved, tile.tolerance_m);
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
                      fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
-  const GroundSamples samples = sample_ground(
-      tile, subject.leaving, scene::carving_of(subject.scene.header, chunk, tile.tolerance_m), box, kSampleStep_m);
+  const GroundSamples samples = sampled(subject, carved, tile);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {

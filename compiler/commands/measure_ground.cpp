@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/contract/draw.h"
+#include "compiler/contract/tolerance.h"
 #include "compiler/map/surface_class.h"
 
 namespace citykiln::commands {
@@ -37,42 +39,50 @@ void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId
 
 double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
-/// The squares of a lattice, each with the lowest ground at its middle.
+/// A place in each square of a lattice, and the lowest ground there.
 struct Lattice {
   Box2 box;
-  double step_m;
-  int columns, rows;
+  int a_side;
+  std::vector<Vec2> places;
   std::vector<double> lowest_m;
 
-  Vec2 middle(int i, int j) const { return {box.min.x + (i + 0.5) * step_m, box.min.y + (j + 0.5) * step_m}; }
+  std::size_t number(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);
+  }
 };
 
-Lattice lattice_of(const Box2& box, double step_m) {
-  const int columns = static_cast<int>(box.width() / step_m), rows = static_cast<int>(box.height() / step_m);
-  const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-  return {box, step_m, columns, rows, std::vector<double>(count, std::numeric_limits<double>::infinity())};
+Lattice lattice_of(const Box2& box, int a_side) {
+  Lattice lattice{box, a_side, {}, {}};
+  const Draw draw(0, StableId{0}, "samples of the ground");
+  std::uint32_t dice = 0;
+  for (int j = 0; j < a_side; ++j)
+    for (int i = 0; i < a_side; ++i) {
+      const double u = (i + draw.unit(dice++)) / a_side, v = (j + draw.unit(dice++)) / a_side;
+      lattice.places.push_back({box.min.x + u * box.width(), box.min.y + v * box.height()});
+    }
+  lattice.lowest_m.assign(lattice.places.size(), std::numeric_limits<double>::infinity());
+  return lattice;
 }
 
-/// Lowers the lattice where the middle of a square lies in the triangle.
+/// Lowers the lattice where places lie in the triangle.
 void lower(Lattice& lattice, const Corners& t) {
   const double area = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
   if (area <= 0) return;
   Box2 box;
   for (const Vec3& corner : t) box.grow(in_plan(corner));
-  const auto first = [&](double from, double origin) {
-    return std::max(0, static_cast<int>(std::floor((from - origin) / lattice.step_m)));
+  const auto square = [&](double from, double origin, double size) {
+    return static_cast<int>(std::clamp(std::floor((from - origin) / size * lattice.a_side), 0.0, lattice.a_side - 1.0));
   };
-  const int last_i = std::min(lattice.columns - 1, first(box.max.x, lattice.box.min.x));
-  const int last_j = std::min(lattice.rows - 1, first(box.max.y, lattice.box.min.y));
-  for (int j = first(box.min.y, lattice.box.min.y); j <= last_j; ++j) {
-    for (int i = first(box.min.x, lattice.box.min.x); i <= last_i; ++i) {
-      const Vec2 p = lattice.middle(i, j);
+  const auto column = [&](double x) { return square(x, lattice.box.min.x, lattice.box.width()); };
+  const auto row = [&](double y) { return square(y, lattice.box.min.y, lattice.box.height()); };
+  for (int j = row(box.min.y); j <= row(box.max.y); ++j) {
+    for (int i = column(box.min.x); i <= column(box.max.x); ++i) {
+      const Vec2 p = lattice.places[lattice.number(i, j)];
       const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
                    b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
       const double c = area - a - b;
       if (a < 0 || b < 0 || c < 0) continue;
-      double& lowest = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) +
-                                        static_cast<std::size_t>(i)];
+      double& lowest = lattice.lowest_m[lattice.number(i, j)];
       lowest = std::min(lowest, (a * t[0].z + b * t[1].z + c * t[2].z) / area);
     }
   }
@@ -87,6 +97,7 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<cons
     if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
+      if (distance(in_plan(a), in_plan(b)) < 2 * kQuantum_m) continue;
       if (coordinate(a) == at && coordinate(b) == at) edges.push_back(a < b ? BorderEdge{a, b} : BorderEdge{b, a});
     }
   });
@@ -103,23 +114,18 @@ double off_m(const ground::Heights& heights, double z) {
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const ground::Carving& carving,
-                            const Box2& box, double step_m) {
-  Lattice lattice = lattice_of(box, step_m);
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
+                            const Box2& box, int a_side) {
+  Lattice lattice = lattice_of(box, a_side);
   for_each_ground_triangle(tile, leaving, [&](const Corners& corners) { lower(lattice, corners); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
-  for (int j = 0; j < lattice.rows; ++j) {
-    for (int i = 0; i < lattice.columns; ++i) {
-      const double z = lattice.lowest_m[static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice.columns) +
-                                        static_cast<std::size_t>(i)];
-      if (std::isinf(z)) {
-        ++samples.uncovered;
-      } else {
-        samples.error_m = std::max(samples.error_m, off_m(ground::heights_at(carving, lattice.middle(i, j)), z));
-      }
-    }
+  for (std::size_t i = 0; i < lattice.places.size(); ++i) {
+    if (std::isinf(lattice.lowest_m[i]))
+      ++samples.uncovered;
+    else
+      samples.error_m = std::max(samples.error_m, off_m(heights_at(lattice.places[i]), lattice.lowest_m[i]));
   }
   return samples;
 }

@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "compiler/bake/baked.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/height_layer.h"
 
 namespace citykiln::commands {
 
@@ -20,18 +21,23 @@ struct GroundSamples {
   double error_m = 0;           ///< Largest vertical distance between ground and heights.
 };
 
-/// Samples the middle of every square of a lattice of `step_m` in the box: the lowest upward triangle of a ground
-/// material there is the ground.
+/// What the heights of the ground should be at a place of the plane.
+using HeightsAt = std::function<ground::Heights(Vec2)>;
+
+/// Samples a random place in every square of a lattice over the box: the lowest upward triangle of a ground material
+/// there is the ground. It may lie on any layer.
 /// @param leaving  Sorted: features that leave the ground (bridges), whose decks may be made of the same materials;
-/// overlooked. O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const ground::Carving& carving,
-                            const Box2& box, double step_m);
+///                 overlooked.
+/// @param a_side   Squares along each side of the box.
+/// O(triangles + samples).
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
+                            const Box2& box, int a_side);
 
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;
 
 /// The edges of ground triangles that lie in the line x = at (or y = at), sorted. Neighbouring tiles must have the same
-/// ones.
+/// ones. Left out: edges as short as the plane's grid, where a border between two surfaces may run along the tile's.
 std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at);
 std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at);
 

@@ -48,6 +48,11 @@ Reference reference_on(Delaunay&& triangulation, const Carving& carving, const B
 
 }  // namespace
 
+Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
+  Partition all = partition_all(layers_near(surfaces, cell), carve_lines(carving, cell), cell);
+  return reference_on(std::move(all.triangulation), carving, cell);
+}
+
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
   const std::vector<HeightLayer> layers = layers_of(surfaces);

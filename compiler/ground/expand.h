@@ -22,6 +22,7 @@
 #include "compiler/geometry/mesh.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/ground/reference.h"
 #include "compiler/ground/surface_map.h"
 
 namespace citykiln::ground {
@@ -47,5 +48,8 @@ struct GroundMesh {
 /// diagnosed kToleranceNotMet). Cost: n log n in border segments and inserted samples.
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report);
+
+/// What expand_cell is certified against: the carved ground of the cell, linear on the faces of one triangulation.
+Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);
 
 }  // namespace citykiln::ground
