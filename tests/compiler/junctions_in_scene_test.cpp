@@ -6,6 +6,7 @@
 
 #include "compiler/bake/fire_ground.h"
 #include "compiler/pipeline.h"
+#include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
 #include "tests/compiler/roads/junction_claims.h"
 
@@ -55,8 +56,9 @@ std::map<map::SurfaceClass, std::vector<Ring>> ground_by_class(const scene::Scen
   for (const scene::Chunk& chunk : scene.chunks) {
     const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
-    for (const ground::GroundMesh& cell : bake::expand_cells(chunk, cover.surfaces, tile, kTolerance_m, 0, ignored))
-      for (std::size_t f = 0; f < cell.face_surface.size(); ++f) {
+    const ground::Carving carving = scene::carving_of(scene.header, chunk, kTolerance_m);
+    for (const ground::GroundMesh& cell : bake::expand_cells(carving, cover.surfaces, tile, kTolerance_m, 0, ignored))
+      for (std::size_t f = 0; f < cell.first_upright; ++f) {
         if (cell.face_surface[f] == ground::kNoSurface) continue;
         Ring ring;
         for (const std::uint32_t v : cell.mesh.triangles[f]) ring.push_back(in_plan(cell.mesh.positions[v]));

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/contract/draw.h"
+#include "compiler/contract/tolerance.h"
 #include "compiler/ground/plan.h"
 
 namespace citykiln::ground {
@@ -136,7 +137,8 @@ TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
       field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));
     }
     Report report;
-    EXPECT_LE(expand_cell({}, Carving(Heightfield(field)), {{0, 0}, {1024, 1024}}, 5, report).error_m, 5) << "seed " << seed;
+    EXPECT_LE(expand_cell({}, Carving(Heightfield(field)), {{0, 0}, {1024, 1024}}, 5, report).error_m, 5)
+        << "seed " << seed;
     EXPECT_TRUE(report.counts().empty());
   }
 }
@@ -159,7 +161,7 @@ TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
   const GroundMesh g = expand_cell({}, Carving(Heightfield(flat)), kCell, 0.02, report);
   EXPECT_EQ(g.mesh.triangles.size(), 2u);
-  EXPECT_EQ(g.error_m, 0);
+  EXPECT_LE(g.error_m, kQuantum_m / 2);
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ constexpr Box2 kAll = {{-256, -256}, {256, 256}};
 
 Placed placed_in(const Box2& box, double grade, Report& report, std::span<const Tree> trees = {}) {
   const std::vector<Surface> surfaces = wooded();
-  return expand(trees, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), sloping(grade), box, 7, report);
+  return expand(trees, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), ground::Carving(sloping(grade)), box, 7,
+                report);
 }
 
 std::vector<Placement> joined(const Placed& placed) {
@@ -118,7 +119,8 @@ TEST(Expand, DependsOnNothingBeyondItsReach) {
   const Box2 box = {{-64, -64}, {64, 64}};
   std::vector<Surface> surfaces = wooded();
   const auto plant = [&] {
-    return joined(expand({}, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), sloping(0.1), box, 7, report));
+    return joined(expand({}, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), ground::Carving(sloping(0.1)), box,
+                         7, report));
   };
   const auto before = plant();
   // a clearing that begins just beyond

@@ -20,6 +20,9 @@ map::Heightfield hills() {
   return field;
 }
 
+// Nothing is carved.
+ground::Carving hilly() { return ground::Carving(hills()); }
+
 Barrier wall(Polyline axis) { return {{{OsmType::kWay, 3}, 0}, std::move(axis), map::BarrierKind::kWall, 2, 0.5}; }
 
 std::map<std::pair<Vec3, Vec3>, int> open_edges(const Mesh& mesh) {
@@ -39,7 +42,7 @@ std::map<std::pair<Vec3, Vec3>, int> open_edges(const Mesh& mesh) {
 TEST(FollowGround, LiesOnTheGroundAllAlong) {
   const map::Heightfield field = hills();
   const Polyline line = {{-60.5, -50}, {33.25, 41}, {50, -62}, {-64, -64}, {16, 16}, {16, 60}, {90, 70}};
-  const std::vector<Vec3> points = follow_ground(line, field);
+  const std::vector<Vec3> points = follow_ground(line, hilly());
   for (std::size_t i = 1; i < points.size(); ++i)
     for (int k = 0; k <= 8; ++k) {
       const Vec3 p = points[i - 1] + (points[i] - points[i - 1]) * (k / 8.0);
@@ -50,7 +53,7 @@ TEST(FollowGround, LiesOnTheGroundAllAlong) {
 
 TEST(FollowGround, KeepsTheLinesPointsAndRepeatsNone) {
   const Polyline line = {{-60.5, -50}, {33.25, 41}, {33.25, 41}, {48, 48}};
-  const std::vector<Vec3> points = follow_ground(line, hills());
+  const std::vector<Vec3> points = follow_ground(line, hilly());
   EXPECT_EQ(in_plan(points.front()), line.front());
   EXPECT_EQ(in_plan(points.back()), line.back());
   for (const Vec2 p : line)
@@ -62,7 +65,7 @@ TEST(Expand, IsOpenOnlyUnderTheGround) {
   const map::Heightfield field = hills();
   for (const Polyline& axis :
        {Polyline{{-60, -50}, {20, 30}, {50, 31}}, Polyline{{-30, -30}, {30, -30}, {30, 30}, {-30, -30}}}) {
-    const Expanded e = expand(wall(axis), field, 0.02);
+    const Expanded e = expand(wall(axis), hilly(), 0.02);
     ASSERT_EQ(e.meshes.size(), 1u);
     for (const auto& [edge, count] : open_edges(e.meshes[0].mesh))
       for (const Vec3 p : {edge.first, edge.second}) EXPECT_LT(p.z, height_m_at(field, in_plan(p)));
@@ -72,7 +75,7 @@ TEST(Expand, IsOpenOnlyUnderTheGround) {
 TEST(Expand, StandsAsWideAndHighAsTold) {
   map::Heightfield flat = hills();
   std::fill(flat.heights.begin(), flat.heights.end(), 640);
-  const Mesh mesh = expand(wall({{0, 3}, {40, 3}}), flat, 0.02).meshes[0].mesh;
+  const Mesh mesh = expand(wall({{0, 3}, {40, 3}}), ground::Carving(std::move(flat)), 0.02).meshes[0].mesh;
   for (const Vec3 p : mesh.positions) {
     EXPECT_TRUE(p.y == 2.75 || p.y == 3.25);
     EXPECT_TRUE(p.z == 12 || p.z < 10);
@@ -87,17 +90,17 @@ TEST(Expand, StandsAsWideAndHighAsTold) {
 }
 
 TEST(Expand, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
-  const Expanded dropped = expand(wall({{0, 0}, {9, 0}}), hills(), 2.5);
+  const Expanded dropped = expand(wall({{0, 0}, {9, 0}}), hilly(), 2.5);
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_m, 2);
-  EXPECT_TRUE(expand(wall({}), hills(), 0.1).meshes.empty());
-  EXPECT_TRUE(expand(wall({{1, 1}, {1, 1}}), hills(), 0.1).meshes.empty());
-  EXPECT_FALSE(expand(wall({{0, 0}, {9, 0}, {0, 0}}), hills(), 0.1).meshes.empty());
+  EXPECT_TRUE(expand(wall({}), hilly(), 0.1).meshes.empty());
+  EXPECT_TRUE(expand(wall({{1, 1}, {1, 1}}), hilly(), 0.1).meshes.empty());
+  EXPECT_FALSE(expand(wall({{0, 0}, {9, 0}, {0, 0}}), hilly(), 0.1).meshes.empty());
 }
 
 TEST(Place, StandsLampsOnTheGroundAndTurnsThem) {
   const StreetLamp lamp{{5, 7}, {0.6, -0.8}, 6, LampKind::kArm, {OsmType::kNode, 8}};
-  const Placement p = place(lamp, hills());
+  const Placement p = place(lamp, hilly());
   EXPECT_NEAR(p.at.z, height_m_at(hills(), {5, 7}), 0.0005);
   EXPECT_EQ(p.scale, 6);
   EXPECT_EQ(p.cos_yaw, 0.6);
