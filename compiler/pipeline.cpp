@@ -67,7 +67,9 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("structures");
   recipes.structures = structures::plan(features, recipes.heights, report);
   watch.enter("buildings");
-  recipes.buildings = buildings::plan(features, recipes.heights, report);
+  // what looks from a building's corner sees kerbs' tops, and no rounded corners of streets
+  const ground::Carving carved = ground::carve(recipes.heights, recipes.roads, {}, features.region, false);
+  recipes.buildings = buildings::plan(features, carved, report);
   watch.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, report);
   watch.enter("props");

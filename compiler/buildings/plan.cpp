@@ -1,6 +1,7 @@
 #include "compiler/buildings/plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "compiler/buildings/dress.h"
@@ -23,11 +24,19 @@ struct GroundRange {
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -std::numeric_limits<double>::infinity();
 };
 
-GroundRange ground_under(const Polygon& polygon, const map::Heightfield& heights) {
+// Along the walls the ground is looked at this often: banks beside roads are a few metres wide.
+constexpr double kWallStep_m = 4;
+
+GroundRange ground_under(const Polygon& polygon, const ground::Carving& ground) {
   GroundRange range;
-  for (const Vec2 corner : polygon.outer) {
-    const double z = height_m_at(heights, corner);
-    range = {std::min(range.lowest_m, z), std::max(range.highest_m, z)};
+  Vec2 from = polygon.outer.back();
+  for (const Vec2 to : polygon.outer) {
+    const double steps = std::max(1.0, std::ceil(distance(from, to) / kWallStep_m));
+    for (double i = 1; i <= steps; ++i) {
+      const double z = land_m(ground, from + (to - from) * (i / steps));
+      range = {std::min(range.lowest_m, z), std::max(range.highest_m, z)};
+    }
+    from = to;
   }
   return range;
 }
@@ -47,11 +56,11 @@ Vec2 inner_point(const Polygon& polygon) {
 }
 
 // The height that a footprint's heights count from.
-double base_of(const map::Footprint& footprint, const GroundRange& ground, const OutlineIndex& outlines,
-               const map::Heightfield& heights) {
-  if (!footprint.is_part) return ground.lowest_m;
+double base_of(const map::Footprint& footprint, const GroundRange& under, const OutlineIndex& outlines,
+               const ground::Carving& ground) {
+  if (!footprint.is_part) return under.lowest_m;
   const map::Footprint* outline = outline_at(outlines, inner_point(footprint.polygon));
-  return outline == nullptr ? ground.lowest_m : ground_under(outline->polygon, heights).lowest_m;
+  return outline == nullptr ? under.lowest_m : ground_under(outline->polygon, ground).lowest_m;
 }
 
 double lift_of(const map::Footprint& footprint, Report& report) {
@@ -69,22 +78,22 @@ double top_of(const map::Footprint& footprint, double base_m, const GroundRange&
   return least_m;
 }
 
-Building build(const map::Footprint& footprint, const OutlineIndex& outlines, const map::Heightfield& heights,
+Building build(const map::Footprint& footprint, const OutlineIndex& outlines, const ground::Carving& ground,
                Report& report) {
-  const GroundRange ground = ground_under(footprint.polygon, heights);
-  const double base_m = base_of(footprint, ground, outlines, heights);
+  const GroundRange under = ground_under(footprint.polygon, ground);
+  const double base_m = base_of(footprint, under, outlines, ground);
   const double lift_m = lift_of(footprint, report);
   const Dress dress = dress_of(footprint);
   Building building{footprint.id,          footprint.polygon,    0, 0, lift_m == 0, dress.wall, dress.roof,
                     footprint.wall_colour, footprint.roof_colour};
-  building.top_m = top_of(footprint, base_m, ground, report);
-  building.bottom_m = snapped(lift_m > 0 ? base_m + lift_m : std::min(base_m, ground.lowest_m) - kFoundation_m);
+  building.top_m = top_of(footprint, base_m, under, report);
+  building.bottom_m = snapped(lift_m > 0 ? base_m + lift_m : std::min(base_m, under.lowest_m) - kFoundation_m);
   return building;
 }
 
 }  // namespace
 
-std::vector<Building> plan(const map::Features& features, const map::Heightfield& heights, Report& report) {
+std::vector<Building> plan(const map::Features& features, const ground::Carving& ground, Report& report) {
   std::vector<Building> buildings;
   Account account;
   const OutlineIndex outlines = index_outlines(features.footprints);
@@ -97,7 +106,7 @@ std::vector<Building> plan(const map::Features& features, const map::Heightfield
       report.add(Code::kOutlineReplacedByParts, footprint.id.osm);
     } else {
       ++account.out;
-      buildings.push_back(build(footprint, outlines, heights, report));
+      buildings.push_back(build(footprint, outlines, ground, report));
     }
   }
   report.account("buildings", "footprint") = account;

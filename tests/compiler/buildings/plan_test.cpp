@@ -37,7 +37,7 @@ map::Features features_of(std::vector<map::Footprint> footprints) {
 
 TEST(Plan, CountsHeightsFromTheLowestCorner) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), slope(), report);
+  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), ground::Carving(slope()), report);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_EQ(b[0].top_m, 112);
   EXPECT_LT(b[0].bottom_m, 100);
@@ -49,7 +49,7 @@ TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
   map::Footprint outline = block(1, 0, 0, 40, 12), part = block(2, 30, 0, 10, 30), far = block(3, 60, 0, 10, 30);
   outline.has_parts = true;
   part.is_part = far.is_part = true;
-  const auto b = plan(features_of({outline, part, far}), slope(), report);
+  const auto b = plan(features_of({outline, part, far}), ground::Carving(slope()), report);
   ASSERT_EQ(b.size(), 2u);
   EXPECT_EQ(b[0].top_m, 130);
   EXPECT_EQ(b[1].top_m, 145);
@@ -62,7 +62,8 @@ TEST(Plan, BelongsToTheSmallestOutlineAround) {
   Report report;
   map::Footprint part = block(9, 42, 2, 4, 20);
   part.is_part = true;
-  const auto b = plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), slope(), report);
+  const auto b =
+      plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), ground::Carving(slope()), report);
   EXPECT_EQ(b[2].top_m, 130);
 }
 
@@ -71,14 +72,14 @@ TEST(Plan, LiftsPartsByTheirMinHeight) {
   map::Footprint part = block(2, 0, 0, 10, 30);
   part.is_part = true;
   part.min_height_m = 12;
-  const auto b = plan(features_of({part}), slope(), report);
+  const auto b = plan(features_of({part}), ground::Carving(slope()), report);
   EXPECT_FALSE(b[0].stands_on_ground);
   EXPECT_EQ(b[0].bottom_m, 112);
 }
 
 TEST(Plan, RaisesWhatTheSlopeWouldBury) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), slope(), report);
+  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), ground::Carving(slope()), report);
   EXPECT_EQ(b[0].top_m, 112);
   ASSERT_EQ(report.diagnoses().size(), 1u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kHeightRaised);
@@ -89,7 +90,7 @@ TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
   Report report;
   map::Footprint f = block(1, 0, 0, 8, 12);
   f.min_height_m = 15;
-  const auto b = plan(features_of({f}), slope(), report);
+  const auto b = plan(features_of({f}), ground::Carving(slope()), report);
   EXPECT_TRUE(b[0].stands_on_ground);
   EXPECT_LT(b[0].bottom_m, b[0].top_m);
   EXPECT_EQ(report.counts()[Code::kUpsideDown], 1u);
@@ -102,14 +103,14 @@ TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
     footprints.back().is_part = i % 3 == 0;
   }
   Report one, two;
-  const auto a = plan(features_of(footprints), slope(), one);
+  const auto a = plan(features_of(footprints), ground::Carving(slope()), one);
   std::reverse(footprints.begin(), footprints.end());
-  EXPECT_EQ(a, plan(features_of(footprints), slope(), two));
+  EXPECT_EQ(a, plan(features_of(footprints), ground::Carving(slope()), two));
 }
 
 TEST(Plan, PutsHeightsOnTheGrid) {
   Report report;
-  for (const Building& b : plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), slope(), report)) {
+  for (const Building& b : plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::Carving(slope()), report)) {
     EXPECT_EQ(b.top_m, snapped(b.top_m));
     EXPECT_EQ(b.bottom_m, snapped(b.bottom_m));
   }
@@ -119,7 +120,7 @@ TEST(Plan, DropsWhatHasNoRing) {
   Report report;
   map::Footprint f = block(1, 0, 0, 8, 12);
   f.polygon.outer.resize(2);
-  EXPECT_TRUE(plan(features_of({f}), slope(), report).empty());
+  EXPECT_TRUE(plan(features_of({f}), ground::Carving(slope()), report).empty());
   EXPECT_TRUE(report.balances());
 }
 
@@ -131,7 +132,7 @@ TEST(Dress, ClothesByClassAndSize) {
   tower.building_class = static_cast<std::uint8_t>(map::BuildingClass::kOffice);
   hall.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHall);
   house.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHouse);
-  const auto b = plan(features_of({church, tower, hall, house}), slope(), report);
+  const auto b = plan(features_of({church, tower, hall, house}), ground::Carving(slope()), report);
   EXPECT_EQ(b[0].roof, Material::kSlate);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
   EXPECT_EQ(b[1].roof, Material::kFlatRoof);
@@ -146,7 +147,7 @@ TEST(Dress, TakesALighterMaterialForABrightColour) {
   f.wall_colour = map::Srgb{250, 245, 230};
   glass.wall_material = Material::kGlassFacade;
   glass.wall_colour = map::Srgb{200, 220, 255};
-  const auto b = plan(features_of({f, glass}), slope(), report);
+  const auto b = plan(features_of({f, glass}), ground::Carving(slope()), report);
   EXPECT_EQ(b[0].wall, Material::kPaint);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
 }
