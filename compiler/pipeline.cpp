@@ -6,6 +6,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
+#include "compiler/ground/level_waters.h"
 #include "compiler/ground/plan.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
@@ -62,6 +63,9 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
   recipes.streams = ground::plan_streams(features, report);
+  ground::Waters waters = ground::level_waters(std::move(recipes.surfaces), std::move(recipes.streams),
+                                               ground::covered_waterways(features), recipes.heights, report);
+  recipes.surfaces = std::move(waters.surfaces), recipes.streams = std::move(waters.streams);
 
   // what leaves it, and what stands on it
   watch.enter("structures");

@@ -48,6 +48,13 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
   return streams;
 }
 
+std::vector<Polyline> covered_waterways(const map::Features& features) {
+  std::vector<Polyline> covered;
+  for (const map::Waterway& water : features.waterways)
+    if (water.passage != map::Passage::kGround) covered.push_back(water.axis);
+  return covered;
+}
+
 // no area: a trimmed strip must rank as the whole one does, so among equals its id decides
 Surface surface_of(const roads::Strip& stream) {
   return {stream.id, stream.surface, kStripArea_m2, roads::stroke(stream, {true, {}, {}})};

@@ -17,6 +17,9 @@ std::vector<Surface> plan(const map::Features& features, Report& report);
 /// Waterways at ground level as strips, like roads, sorted by id. Ledger "ground/waterway". Total.
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
 
+/// The axes of the others, in culverts and on aqueducts, sorted by id: the water goes on through them.
+std::vector<Polyline> covered_waterways(const map::Features& features);
+
 /// The surface that running water covers.
 Surface surface_of(const roads::Strip& stream);
 /// The surface that a road covers between its kerbs.

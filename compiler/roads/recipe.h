@@ -21,6 +21,8 @@ struct Strip {
   double left_m = 0, right_m = 0;  ///< From the axis to the edges, seen along it; multiples of 2^-10, their sum > 0.
   Profile profile{};               ///< Of its axis, counted from passed_m.
   double passed_m = 0;             ///< Of the whole way, before the first point of the axis; a multiple of 2^-10.
+  double reach_m = 0;              ///< Of a river with an area: no part of it that it tells the height of lies farther
+                                   ///< from its axis; a multiple of 16. 0: it has no area.
   bool operator==(const Strip&) const = default;
 };
 

@@ -1,0 +1,57 @@
+// An extract and its heightmap, as the ground sees them.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "compiler/ground/plan.h"
+#include "compiler/map/locate.h"
+#include "compiler/source/read_osm.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::ground {
+
+struct RealGround {
+  map::Features features;
+  map::Heightfield heights;
+  std::vector<Surface> surfaces;
+  std::vector<roads::Strip> streams;
+  std::vector<Polyline> covered;  ///< Culverts and aqueducts.
+};
+
+inline source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
+  source::LonLatBox box{180, 90, -180, -90};
+  for (const Vec2 p : {region.min, region.max, Vec2{region.min.x, region.max.y}, Vec2{region.max.x, region.min.y}}) {
+    const map::LonLat place = plane.backward(p);
+    box = {std::min(box.west, place.lon_deg), std::min(box.south, place.lat_deg), std::max(box.east, place.lon_deg),
+           std::max(box.north, place.lat_deg)};
+  }
+  return box;
+}
+
+/// @param dem  Empty: without heights.
+inline Result<RealGround> read_real_ground(const std::string& path, const std::string& dem, Report& report) {
+  const auto osm = source::read_osm(path, 0, report);
+  if (!osm) return osm.error();
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Plane plane(map::default_origin(box));
+  RealGround ground{map::locate(*osm, plane, box, {}, report), {}, {}, {}, {}};
+  std::vector<source::Raster> rasters;
+  if (!dem.empty()) {
+    const source::LonLatBox window = degrees_of(ground.features.region, plane);
+    const auto spec = source::parse_raster_spec(dem);
+    if (!spec) return spec.error();
+    auto raster = source::read_raster(*spec, &window);
+    if (!raster) return raster.error();
+    rasters.push_back(source::fill_voids(std::move(*raster), report));
+  }
+  auto heights = map::resample(rasters, plane, ground.features.region, report);
+  if (!heights) return heights.error();
+  ground.heights = std::move(*heights);
+  ground.surfaces = plan(ground.features, report);
+  ground.streams = plan_streams(ground.features, report);
+  ground.covered = covered_waterways(ground.features);
+  return ground;
+}
+
+}  // namespace citykiln::ground
