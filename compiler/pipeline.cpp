@@ -29,6 +29,9 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
 Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                double resampling_error_m, const std::vector<std::string>& credits);
 
+/// The land as what stands on it sees it: without the rounded corners of streets.
+ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
+
 }  // namespace
 
 Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress) {
@@ -71,9 +74,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("structures");
   recipes.structures = structures::plan(features, recipes.heights, report);
   watch.enter("buildings");
-  // what looks from a building's corner sees kerbs' tops, and no rounded corners of streets
-  const ground::Carving carved = ground::carve(recipes.heights, recipes.roads, {}, features.region, false);
-  recipes.buildings = buildings::plan(features, carved, report);
+  recipes.buildings = buildings::plan(features, carved_land(recipes, features.region), report);
   watch.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, report);
   watch.enter("props");
@@ -156,6 +157,12 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                              window.south, window.east, window.north)};
   }
   return heights;
+}
+
+ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region) {
+  std::vector<ground::Surface> wet = recipes.surfaces;
+  for (const roads::Strip& stream : recipes.streams) wet.push_back(ground::surface_of(stream));
+  return ground::carve(recipes.heights, {recipes.roads, recipes.streams, wet, region, false});
 }
 
 /// Tiles that are asked for must be tiles of the map.

@@ -93,7 +93,8 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "knot height",
                                         "knot tilt",
                                         "levelled",
-                                        "water level"};
+                                        "water level",
+                                        "water reach"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -450,6 +451,9 @@ void roads_of(Io& io, std::vector<roads::Road>& roads) {
   narrowings(io, roads);
 }
 
+// What rivers' areas reach is counted in these.
+constexpr double kReachStep_m = 16;
+
 void stream(auto& io, roads::Strip& s) {
   id(io, s.id);
   points(io, "road points", s.axis, 2);
@@ -457,6 +461,11 @@ void stream(auto& io, roads::Strip& s) {
   io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
   passed(io, s.passed_m);
   profile(io, s.profile);
+  auto reach = static_cast<std::uint64_t>(s.reach_m / kReachStep_m);
+  io.number("water reach", reach);
+  s.reach_m = static_cast<double>(reach) * kReachStep_m;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (s.reach_m > kFarthest_m) io.fail("water reach"), s.reach_m = 0;
 }
 
 void junction(auto& io, roads::Junction& j) {

@@ -100,7 +100,7 @@ std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
   std::vector<Line> lines;
   for (const std::uint32_t i : boxes_about(carving.roads.grid, cell))
     add_road_lines(carving, carving.roads.segments[i], lines);
-  add_terrain_lines(carving.terrain, cell, lines);
+  if (!is_level(carving.terrain, cell)) add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   return lines;
 }

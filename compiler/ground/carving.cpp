@@ -9,6 +9,9 @@ namespace {
 // Rounded corners and turning circles reach no farther beyond the strips of their roads.
 constexpr double kCorner_m = 12;
 
+// Of the grid that tells where there is water at all.
+constexpr double kBucket_m = 64;
+
 // How far apart the heights are that a normal is made of.
 constexpr double kNormalStep_m = 1;
 
@@ -31,57 +34,98 @@ double corner_m(const Carving& carving, std::span<const Strand> strands, Vec2 p)
   return nearest_m - clearance_m(carving.paved_map, p, 0, nearest_m);
 }
 
-Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, Vec2 p, double terrain_m) {
+// The land keeps between the slopes that start at a height, so far away.
+void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
+  const double slope = slope_m(away_m, terrain_m - z_m);
+  bounds.least_m = std::max(bounds.least_m, z_m - slope);
+  bounds.most_m = std::min(bounds.most_m, z_m + slope);
+}
+
+Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, std::optional<double> water_m, Vec2 p,
+                 double terrain_m) {
   Bounds bounds;
   const double nearer_m = corner_m(carving, strands, p);
-  for (const Strand& s : strands) {
-    if (!s.is_graded) continue;
-    const double slope = slope_m(std::max(0.0, s.beyond_m - nearer_m), terrain_m - s.z_m);
-    bounds.least_m = std::max(bounds.least_m, s.z_m - slope);
-    bounds.most_m = std::min(bounds.most_m, s.z_m + slope);
-  }
+  for (const Strand& s : strands)
+    if (s.is_graded) keep_near(bounds, s.z_m, std::max(0.0, s.beyond_m - nearer_m), terrain_m);
+  if (!water_m) return bounds;
+  const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
+  if (shore_m < kCarve_m) keep_near(bounds, *water_m, shore_m, terrain_m);
   return bounds;
 }
 
-double height_of(const Carving& carving, Vec2 p, HeightLayer layer) { return of(heights_at(carving, p), layer); }
+std::optional<double> water_at(const Carving& carving, Vec2 p) {
+  if (boxes_about(carving.shores, p).empty() || !carving.wet_map.box.contains(p)) return std::nullopt;
+  return water_m(carving.waters, p);
+}
+
+// Banks are carved as far from the shore as from roads.
+std::vector<roads::Strip> felt_beyond(std::span<const roads::Strip> streams) {
+  std::vector<roads::Strip> felt(streams.begin(), streams.end());
+  for (roads::Strip& stream : felt) stream.reach_m = reach_m(stream) + kCarve_m;
+  return felt;
+}
+
+std::vector<Box2> reaches_of(std::span<const Surface> surfaces) {
+  std::vector<Box2> boxes;
+  for (const Surface& s : surfaces)
+    for (const Ring& ring : s.rings) boxes.push_back(box_of(ring).widened(kCarve_m));
+  return boxes;
+}
+
+std::vector<Surface> on_layers(std::span<const Surface> surfaces, std::span<const HeightLayer> layers) {
+  std::vector<Surface> chosen;
+  for (const Surface& s : surfaces)
+    if (std::ranges::find(layers, layer_of(s.surface)) != layers.end()) chosen.push_back(s);
+  return chosen;
+}
 
 }  // namespace
 
 Carving::Carving(map::Heightfield&& field) : terrain(std::move(field)) {}
 
-Carving carve(map::Heightfield terrain, std::span<const roads::Road> roads, std::vector<Surface> paved, const Box2& box,
-              bool has_kerbs) {
+Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
+  constexpr HeightLayer kPaved[] = {HeightLayer::kRoad, HeightLayer::kCarriageway}, kWet[] = {HeightLayer::kWater};
   Carving carving(std::move(terrain));
-  carving.roads = field_of(roads, has_kerbs);
-  carving.paved = std::move(paved);
-  carving.paved_map = map_surfaces(carving.paved, box);
+  carving.roads = field_of(parts.roads, parts.has_kerbs);
+  carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
+  carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
+  carving.paved_map = map_surfaces(carving.paved, parts.box);
+  carving.wet_map = map_surfaces(carving.wet, parts.box);
+  carving.shores = grid_of(reaches_of(carving.wet), kBucket_m);
   return carving;
 }
 
 Heights heights_at(const Carving& carving, Vec2 p) {
   const double terrain_m = map::height_m_at(carving.terrain, p);
   const std::vector<Strand> strands = strands_at(carving.roads, p, terrain_m);
-  if (strands.empty()) return {terrain_m, terrain_m, terrain_m, terrain_m};
-  const Bounds bounds = bounds_at(carving, strands, p, terrain_m);
+  const std::optional<double> water_m = water_at(carving, p);
+  if (strands.empty() && !water_m) return {terrain_m, terrain_m, terrain_m, terrain_m};
+  const Bounds bounds = bounds_at(carving, strands, water_m, p, terrain_m);
   // what is below wins: the higher road keeps its edge by a wall
   const double land_m = std::min(std::max(terrain_m, bounds.least_m), bounds.most_m);
-  const RoadHeight road = blend(strands);
-  return {land_m, road.z_m, road.z_m - road.kerb_m, land_m};
+  const RoadHeight road = strands.empty() ? RoadHeight{land_m, 0} : blend(strands);
+  return {land_m, road.z_m, road.z_m - road.kerb_m, water_m.value_or(land_m)};
 }
 
 double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }
 
 Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
-  if (boxes_about(carving.roads.grid, p).empty()) return map::normal_at(carving.terrain, p);
+  if (!is_carved(carving, {p, p})) return map::normal_at(carving.terrain, p);
   const Vec2 east{kNormalStep_m, 0}, north{0, kNormalStep_m};
-  const double dx = height_of(carving, p + east, layer) - height_of(carving, p - east, layer);
-  const double dy = height_of(carving, p + north, layer) - height_of(carving, p - north, layer);
+  const auto height = [&](Vec2 at) { return of(heights_at(carving, at), layer); };
+  const auto is_terrain = [&](Vec2 at) { return height(at) == map::height_m_at(carving.terrain, at); };
+  if (is_terrain(p) && is_terrain(p + east) && is_terrain(p - east) && is_terrain(p + north) && is_terrain(p - north))
+    return map::normal_at(carving.terrain, p);
+  const double dx = height(p + east) - height(p - east), dy = height(p + north) - height(p - north);
   return unit(Vec3{-dx, -dy, 2 * kNormalStep_m});
 }
 
-bool is_level(const Carving& carving, const Box2& box) {
-  if (!boxes_about(carving.roads.grid, box).empty()) return false;
-  const map::Heightfield window = map::window_of(carving.terrain, box);
+bool is_carved(const Carving& carving, const Box2& box) {
+  return !boxes_about(carving.roads.grid, box).empty() || !boxes_about(carving.shores, box).empty();
+}
+
+bool is_level(const map::Heightfield& terrain, const Box2& box) {
+  const map::Heightfield window = map::window_of(terrain, box);
   return std::ranges::adjacent_find(window.heights, std::ranges::not_equal_to{}) == window.heights.end();
 }
 

@@ -17,6 +17,7 @@
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/road_field.h"
 #include "compiler/ground/surface_map.h"
+#include "compiler/ground/water_height.h"
 #include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {
@@ -32,15 +33,22 @@ struct Carving {
 
   map::Heightfield terrain;
   RoadField roads;
-  std::vector<Surface> paved;  ///< What roads and junctions cover.
-  SurfaceMap paved_map;        ///< Of `paved`; tells how far from a rounded corner a place is.
+  WaterIndex waters;
+  std::vector<Surface> paved, wet;  ///< What roads and junctions cover; what water covers.
+  SurfaceMap paved_map;             ///< Tells how far from a rounded corner a place is.
+  SurfaceMap wet_map;               ///< Tells how far from the shore a place is.
+  BoxGrid shores;                   ///< Where there is water within reach at all.
 };
 
-/// @param roads      All within kCarve_m of the box, breadth and all.
-/// @param paved      The surfaces of roads and junctions near the box.
-/// @param has_kerbs  False where the tolerance sees none.
-Carving carve(map::Heightfield terrain, std::span<const roads::Road> roads, std::vector<Surface> paved, const Box2& box,
-              bool has_kerbs);
+/// What cuts into the terrain near a box.
+struct CarvingParts {
+  std::span<const roads::Road> roads;     ///< All within kCarve_m of the box, breadth and all.
+  std::span<const roads::Strip> streams;  ///< All within kCarve_m and their reach.
+  std::span<const Surface> surfaces;      ///< All within kCarve_m; those neither paved nor wet do not matter.
+  Box2 box;                               ///< Where heights will be asked for.
+  bool has_kerbs = true;                  ///< False where the tolerance sees none.
+};
+Carving carve(map::Heightfield terrain, const CarvingParts& parts);
 
 /// Of all layers at a place. Far from roads all are the land's; far from water the water's is the land's. O(roads
 /// near).
@@ -52,7 +60,10 @@ double land_m(const Carving& carving, Vec2 p);
 /// Of one layer, smoothed over a metre or two; where nothing is carved, over the terrain's squares. Unit length.
 Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer);
 
-/// True where nothing near the box is carved and the terrain in it is level.
-bool is_level(const Carving& carving, const Box2& box);
+/// False where the carved ground in the box is the terrain.
+bool is_carved(const Carving& carving, const Box2& box);
+
+/// True where all heights that tell the terrain in the box are the same.
+bool is_level(const map::Heightfield& terrain, const Box2& box);
 
 }  // namespace citykiln::ground

@@ -36,7 +36,7 @@ constexpr double kCarvedStep_m = 2;
 
 std::vector<double> bends(Vec2 a, Vec2 b, const ground::Carving& ground) {
   std::vector<double> shares = crossings(a, b, ground.terrain);
-  const bool is_carved = !boxes_about(ground.roads.grid, box_of(std::array{a, b})).empty();
+  const bool is_carved = ground::is_carved(ground, box_of(std::array{a, b}));
   const double steps = is_carved ? std::ceil(distance(a, b) / kCarvedStep_m) : 1;
   for (double i = 1; i < steps; ++i) shares.push_back(i / steps);
   std::sort(shares.begin(), shares.end());

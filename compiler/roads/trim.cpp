@@ -101,7 +101,7 @@ std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
 
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m) {
   std::vector<Strip> parts;
-  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + halo_m))) {
+  for (const Run run : runs_near(strip.axis, box.widened(strip.left_m + strip.right_m + strip.reach_m + halo_m))) {
     parts.push_back(part_of(strip, run));
   }
   return parts;

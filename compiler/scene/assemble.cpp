@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/ground/carving.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"
 #include "compiler/scene/ground_cover.h"
@@ -82,7 +83,7 @@ Box2 box_of_road(const roads::Road& road) {
 }
 
 Box2 box_of_strip(const roads::Strip& strip) {
-  return citykiln::box_of(strip.axis).widened(strip.left_m + strip.right_m);
+  return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kCarve_m);
 }
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }

@@ -24,7 +24,7 @@ class SceneMaker {
     for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
     for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
     for (auto i = below(2); i > 0; --i)
-      c.streams.push_back({id(), line(), surface(), metres(20), metres(20), profile(), metres(99)});
+      c.streams.push_back({id(), line(), surface(), metres(20), metres(20), profile(), metres(99), below(9) * 16.0});
     for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());

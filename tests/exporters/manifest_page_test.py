@@ -213,7 +213,8 @@ class Chunk:
 
     def water(self):
         return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
-                self.metres("water sides"), self.plain("passed") / 1024, self.profile())
+                self.metres("water sides"), self.plain("passed") / 1024, self.profile(),
+                16 * self.plain("water reach"))
 
     def junction(self):
         return (self.plain("junction family"), self.points("junction places"),
