@@ -7,6 +7,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/ground/plan.h"
+#include "compiler/ground/plan_profiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -62,10 +63,14 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
   recipes.streams = ground::plan_streams(features, report);
+  watch.enter("profiles");
+  ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
+                                                    recipes.streams, recipes.surfaces, recipes.heights, report);
+  recipes.roads = std::move(profiles.roads);
 
   // what leaves it, and what stands on it
   watch.enter("structures");
-  recipes.structures = structures::plan(features, recipes.heights, report);
+  recipes.structures = structures::plan(features, profiles.off_ground, report);
   watch.enter("buildings");
   recipes.buildings = buildings::plan(features, recipes.heights, report);
   watch.enter("plants");
