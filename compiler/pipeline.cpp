@@ -8,6 +8,7 @@
 #include "compiler/buildings/plan.h"
 #include "compiler/ground/level_waters.h"
 #include "compiler/ground/plan.h"
+#include "compiler/ground/plan_profiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
@@ -69,10 +70,14 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   ground::Waters waters = ground::level_waters(std::move(recipes.surfaces), std::move(recipes.streams),
                                                ground::covered_waterways(features), recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.streams = std::move(waters.streams);
+  watch.enter("profiles");
+  ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
+                                                    recipes.streams, recipes.surfaces, recipes.heights, report);
+  recipes.roads = std::move(profiles.roads);
 
   // what leaves it, and what stands on it
   watch.enter("structures");
-  recipes.structures = structures::plan(features, recipes.heights, report);
+  recipes.structures = structures::plan(features, profiles.off_ground, report);
   watch.enter("buildings");
   recipes.buildings = buildings::plan(features, carved_land(recipes, features.region), report);
   watch.enter("plants");

@@ -1,9 +1,11 @@
-// Stage 5: heights of bridges and tunnels.
+// Stage 5: what leaves the ground, on the heights that ground/ has decided.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
+#include "compiler/geometry/profile.h"
 #include "compiler/map/features.h"
 #include "compiler/structures/recipe.h"
 
@@ -14,10 +16,10 @@ struct Structures {
   std::vector<Span> tunnels;  ///< Sorted by id; in the manifest, not meshed (diagnosed kTunnelNotMeshed).
 };
 
-/// Bridges run between the heights of their ends: nodes that a bridge shares with the ground take the ground's height;
-/// nodes only bridges share lie on the line between those, and rise towards the clearance of their layer as far as
-/// kBridgeGrade allows. Ledger "structures/bridge", "structures/tunnel". Total. Reach: the connected bridges of one
-/// place.
-Structures plan(const map::Features& features, const map::Heightfield& heights, Report& report);
+/// @param off_ground  Profiles::off_ground of ground/plan_profiles.h: one a track that leaves the ground, in order.
+///
+/// A span's axis is its track's, with its profile's heights, and has a point at each knot. Where the profile is empty
+/// it lies at 0. Ledger "structures/bridge", "structures/tunnel". Total. O(n log n) for the sorting.
+Structures plan(const map::Features& features, std::span<const Profile> off_ground, Report& report);
 
 }  // namespace citykiln::structures

@@ -1,0 +1,198 @@
+#include "compiler/ground/clearances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/ground/graph_walk.h"
+#include "compiler/ground/line_heights.h"
+#include "compiler/ground/pinned.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+
+/// Crossings that lack less than this are left alone.
+constexpr double kMet_m = 0.01;
+/// Where a ramp meets the road it is rounded over this height.
+constexpr double kFoot_m = 0.5;
+constexpr double kFar_m = std::numeric_limits<double>::infinity();
+
+// How far a ramp is down where one at its grade from the beginning would be down by `cost_m`.
+double drop_m(double cost_m) {
+  if (cost_m <= 0) return 0;
+  return cost_m < kCrest_m ? cost_m * cost_m / (2 * kCrest_m) : cost_m - kCrest_m / 2;
+}
+
+// The greater of two, rounded where they are nearly equal; never steeper than the steeper one.
+double soft_max(double a, double b) {
+  const double h = std::max(kFoot_m - std::abs(a - b), 0.0) / kFoot_m;
+  return std::max(a, b) + h * h * kFoot_m / 4;
+}
+
+std::vector<double> negated(std::span<const double> values) {
+  std::vector<double> turned;
+  for (const double v : values) turned.push_back(-v);
+  return turned;
+}
+
+// A place of a way that has to go up.
+struct Push {
+  std::uint32_t way = 0;
+  double at_m = 0, lack_m = 0, half_width_m = 0;
+};
+
+struct Clearer {
+  const ProfileGraph& graph;
+  std::span<const Crossing> crossings;
+  std::vector<double> z_m, start_m;
+  GraphWalk walk;
+
+  Passage passage_of(std::uint32_t way) const { return graph.ways[way].track->passage; }
+  bool is_tunnel(const Leg& leg) const { return passage_of(leg.way) == Passage::kTunnel; }
+  double ramp_m(const Leg& leg) const { return kRampShare * limit_of(graph, leg) * leg.length_m; }
+
+  std::vector<double> floors();
+  std::vector<double> covers(const map::Heightfield& heights) const;
+  void sink(std::span<const double> floor_m, std::span<const double> cover_m);
+  void push_up(std::span<const Push> pushes);
+  void dig();
+  void lift();
+  void keep_near_start();
+  std::vector<Push> lacking(bool is_wanted(const Clearer&, const Crossing&), bool of_upper) const;
+};
+
+// From each mouth of a tunnel down at the ramps' grade.
+std::vector<double> Clearer::floors() {
+  std::vector<double> floor_m(graph.nodes.size(), -kFar_m);
+  const auto in_tunnel = [&](const Leg& leg) { return is_tunnel(leg); };
+  for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
+    const std::span<const Leg> legs = graph.legs_of(n);
+    if (std::ranges::none_of(legs, in_tunnel)) continue;
+    if (!graph.nodes[n].is_pinned && std::ranges::all_of(legs, in_tunnel)) continue;
+    const GraphWalk::Start start{0, n};
+    walk.from(
+        std::span(&start, 1), kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        [&](std::uint32_t node, double cost_m) {
+          floor_m[node] = std::max(floor_m[node], z_m[n] - drop_m(cost_m));
+          return true;
+        });
+  }
+  return floor_m;
+}
+
+// How high tunnels may be under the ground.
+std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
+  std::vector<double> cover_m(graph.nodes.size(), kFar_m);
+  for (const GradedWay& way : graph.ways) {
+    const map::Track& track = *way.track;
+    const bool is_path = map::values_of(track.surface).group == map::SurfaceGroup::kPath;
+    // what is told to lie above the ground is none below it
+    if (track.passage != Passage::kTunnel || (is_path ? track.layer >= 0 : track.layer > 0)) continue;
+    for (const Station& station : graph.stations_of(way)) {
+      const double ground_m = height_without_spikes_m(heights, graph.nodes[station.node].at);
+      cover_m[station.node] = std::min(cover_m[station.node], ground_m - (is_path ? kPathCover_m : kCover_m));
+    }
+  }
+  return cover_m;
+}
+
+// Within tunnels, no lower than their floors.
+void Clearer::sink(std::span<const double> floor_m, std::span<const double> cover_m) {
+  std::vector<double> down_m(z_m.size(), kFar_m);
+  const auto press = [&](std::span<const GraphWalk::Start> starts, double at_m) {
+    walk.from(
+        starts, kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        [&](std::uint32_t node, double cost_m) {
+          down_m[node] = std::min(down_m[node], at_m + drop_m(cost_m));
+          return at_m + drop_m(cost_m) < z_m[node] + kFoot_m;
+        });
+  };
+  for (const Crossing& c : crossings) {
+    if (c.lower == kNone || passage_of(c.lower) != Passage::kTunnel) continue;
+    const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
+    if (lack_m > kMet_m)
+      press(starts_about(graph, c.lower, c.lower_at_m),
+            height_along(graph, graph.ways[c.lower], z_m, c.lower_at_m) - lack_m);
+  }
+  for (std::uint32_t n = 0; n < cover_m.size(); ++n) {
+    if (cover_m[n] >= z_m[n]) continue;
+    const GraphWalk::Start start{0, n};
+    press(std::span(&start, 1), std::max(cover_m[n], z_m[n] - kMostLift_m));
+  }
+  for (std::uint32_t n = 0; n < z_m.size(); ++n)
+    if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
+}
+
+// Along all that is joined. On a slope a ramp ends where what it adds is used up, at half its grade.
+void Clearer::push_up(std::span<const Push> pushes) {
+  std::vector<double> up_m(z_m.size(), -kFar_m);
+  for (const Push& push : pushes) {
+    const GradedWay& way = graph.ways[push.way];
+    const double top_m = height_along(graph, way, z_m, push.at_m) + push.lack_m;
+    const double level_m = ramp_m({0, push.way, push.half_width_m});
+    walk.from(
+        starts_about(graph, push.way, push.at_m), 2 * kMostLift_m + kCrest_m + level_m,
+        [&](const Leg& leg) { return ramp_m(leg); },
+        [&](std::uint32_t node, double cost_m) {
+          const double down_m = drop_m(cost_m - level_m);
+          const double here_m = std::min(top_m - down_m, z_m[node] + push.lack_m - down_m / 2);
+          up_m[node] = std::max(up_m[node], here_m);
+          return here_m > z_m[node] - kFoot_m;
+        });
+  }
+  const std::vector<double> cap_m = caps_of_pinned(graph, walk, z_m);
+  for (std::uint32_t n = 0; n < z_m.size(); ++n)
+    if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
+}
+
+std::vector<Push> Clearer::lacking(bool is_wanted(const Clearer&, const Crossing&), bool of_upper) const {
+  std::vector<Push> pushes;
+  for (const Crossing& c : crossings) {
+    if (!is_wanted(*this, c)) continue;
+    const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
+    if (lack_m <= kMet_m) continue;
+    pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
+  }
+  return pushes;
+}
+
+// Tunnels for vehicles, with their approaches, under what is no bridge.
+void Clearer::dig() {
+  const auto is_wanted = [](const Clearer& self, const Crossing& c) {
+    return c.lower != kNone && self.passage_of(c.lower) == Passage::kTunnel &&
+           self.passage_of(c.upper) != Passage::kBridge &&
+           map::values_of(self.graph.ways[c.lower].track->surface).group != map::SurfaceGroup::kPath;
+  };
+  const std::vector<Push> pushes = lacking(is_wanted, false);
+  z_m = negated(z_m);
+  push_up(pushes);
+  z_m = negated(z_m);
+}
+
+void Clearer::lift() {
+  push_up(lacking([](const Clearer& self, const Crossing& c) { return self.passage_of(c.upper) == Passage::kBridge; },
+                  true));
+}
+
+void Clearer::keep_near_start() {
+  for (std::size_t n = 0; n < z_m.size(); ++n)
+    z_m[n] = std::clamp(z_m[n], start_m[n] - kMostLiftInAll_m, start_m[n] + kMostLiftInAll_m);
+}
+
+}  // namespace
+
+std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
+                                    const map::Heightfield& heights, std::span<const double> z_m) {
+  Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
+  const std::vector<double> floor_m = clearer.floors();
+  clearer.sink(floor_m, clearer.covers(heights));
+  for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
+  for (int round = 0; round < kLiftRounds; ++round) clearer.dig();
+  for (int round = 0; round < kLiftRounds; ++round) clearer.lift();
+  clearer.keep_near_start();
+  return std::move(clearer.z_m);
+}
+
+}  // namespace citykiln::ground

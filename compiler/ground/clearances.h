@@ -1,0 +1,39 @@
+// Bridges rise, tunnels go down, until what crosses clears.
+//
+//               ____                 the height wanted, level over what is crossed, round, then a ramp at three
+//         .--''      ''--.           quarters of the limit: over the bridge and its approaches on the ground
+//     __.'       o        '.__
+//
+// First tunnels go down as far as there is room between their mouths; what they still lack their approaches go down
+// with them, in cuttings; then bridges rise, approaches and all.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/ground/crossings.h"
+
+namespace citykiln::ground {
+
+/// Stacks of more layers than this are not solved to the top.
+inline constexpr int kLiftRounds = 4;
+/// No crossing lifts or lowers by more than this in one round, whatever the heightmap says: a clear height, and as much
+/// again for a cutting that the heightmap does not show.
+inline constexpr double kMostLift_m = 12;
+/// Nothing ends up farther than this from where it was.
+inline constexpr double kMostLiftInAll_m = 24;
+/// Ramps are built at this share of the grade limit.
+inline constexpr double kRampShare = 0.75;
+/// Height over which a ramp's crest is round.
+inline constexpr double kCrest_m = 1;
+
+/// By node.
+///
+/// Guarantees: nothing moves without a crossing, but for tunnels under less than their cover; pinned nodes stay; where
+/// `z_m` keeps its limits and is level, what comes out keeps them; on slopes ramps are steeper than the slope by three
+/// eighths of the limit at most, so that they end. Total. Reach: kLiftRounds times the length of a ramp of twice
+/// kMostLift_m.
+std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
+                                    const map::Heightfield& heights, std::span<const double> z_m);
+
+}  // namespace citykiln::ground

@@ -1,0 +1,296 @@
+#include "compiler/ground/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/graph_walk.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+using map::SurfaceGroup;
+using map::Track;
+
+// No line is wider than this to one side.
+constexpr double kWidest_m = 16;
+
+SurfaceGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
+
+double half_width_m(const Track& track) {
+  const double width_m = map::carriageway_width_m(track.section), left_m = track.section.axis_offset_m;
+  return std::min(std::max(left_m, width_m - left_m), kWidest_m);
+}
+
+std::pair<int, int> rank_of(const Track& track) {
+  if (track.passage == Passage::kGround) return {1, 0};
+  if (track.passage == Passage::kBridge) return {2, track.layer == 0 ? 1 : track.layer};
+  return {0, track.layer == 0 ? -1 : track.layer};
+}
+
+bool is_corridor(const Track& track) {
+  return track.passage == Passage::kTunnel && group_of(track) == SurfaceGroup::kPath && track.layer >= 0;
+}
+
+double wanted_m(const Track& upper, const Track& lower) {
+  const bool is_thin = group_of(upper) == SurfaceGroup::kPath;
+  const SurfaceGroup below = group_of(lower);
+  if (below == SurfaceGroup::kPath && lower.surface != map::SurfaceClass::kFarmTrack) return kOverPath_m;
+  return (below == SurfaceGroup::kRail && lower.surface == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) -
+         (is_thin ? kThinDeck_m : 0);
+}
+
+double over_stream_m(const roads::Strip& stream) {
+  const double width_m = stream.left_m + stream.right_m;
+  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
+}
+
+// A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
+struct Segment {
+  Vec2 a, b;
+  double at_m = 0;  // of a, along its line
+  std::uint32_t way = kNone, path = kNone, stream = kNone;
+  auto key() const { return std::tuple(way, path, stream, at_m); }
+};
+
+// Cells of the plane near what leaves the ground; the rest of the map is not looked at.
+struct Grid {
+  static constexpr double kCell_m = 32;
+  Box2 box;
+  int columns = 0, rows = 0;
+  std::vector<bool> is_near;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries;  // cell and segment, sorted
+
+  explicit Grid(const ProfileGraph& graph) {
+    for (const GradedWay& way : graph.ways)
+      if (way.road == kNone)
+        for (const Vec2 p : way.track->axis) box.grow(p);
+    if (box.is_empty()) return;
+    box = box.widened(2 * kWidest_m);
+    columns = static_cast<int>(box.width() / kCell_m) + 1, rows = static_cast<int>(box.height() / kCell_m) + 1;
+    is_near.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    for (const GradedWay& way : graph.ways) {
+      if (way.road != kNone) continue;
+      const Polyline& axis = way.track->axis;
+      for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+        for_each_cell(box_of(std::span(axis).subspan(i, 2)).widened(2 * kWidest_m),
+                      [&](std::uint32_t cell) { is_near[cell] = true; });
+    }
+  }
+
+  template <typename Visit>
+  void for_each_cell(const Box2& of, Visit visit) const {
+    if (is_near.empty() || !of.touches(box)) return;
+    const auto column = [&](double x) {
+      return std::clamp(static_cast<int>((x - box.min.x) / kCell_m), 0, columns - 1);
+    };
+    const auto row = [&](double y) { return std::clamp(static_cast<int>((y - box.min.y) / kCell_m), 0, rows - 1); };
+    for (int j = row(of.min.y); j <= row(of.max.y); ++j)
+      for (int i = column(of.min.x); i <= column(of.max.x); ++i)
+        visit(static_cast<std::uint32_t>(j) * static_cast<std::uint32_t>(columns) + static_cast<std::uint32_t>(i));
+  }
+
+  void add(const Segment& segment, std::uint32_t index) {
+    const Vec2 ends[2] = {segment.a, segment.b};
+    for_each_cell(box_of(ends), [&](std::uint32_t cell) {
+      if (is_near[cell]) entries.emplace_back(cell, index);
+    });
+  }
+
+  /// Segments near the box, sorted, once each.
+  void near(const Box2& of, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    for_each_cell(of, [&](std::uint32_t cell) {
+      auto entry = std::ranges::lower_bound(entries, std::pair(cell, 0u));
+      for (; entry != entries.end() && entry->first == cell; ++entry) found.push_back(entry->second);
+    });
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+};
+
+// How far along ab the line crosses cd, if it does.
+std::optional<std::pair<double, double>> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double area = cross(b - a, d - c);
+  if (area == 0) return std::nullopt;
+  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
+  return std::pair(s, t);
+}
+
+double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
+  return std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
+}
+
+bool share_a_node(const Track& a, const Track& b) {
+  return std::ranges::any_of(a.node_ids,
+                             [&](std::int64_t id) { return std::ranges::find(b.node_ids, id) != b.node_ids.end(); });
+}
+
+struct Finder {
+  const ProfileGraph& graph;
+  const map::Features& features;
+  const Below& below;
+  Grid grid;
+  GraphWalk walk;
+  std::vector<Segment> segments = {};
+  std::vector<Crossing> found = {};
+
+  template <typename Name>
+  void add_line(const Polyline& axis, Name name) {
+    double at_m = 0;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      Segment segment{axis[i], axis[i + 1], at_m};
+      name(segment);
+      at_m += snapped(distance(axis[i], axis[i + 1]));
+      const Box2 box = box_of(std::span(axis).subspan(i, 2));
+      if (!box.touches(grid.box)) continue;
+      const std::size_t before = grid.entries.size();
+      grid.add(segment, static_cast<std::uint32_t>(segments.size()));
+      if (grid.entries.size() > before) segments.push_back(segment);
+    }
+  }
+
+  void add_lines() {
+    for (std::uint32_t w = 0; w < graph.ways.size(); ++w)
+      add_line(graph.ways[w].track->axis, [&](Segment& s) { s.way = w; });
+    std::vector<std::pair<ObjectId, std::uint32_t>> in_graph;
+    for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
+      const Track& track = features.tracks[t];
+      if (leaves_ground(track) || map::values_of(track.surface).group != SurfaceGroup::kPath) continue;
+      if (track.surface != map::SurfaceClass::kFarmTrack) add_line(track.axis, [&](Segment& s) { s.path = t; });
+    }
+    for (std::uint32_t i = 0; i < below.streams.size(); ++i)
+      add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
+    std::ranges::sort(grid.entries);
+  }
+
+  // Lines that meet close by are not apart yet.
+  bool are_joined(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
+    const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
+    const Station* from = &graph.stations[graph.ways[a].first + i];
+    const Station* to = &graph.stations[graph.ways[b].first + j];
+    const GraphWalk::Start starts[2] = {{std::abs(a_m - from[0].at_m), from[0].node},
+                                        {std::abs(a_m - from[1].at_m), from[1].node}};
+    bool joined = false;
+    walk.from(
+        starts, kJoined_m, [](const Leg& leg) { return leg.length_m; },
+        [&](std::uint32_t node, double run_m) {
+          for (int k = 0; k < 2; ++k) joined |= to[k].node == node && run_m + std::abs(b_m - to[k].at_m) <= kJoined_m;
+          return !joined;
+        });
+    return joined;
+  }
+
+  void add_ways(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
+    const Track &one = *graph.ways[a].track, &two = *graph.ways[b].track;
+    if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
+    if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
+    if (are_joined(a, a_m, b, b_m)) return;
+    found.push_back({a, b, a_m, b_m, 0, wanted_m(one, two), half_width_m(two)});
+  }
+
+  void add(std::uint32_t way, double at_m, const Segment& other, double along) {
+    const double other_m = other.at_m + along * distance(other.a, other.b);
+    if (other.way != kNone) return add_ways(way, at_m, other.way, other_m);
+    const Track& track = *graph.ways[way].track;
+    if (track.passage != Passage::kBridge) return;
+    const Vec2 at = other.a + (other.b - other.a) * along;
+    const double ground_m = height_m_at(below.heights, at);
+    if (other.path != kNone) {
+      const Track& path = features.tracks[other.path];
+      if (share_a_node(track, path)) return;
+      found.push_back({way, kNone, at_m, 0, ground_m, wanted_m(track, path), half_width_m(path)});
+    } else {
+      const roads::Strip& stream = below.streams[other.stream];
+      const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
+      found.push_back({way, kNone, at_m, 0, z_m, over_stream_m(stream), std::max(stream.left_m, stream.right_m)});
+    }
+  }
+
+  void find_intersections(std::uint32_t w) {
+    const Polyline& axis = graph.ways[w].track->axis;
+    std::vector<std::uint32_t> near;
+    double at_m = 0;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      const double length_m = snapped(distance(axis[i], axis[i + 1]));
+      grid.near(box_of(std::span(axis).subspan(i, 2)), near);
+      for (const std::uint32_t s : near) {
+        const Segment& other = segments[s];
+        if (other.way == w) continue;
+        // of two off the ground once
+        if (other.way != kNone && graph.ways[other.way].road == kNone && other.way < w) continue;
+        if (const auto hit = intersection(axis[i], axis[i + 1], other.a, other.b))
+          add(w, at_m + hit->first * length_m, other, hit->second);
+      }
+      at_m += length_m;
+    }
+  }
+
+  // Stations that lie over another way: nobody crosses who runs along.
+  void find_overlaps(std::uint32_t w) {
+    std::vector<std::uint32_t> near;
+    const double half_m = half_width_m(*graph.ways[w].track);
+    for (const Station& station : graph.stations_of(graph.ways[w])) {
+      const Vec2 at = graph.nodes[station.node].at;
+      Box2 box;
+      box.grow(at);
+      grid.near(box.widened(half_m + kWidest_m), near);
+      for (const std::uint32_t s : near) {
+        const Segment& other = segments[s];
+        if (other.way == kNone || other.way == w) continue;
+        const double along = nearest_along(other.a, other.b, at);
+        const double apart_m = distance(at, other.a + (other.b - other.a) * along);
+        if (apart_m < half_m + half_width_m(*graph.ways[other.way].track)) add(w, station.at_m, other, along);
+      }
+    }
+  }
+
+  void find_waters(std::uint32_t w) {
+    if (graph.ways[w].track->passage != Passage::kBridge) return;
+    for (const Surface& water : below.waters) {
+      if (!water.level_m) continue;
+      Box2 box;
+      for (const Ring& ring : water.rings)
+        for (const Vec2 p : ring) box.grow(p);
+      for (const Station& station : graph.stations_of(graph.ways[w])) {
+        const Vec2 at = graph.nodes[station.node].at;
+        if (!box.contains(at)) continue;
+        int winding = 0;
+        for (const Ring& ring : water.rings) winding += winding_number(ring, at);
+        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, kOverWater_m, 0});
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below) {
+  Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};
+  if (finder.grid.is_near.empty()) return {};
+  finder.add_lines();
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    if (graph.ways[w].road != kNone) continue;
+    finder.find_intersections(w);
+    finder.find_overlaps(w);
+    finder.find_waters(w);
+  }
+  std::ranges::sort(finder.found, {}, [](const Crossing& c) {
+    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m);
+  });
+  return std::move(finder.found);
+}
+
+double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
+  const double upper_m = height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
+  const double lower_m = crossing.lower == kNone
+                             ? crossing.lower_z_m
+                             : height_along(graph, graph.ways[crossing.lower], z_m, crossing.lower_at_m);
+  return lower_m + crossing.wanted_m - upper_m;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,52 @@
+// Who passes over whom without meeting: what crosses in plan, and what runs above another within its width.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/contract/stable_id.h"
+#include "compiler/ground/profile_graph.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::ground {
+
+/// Surface to surface: a clear height of 4.5 m and a deck of 1 m over roads; over rails 5.5 m (the wires, EBO) and the
+/// deck; over paths 2.5 m and the deck. A path's deck is half a metre thinner.
+inline constexpr double kOverRoad_m = 5.5, kOverRail_m = 6.5, kOverPath_m = 3.5, kThinDeck_m = 0.5;
+/// Over rivers and standing water; over what is narrower than kRiver_m in proportion, but kOverDitch_m at least: a
+/// culvert is no bridge to climb.
+inline constexpr double kOverWater_m = 2, kRiver_m = 8, kOverDitch_m = 0.5;
+
+/// A clearance that lacks less is one that a deck may be thinner by.
+inline constexpr double kLackMargin_m = 0.25;
+
+/// Lines that are joined within this along the network are not apart yet: an abutment, a fork.
+inline constexpr double kJoined_m = 96;
+
+/// One place where one line should clear another.
+struct Crossing {
+  std::uint32_t upper = 0, lower = kNone;  ///< Ways; kNone: what has no profile, at lower_z_m.
+  double upper_at_m = 0, lower_at_m = 0;
+  double lower_z_m = 0;
+  double wanted_m = 0;      ///< From surface to surface.
+  double half_width_m = 0;  ///< Of the lower one.
+};
+
+/// What lies below bridges without being in the graph.
+struct Below {
+  std::span<const roads::Strip> streams;
+  std::span<const Surface> waters;
+  const map::Heightfield& heights;
+};
+
+/// Bridges pass over the ground, the ground over tunnels; of two bridges or tunnels the one of higher layer=* is above
+/// (a bridge without counts as 1, a tunnel as -1); of equal layer nobody knows. Corridors in buildings (paths in
+/// "tunnels" of layer 0 or above) pass nothing. Sorted by upper, then by place. O(n log n) about what leaves the
+/// ground.
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below);
+
+/// How much is missing, of heights by node; not above zero where there is room.
+double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m);
+
+}  // namespace citykiln::ground

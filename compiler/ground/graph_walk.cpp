@@ -1,0 +1,16 @@
+#include "compiler/ground/graph_walk.h"
+
+#include "compiler/ground/grade_rules.h"
+
+namespace citykiln::ground {
+
+std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m) {
+  const std::uint32_t i = graph.ways[way].first + station_before(graph, graph.ways[way], at_m);
+  return {{0, graph.stations[i].node}, {0, graph.stations[i + 1].node}};
+}
+
+double limit_of(const ProfileGraph& graph, const Leg& leg) {
+  return grade_rule_of(graph.ways[leg.way].track->surface).limit;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,94 @@
+#include "compiler/ground/plan_profiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/ground/clearances.h"
+#include "compiler/ground/grade_limits.h"
+#include "compiler/ground/grade_rules.h"
+#include "compiler/ground/line_heights.h"
+#include "compiler/ground/profile_knots.h"
+#include "compiler/ground/smooth_profile.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Over its limit by less, a road is as steep as rounding makes it.
+constexpr double kSteepMargin = 0.005;
+
+void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    const double limit = grade_rule_of(way.track->surface).limit;
+    const std::span<const Station> stations = graph.stations_of(way);
+    double steepest = 0;
+    for (std::size_t s = 1; s < stations.size(); ++s) {
+      const double run_m = std::max(stations[s].at_m - stations[s - 1].at_m, 1.0);
+      steepest = std::max(steepest, std::abs(z_m[stations[s].node] - z_m[stations[s - 1].node]) / run_m);
+    }
+    if (steepest > limit + kSteepMargin) report.add(Code::kTooSteep, way.track->id.osm, steepest);
+  }
+}
+
+void tell_low(const ProfileGraph& graph, std::span<const Crossing> crossings, std::span<const double> z_m,
+              Report& report) {
+  for (std::size_t i = 0; i < crossings.size();) {
+    const std::uint32_t upper = crossings[i].upper;
+    double worst_m = 0;
+    for (; i < crossings.size() && crossings[i].upper == upper; ++i)
+      worst_m = std::max(worst_m, shortfall_m(graph, crossings[i], z_m));
+    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, graph.ways[upper].track->id.osm, worst_m);
+  }
+}
+
+void tell_loose_ends(const ProfileGraph& graph, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    if (way.track->passage != map::Passage::kBridge) continue;
+    const std::span<const Station> stations = graph.stations_of(way);
+    for (const Station& end : {stations.front(), stations.back()})
+      if (graph.nodes[end.node].is_pinned && graph.nodes[end.node].legs == 1)
+        report.add(Code::kBridgeWithoutGround, way.track->id.osm);
+  }
+}
+
+bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Profile& profile,
+                   const map::Heightfield& heights) {
+  const auto is_zero = [](const Knot& k) { return k.z_m == 0 && k.tilt == 0; };
+  const auto lies_at_zero = [&](const Station& s) { return height_m_at(heights, graph.nodes[s.node].at) == 0; };
+  return std::ranges::all_of(profile, is_zero) && std::ranges::all_of(graph.stations_of(way), lies_at_zero);
+}
+
+Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
+  const std::vector<double> line_m = line_heights(graph, heights);
+  const std::vector<double> smooth_m = smooth_heights(graph, line_m);
+  const Plates plates = level_junctions(graph, smooth_m);
+  const std::vector<double> limited_m = limit_grades(graph, plates.z_m);
+  const std::vector<double> clear_m = clear_crossings(graph, crossings, heights, limited_m);
+  return level_junctions(graph, clear_m);
+}
+
+}  // namespace
+
+Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
+                       std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report) {
+  const ProfileGraph graph = graph_of(features, roads, junctions);
+  const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, heights});
+  const Plates plates = solve(graph, crossings, heights);
+
+  Profiles profiles{std::move(roads), {}};
+  profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
+  for (const GradedWay& way : graph.ways) {
+    Profile profile = knots_of(graph, way, plates);
+    if (way.road == kNone) {
+      profiles.off_ground[way.off_ground] = std::move(profile);
+    } else if (!is_level_zero(graph, way, profile, heights)) {
+      profiles.roads[way.road].profile = std::move(profile);
+    }
+  }
+  tell_steep(graph, plates.z_m, report);
+  tell_low(graph, crossings, plates.z_m, report);
+  tell_loose_ends(graph, report);
+  return profiles;
+}
+
+}  // namespace citykiln::ground

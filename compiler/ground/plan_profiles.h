@@ -1,0 +1,44 @@
+// Heights along every road and rail, decided once, when the map is compiled.
+//
+// One network of all that is driven on, and of all bridges and tunnels (profile_graph.h), goes through five steps, each
+// a function of heights by node, each with a hard reach:
+//
+//     line_heights      what the heightmap says, without spikes; between ends of what leaves the ground the line
+//     smooth_heights    smooth, as the class wants it
+//     level_junctions   junctions are plates
+//     limit_grades      no steeper than the class allows
+//     clear_crossings   bridges rise, tunnels go down (and junctions are plates again)
+//
+// and is written down as few knots (profile_knots.h).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/contract/report.h"
+#include "compiler/geometry/profile.h"
+#include "compiler/ground/recipe.h"
+#include "compiler/map/features.h"
+#include "compiler/roads/junction.h"
+
+namespace citykiln::ground {
+
+struct Profiles {
+  std::vector<roads::Road> roads;   ///< Those given, with their profiles.
+  std::vector<Profile> off_ground;  ///< One a track that leaves the ground, in the order of features.tracks.
+};
+
+/// @param streams  With profiles; without one a stream lies on the heightmap.
+/// @param waters   Those without a level are not looked at.
+///
+/// Guarantees: where ways share a node their heights there are the same, to kKnotError_m; nodes of one junction lie on
+/// one plane; a bridge that crosses nothing, or has room, lies on the smooth line between its ends; spikes of the
+/// heightmap move no profile by more than 16 m; a road at height 0 all along, over a heightmap that is 0 there, has no
+/// knots. Does not depend on the order of tracks and roads. Diagnosed: kTooSteep, kClearanceNotMet,
+/// kBridgeWithoutGround. Total. Reach: the sum of the steps', some 2.5 km, and kSpanReach_m along what leaves the
+/// ground.
+Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
+                       std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report);
+
+}  // namespace citykiln::ground
