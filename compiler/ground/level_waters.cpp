@@ -98,6 +98,7 @@ void set_levels(std::vector<Surface>& surfaces, const StandingWaters& standing, 
 Waters level_waters(std::vector<Surface> surfaces, std::vector<roads::Strip> streams, std::span<const Polyline> covered,
                     const map::Heightfield& heights, Report& report) {
   Waters waters{std::move(surfaces), std::move(streams)};
+  std::ranges::stable_sort(waters.streams, {}, &roads::Strip::id);
   if (!has_heights(heights)) return waters;
 
   // what is level, and how high by its shore

@@ -13,12 +13,11 @@ namespace citykiln::ground {
 
 struct Waters {
   std::vector<Surface> surfaces;      ///< Those given; standing water with its level.
-  std::vector<roads::Strip> streams;  ///< Those given, with their profiles and reaches.
+  std::vector<roads::Strip> streams;  ///< Those given, sorted by id, with their profiles and reaches.
 };
 
 /// Finds the heights of all water of a map, once.
 ///
-/// @param surfaces, streams  Sorted by id.
 /// @param covered  Culverts and aqueducts, through which water goes on; downstream.
 /// Method: standing_water.h, river_network.h, river_uphill.h, river_heights.h, river_profile.h, river_areas.h.
 /// Guarantees: every standing water is level, those that share a border together (unless kDam_m parts them); the sea

@@ -83,11 +83,10 @@ std::vector<double> smoothed(const Falls& falls, std::vector<double> heights) {
   }
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
-      if (falls.stays[i]) continue;
-      double before = heights[i], after = heights[i];
-      if (!upstream[i].empty()) before = std::numeric_limits<double>::infinity();
+      // springs and ends stay too, or they would be drawn level
+      if (falls.stays[i] || upstream[i].empty() || downstream[i].empty()) continue;
+      double before = std::numeric_limits<double>::infinity(), after = -before;
       for (const std::uint32_t u : upstream[i]) before = std::min(before, heights[u]);
-      if (!downstream[i].empty()) after = -std::numeric_limits<double>::infinity();
       for (const std::uint32_t d : downstream[i]) after = std::max(after, heights[d]);
       next[i] = std::clamp(heights[i] / 2 + before / 4 + after / 4, lowest[i], highest[i]);
     }

@@ -22,9 +22,10 @@ struct RiverHeights {
 /// Method: circles are level; fit_falling, a metre above the land costing kAboveCost times what a metre below does, so
 /// that the water lies at the lower quarter of what it pools; then rounds in which each node moves towards the lower of
 /// the nodes before it and the higher of those after it, which keeps them falling. Smoothing never lifts water above
-/// all land upstream of it and never cuts deeper than kMostSmoothed_m; standing water stays. Guarantees: no node lies
-/// lower than one downstream of it; the sea lies at 0. What wins: falling, then standing water's levels, then the land.
-/// A pit w wide in the land lowers the river beside it by no more than its bed falls over kAboveCost w. O(n log² n).
+/// all land upstream of it and never cuts deeper than kMostSmoothed_m; standing water, springs and ends stay.
+/// Guarantees: no node lies lower than one downstream of it; the sea lies at 0. What wins: falling, then standing
+/// water's levels, then the land. A pit w wide in the land lowers the river beside it by no more than its bed falls
+/// over kAboveCost w. O(n log² n).
 RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas);
 
 }  // namespace citykiln::ground

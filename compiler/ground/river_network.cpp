@@ -134,7 +134,7 @@ std::vector<Wet> widened(const std::vector<Wet>& wets, double length_m) {
 }
 
 Axis axis_of(const Polyline& points, bool is_covered, const StandingCover& cover) {
-  Axis axis{&points, stations_of(points), {}, is_covered};
+  Axis axis{&points, roads::distances_along(points, 0), {}, is_covered};
   if (!is_covered) axis.wets = widened(find_wets(axis, cover), axis.length_m());
   return axis;
 }
@@ -268,13 +268,6 @@ class NetworkMaker {
 };
 
 }  // namespace
-
-std::vector<double> stations_of(const Polyline& axis) {
-  std::vector<double> along = {0};
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
-  return along;
-}
 
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const Surface> surfaces, const StandingWaters& waters,

@@ -47,7 +47,4 @@ RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span
                                 std::span<const Surface> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);
 
-/// How far along a line each vertex lies, as a strip's profile counts: segments measured to 2^-10 m. O(n).
-std::vector<double> stations_of(const Polyline& axis);
-
 }  // namespace citykiln::ground

@@ -13,6 +13,7 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 struct OwnedEdge {
   Vec2 low, high;
   std::uint32_t owner;
+  bool runs_up;  // from the lower point to the higher
   auto operator<=>(const OwnedEdge&) const = default;
 };
 
@@ -21,7 +22,7 @@ std::vector<OwnedEdge> edges_of(std::span<const Surface> surfaces, std::span<con
   for (std::uint32_t m = 0; m < members.size(); ++m)
     for (const Ring& ring : surfaces[members[m]].rings)
       for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-        edges.push_back({std::min(ring[j], ring[i]), std::max(ring[j], ring[i]), m});
+        edges.push_back({std::min(ring[j], ring[i]), std::max(ring[j], ring[i]), m, ring[j] < ring[i]});
   std::sort(edges.begin(), edges.end());
   return edges;
 }
@@ -57,6 +58,18 @@ void add_pairs_by_overlap(std::span<const Surface> surfaces, std::span<const std
 }
 
 }  // namespace
+
+std::vector<Edge> edges_between(std::span<const Surface> surfaces, std::span<const std::uint32_t> members) {
+  const std::vector<OwnedEdge> edges = edges_of(surfaces, members);
+  std::vector<Edge> between;
+  for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
+    bool up = false, down = false;
+    for (; last < edges.size() && edges[last].low == edges[first].low && edges[last].high == edges[first].high; ++last)
+      (edges[last].runs_up ? up : down) = true;
+    if (up && down) between.emplace_back(edges[first].low, edges[first].high);
+  }
+  return between;
+}
 
 std::vector<Pair> shared_borders(std::span<const Surface> surfaces, std::span<const std::uint32_t> members) {
   std::vector<Pair> pairs;

@@ -10,6 +10,12 @@
 
 namespace citykiln::ground {
 
+/// Two points, the lower first.
+using Edge = std::pair<Vec2, Vec2>;
+
+/// The edges that have a member on either side, sorted; not those of two that lie on top of each other. O(n log n).
+std::vector<Edge> edges_between(std::span<const Surface> surfaces, std::span<const std::uint32_t> members);
+
 /// Pairs of places in `members`, the lower first, sorted, each once: surfaces with an edge between the same two points,
 /// in whichever direction, and surfaces one of which has a vertex within the other.
 ///

@@ -6,7 +6,6 @@
 
 #include "compiler/geometry/profile.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/shared_borders.h"
 
 namespace citykiln::ground {
 namespace {
@@ -43,13 +42,19 @@ void sample_edge(Vec2 a, Vec2 b, const map::Heightfield& heights, bool clips, st
   }
 }
 
-std::vector<Sample> sample_shore(std::span<const Ring> rings, const map::Heightfield& heights, bool clips) {
+bool is_one_of(std::span<const Edge> edges, Vec2 a, Vec2 b) {
+  return std::ranges::binary_search(edges, Edge{std::min(a, b), std::max(a, b)});
+}
+
+std::vector<Sample> sample_shore(std::span<const Ring> rings, const map::Heightfield& heights,
+                                 std::span<const Edge> shared, bool clips) {
   std::vector<Sample> samples;
   for (const Ring& ring : rings) {
     if (ring.size() < 3) continue;
     const double longest_m = clips ? median_edge_m(ring) * kLongEdge : INFINITY;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-      if (distance(ring[j], ring[i]) <= longest_m) sample_edge(ring[j], ring[i], heights, clips, samples);
+      if (distance(ring[j], ring[i]) <= longest_m && !is_one_of(shared, ring[j], ring[i]))
+        sample_edge(ring[j], ring[i], heights, clips, samples);
   }
   return samples;
 }
@@ -69,17 +74,18 @@ double level_of(double height_m) { return std::floor(height_m / kProfileQuantum_
 // The surfaces that stand, and each one's own shore.
 struct Standing {
   std::vector<std::uint32_t> members;
+  std::vector<Edge> shared;
   std::vector<Shore> shores;
 };
 
 Standing ask_shores(std::span<const Surface> surfaces, const std::vector<bool>& stands,
                     const map::Heightfield& heights) {
   Standing standing;
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-    if (!stands[i]) continue;
-    standing.members.push_back(i);
-    standing.shores.push_back(shore_of(surfaces[i].rings, heights));
-  }
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    if (stands[i]) standing.members.push_back(i);
+  standing.shared = edges_between(surfaces, standing.members);
+  for (const std::uint32_t i : standing.members)
+    standing.shores.push_back(shore_of(surfaces[i].rings, heights, standing.shared));
   return standing;
 }
 
@@ -102,9 +108,9 @@ std::vector<std::uint32_t> group_levels(std::span<const Surface> surfaces, const
   return groups_of(standing.members.size(), pairs);
 }
 
-// A water of surfaces whose rings are all its shore.
+// A water of several surfaces: what they share is no shore.
 StandingWater water_of(std::span<const Surface> surfaces, std::span<const std::uint32_t> members,
-                       const map::Heightfield& heights) {
+                       std::span<const Edge> shared, const map::Heightfield& heights) {
   StandingWater water{surfaces[members.front()].id, 0, 0, false};
   std::vector<Ring> rings;
   for (const std::uint32_t i : members) {
@@ -112,7 +118,7 @@ StandingWater water_of(std::span<const Surface> surfaces, std::span<const std::u
     water.is_sea |= is_sea(surfaces[i]);
     rings.insert(rings.end(), surfaces[i].rings.begin(), surfaces[i].rings.end());
   }
-  const Shore shore = shore_of(rings, heights);
+  const Shore shore = shore_of(rings, heights, shared);
   water.shore_m = std::floor(shore.length_m) + 1;
   water.level_m = water.is_sea ? 0 : level_of(shore.low_m);
   return water;
@@ -132,9 +138,9 @@ bool is_standing(map::SurfaceClass surface) {
   return map::values_of(surface).group == map::SurfaceGroup::kWater && surface != map::SurfaceClass::kRiver;
 }
 
-Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights) {
-  std::vector<Sample> samples = sample_shore(rings, heights, true);
-  if (samples.empty()) samples = sample_shore(rings, heights, false);
+Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared) {
+  std::vector<Sample> samples = sample_shore(rings, heights, shared, true);
+  if (samples.empty()) samples = sample_shore(rings, heights, {}, false);
   std::ranges::sort(samples, {}, [](const Sample& s) { return std::pair(s.height_m, s.length_m); });
   Shore shore;
   for (const Sample& sample : samples) shore.length_m += sample.length_m;
@@ -152,7 +158,8 @@ StandingWaters find_standing_waters(std::span<const Surface> surfaces, const std
   for (std::size_t m = 0; m < group.size(); ++m) members_of[group[m]].push_back(standing.members[m]);
 
   std::vector<std::pair<StandingWater, std::vector<std::uint32_t>>> found;
-  for (const auto& [first, members] : members_of) found.emplace_back(water_of(surfaces, members, heights), members);
+  for (const auto& [first, members] : members_of)
+    found.emplace_back(water_of(surfaces, members, standing.shared, heights), members);
   std::ranges::sort(found, {}, [](const auto& f) { return f.first.id; });
   StandingWaters waters{{}, std::vector<std::uint32_t>(surfaces.size(), kNoWater)};
   for (const auto& [water, members] : found) {

@@ -7,6 +7,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
+#include "compiler/ground/shared_borders.h"
 #include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {
@@ -37,13 +38,14 @@ struct StandingWaters {
 bool is_standing(map::SurfaceClass surface);
 
 /// The height below which kShoreQuantile of the land along the rings lies, and how long the shore is that was asked.
-/// Edges more than eight times as long as their ring's median are left out (a node in the sky has two), and what lies
-/// outside the heightfield (there rings are trimmed). Without anything left, all of it is asked. O(n log n).
+/// Left out are edges more than eight times as long as their ring's median (a node in the sky has two), what lies
+/// outside the heightfield (there rings are trimmed), and the edges `shared` with water on their other side (sorted).
+/// Without anything left, all of it is asked. O(n log n).
 struct Shore {
   double low_m = 0, high_m = 0;  ///< Where kShoreQuantile lies below, and where as much lies above.
   double length_m = 0;
 };
-Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights);
+Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared = {});
 
 /// Groups standing surfaces that share borders into waters, and finds their levels.
 ///

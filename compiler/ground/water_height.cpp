@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/ground/river_network.h"
-
 namespace citykiln::ground {
 namespace {
 
@@ -25,8 +23,7 @@ Foot foot_on(Vec2 a, Vec2 b, Vec2 p) {
 
 // An axis cut at its vertices and its knots, so that a height is linear along each piece.
 void add_pieces(WaterIndex& index, const roads::Strip& stream) {
-  std::vector<double> along = stations_of(stream.axis);
-  for (double& at_m : along) at_m += stream.passed_m;
+  const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const Vec2 a = stream.axis[i], b = stream.axis[i + 1];
     const auto place = [&](double at_m) { return a + (b - a) * ((at_m - along[i]) / (along[i + 1] - along[i])); };
