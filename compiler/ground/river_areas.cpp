@@ -11,7 +11,6 @@ namespace {
 
 // Axes and banks are looked at so far apart.
 constexpr double kApart_m = 32;
-constexpr double kReachStep_m = 16;
 
 struct AxisPlace {
   Vec2 at;

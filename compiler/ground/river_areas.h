@@ -12,6 +12,8 @@ namespace citykiln::ground {
 
 /// No river's bank lies farther from its axis than this; beyond, its area is treated as one without axis.
 inline constexpr double kMostReach_m = 1008;
+/// Reaches are whole multiples of this.
+inline constexpr double kReachStep_m = 16;
 
 struct RiverAreas {
   std::vector<double> reach_m;   ///< By stream: a multiple of 16, at most kMostReach_m; 0 where it runs in no area.

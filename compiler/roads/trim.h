@@ -12,7 +12,7 @@ namespace citykiln::roads {
 /// between their points: there the strips of the runs cover what the road's strip covers. A segment that may touch the
 /// box itself has its neighbours with it, as its ends lie on the mitres with them. Often one, or none. O(n).
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m);
-/// Of a strip, whose segments end square; those within its reach too.
+/// Of a strip, whose segments end square.
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m);
 
 }  // namespace citykiln::roads
