@@ -106,9 +106,7 @@ struct Candidate {
 };
 using Queue = std::priority_queue<Candidate>;
 
-bool is_before(const Border& one, const Border& other) {
-  return std::tie(one.a, one.b) < std::tie(other.a, other.b);
-}
+bool is_before(const Border& one, const Border& other) { return std::tie(one.a, one.b) < std::tie(other.a, other.b); }
 
 std::vector<GridPoint> ends_of(std::span<const Border> borders) {
   std::vector<GridPoint> ends;
@@ -142,12 +140,10 @@ bool is_midway(Net& net, std::uint32_t v) {
 Net net_of(std::span<const Border> borders, double tolerance_m, const std::function<bool(GridPoint)>& is_pinned) {
   Net net;
   net.vertices = ends_of(borders);
-  std::vector<Border> sorted(borders.begin(), borders.end());
-  std::ranges::sort(sorted, is_before);
   const auto number = [&](GridPoint p) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(net.vertices, p) - net.vertices.begin());
   };
-  for (const Border& b : sorted)
+  for (const Border& b : borders)
     net.runs.push_back({number(b.a), number(b.b), b.left, b.right, b.is_cell_border, false, 0, {b.a, b.b}});
   link_runs(net);
   GridPoint min = net.vertices.front(), max = min;

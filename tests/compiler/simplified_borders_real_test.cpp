@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "compiler/bake/fire_ground.h"
+#include "compiler/pipeline.h"
+#include "compiler/scene/ground_cover.h"
+#include "tests/compiler/ground/border_claims.h"
+
+namespace citykiln {
+namespace {
+
+using ground::Border;
+
+const std::filesystem::path kData = CITYKILN_DATA;
+
+struct CellBorders {
+  Box2 cell;
+  std::vector<Border> borders;
+};
+
+// Of all cells of an extract, with all pieces of its roads.
+std::vector<CellBorders> borders_of_cells(const scene::Scene& scene) {
+  constexpr double kTolerance_m = 0.1;
+  std::vector<CellBorders> all;
+  Report ignored;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
+    const Box2 tile = scene::box_of(scene.header, chunk.tile);
+    for (const ground::GroundMesh& mesh : bake::expand_cells(chunk, cover.surfaces, tile, kTolerance_m, 0, ignored)) {
+      all.push_back({{}, ground::borders_of(mesh)});
+      for (const Vec3 p : mesh.mesh.positions) all.back().cell.grow(in_plan(p));
+    }
+  }
+  return all;
+}
+
+class SimplifiedBordersReal : public testing::TestWithParam<const char*> {};
+
+TEST_P(SimplifiedBordersReal, KeepEveryPromise) {
+  if (!std::filesystem::exists(kData / GetParam())) GTEST_SKIP() << "absent: " << GetParam();
+  CompileSpec spec;
+  spec.map_path = (kData / GetParam()).string();
+  const auto compiled = compile(spec, [](std::string_view, double) {});
+  ASSERT_TRUE(compiled);
+  const std::vector<CellBorders> cells = borders_of_cells(compiled->scene);
+  for (const double tolerance_m : {0.05, 0.25, 1.0, 4.0, 16.0}) {
+    std::size_t before = 0, after = 0;
+    std::chrono::duration<double> took{0};
+    for (const CellBorders& cell : cells) {
+      const auto start = std::chrono::steady_clock::now();
+      const auto now = ground::simplify_borders(cell.borders, tolerance_m, [](GridPoint) { return false; });
+      took += std::chrono::steady_clock::now() - start;
+      ground::expect_simplified(cell.borders, now, tolerance_m, cell.cell);
+      before += cell.borders.size(), after += now.borders.size();
+    }
+    EXPECT_LT(after, before);
+    std::printf("%6.2f m: %zu cells, %zu borders to %zu in %.2f s\n", tolerance_m, cells.size(), before, after,
+                took.count());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Extracts, SimplifiedBordersReal,
+                         testing::Values("berlin/berlin-neukolln.osm", "andorra/cut-andorra-la-vella.osm.pbf",
+                                         "monaco/monaco-2023.osm.pbf"));
+
+}  // namespace
+}  // namespace citykiln
