@@ -1,0 +1,120 @@
+#include "compiler/ground/yield_slivers.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/ground/surface_between.h"
+#include "tests/compiler/ground/border_claims.h"
+#include "tests/compiler/ground/wavy_surfaces.h"
+
+namespace citykiln::ground {
+namespace {
+
+constexpr Box2 kCell{{-128, 0}, {0, 128}};
+
+bool all_may(std::uint32_t) { return true; }
+
+double total_m2(const std::vector<BorderFace>& faces) {
+  double area_m2 = 0;
+  for (const BorderFace& face : faces) area_m2 += face.area_m2;
+  return area_m2;
+}
+
+TEST(YieldSlivers, FacesHaveOneLabelAndTileTheCell) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kCell);
+    const YieldedSlivers now = yield_slivers(borders, 1.5, all_may);
+    const auto faces = faces_between(now.borders);
+    EXPECT_EQ(total_m2(faces), 128.0 * 128.0);
+    EXPECT_LT(faces.size(), faces_between(borders).size());
+    EXPECT_TRUE(no_two_cross(now.borders));
+    EXPECT_LE(now.error_m, 1.5);
+  }
+}
+
+// Places by chance: where the surface is another now, a border of old is near.
+TEST(YieldSlivers, WhatChangedWasNearABorder) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const auto borders = borders_of(wavy_surfaces(seed, 50, 1), kCell);
+    const YieldedSlivers now = yield_slivers(borders, 2, all_may);
+    const Draw draw(seed, StableId{21}, "places");
+    int changed = 0;
+    constexpr int kPlaces = 20000;
+    for (std::uint32_t i = 0; i < kPlaces; ++i) {
+      const Vec2 p{draw.between(-128, 0, 2 * i), draw.between(0, 128, 2 * i + 1)};
+      if (surface_between(borders, p) == surface_between(now.borders, p)) continue;
+      ++changed;
+      double nearest_m = 1e300;
+      for (const Border& b : borders)
+        if (!b.is_cell_border) nearest_m = std::min(nearest_m, distance_m(p, plane_point(b.a), plane_point(b.b)));
+      EXPECT_LE(nearest_m, now.error_m);
+    }
+    // a face may yield to another of its surface's own, so no more than said
+    EXPECT_LE(changed * 128.0 * 128.0 / kPlaces, now.area_m2 * 1.25);
+    EXPECT_GT(changed, 0);
+  }
+}
+
+TEST(YieldSlivers, AtNoThicknessNothingYields) {
+  const auto borders = borders_of(wavy_surfaces(1, 50, 1), kCell);
+  const YieldedSlivers now = yield_slivers(borders, 0, all_may);
+  EXPECT_EQ(now.faces, 0u);
+  EXPECT_EQ(faces_by_surface(faces_between(now.borders)), faces_by_surface(faces_between(borders)));
+  EXPECT_EQ(now.borders.size(), borders.size());
+}
+
+TEST(YieldSlivers, TheCellsBorderStaysAsItIs) {
+  const auto borders = borders_of(wavy_surfaces(2, 50, 1), kCell);
+  const auto on_border = [](std::span<const Border> all) {
+    std::vector<Border> some;
+    std::ranges::copy_if(all, std::back_inserter(some), &Border::is_cell_border);
+    std::ranges::sort(some, {}, [](const Border& b) { return std::tuple(b.a, b.b); });
+    return some;
+  };
+  EXPECT_EQ(on_border(yield_slivers(borders, 100, all_may).borders), on_border(borders));
+}
+
+TEST(YieldSlivers, OrderDoesNotCount) {
+  auto borders = borders_of(wavy_surfaces(3, 60, 1), kCell);
+  const YieldedSlivers once = yield_slivers(borders, 1, all_may);
+  std::ranges::reverse(borders);
+  EXPECT_EQ(once.borders, yield_slivers(borders, 1, all_may).borders);
+}
+
+TEST(YieldSlivers, OnlyWhatMayYieldDoes) {
+  const auto borders = borders_of(wavy_surfaces(4, 60, 1), kCell);
+  EXPECT_EQ(yield_slivers(borders, 2, [](std::uint32_t) { return false; }).faces, 0u);
+  const auto before = faces_by_surface(faces_between(borders));
+  const auto now = yield_slivers(borders, 2, [](std::uint32_t s) { return s % 2 == 0; });
+  ASSERT_GT(now.faces, 0u);
+  for (const auto& [surface, faces] : before)
+    if (surface % 2 == 1 && surface != 0xffffffffu) {
+      EXPECT_TRUE(faces_by_surface(faces_between(now.borders)).contains(surface));
+    }
+}
+
+// A strip 0.3 m wide between two squares, one of which it touches along a shorter side.
+TEST(YieldSlivers, AStripGoesToItsLongestNeighbour) {
+  std::vector<Border> borders;
+  const auto add = [&](Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right, bool is_cell_border) {
+    const GridPoint a = grid_point(from), b = grid_point(to);
+    borders.push_back(a < b ? Border{a, b, left, right, is_cell_border} : Border{b, a, right, left, is_cell_border});
+  };
+  const std::vector<Vec2> corners = {{-128, 0}, {0, 0}, {0, 128}, {-128, 128}};
+  for (int i = 0; i < 4; ++i) add(corners[i], corners[(i + 1) % 4], 9, 9, true);
+  // 1: a square below the strip 2; 9 all around
+  const Vec2 a{-100, 20}, b{-60, 20}, c{-60, 60}, d{-60, 60.3}, e{-100, 60.3}, f{-100, 60};
+  add(a, b, 1, 9, false), add(b, c, 1, 9, false), add(c, d, 2, 9, false), add(d, e, 2, 9, false);
+  add(e, f, 2, 9, false), add(f, c, 2, 1, false), add(f, a, 1, 9, false);
+  const YieldedSlivers now = yield_slivers(borders, 0.5, all_may);
+  EXPECT_EQ(now.faces, 1u);
+  EXPECT_NEAR(now.area_m2, 40 * 0.3, 0.05);
+  // 40.6 m with all around, 40 m with the square
+  EXPECT_EQ(surface_between(now.borders, {-80, 60.1}), 9u);
+  EXPECT_EQ(now.borders.size(), 4u + 4u);
+  EXPECT_EQ(yield_slivers(borders, 0.1, all_may).faces, 0u);
+}
+
+TEST(YieldSlivers, NothingInNothingOut) { EXPECT_TRUE(yield_slivers({}, 1, all_may).borders.empty()); }
+
+}  // namespace
+}  // namespace citykiln::ground
