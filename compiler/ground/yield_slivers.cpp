@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <queue>
 #include <tuple>
 
 #include "compiler/contract/tolerance.h"
@@ -15,12 +17,14 @@ namespace {
 // A connected piece between borders: its triangles are those of one region.
 struct Region {
   std::uint32_t surface = 0;
-  std::int64_t twice_area = 0;  // grid steps
-  double reach = 0;             // grid steps: no point of it is farther from its border
+  std::uint32_t heir = 0;            // itself while it stays
+  std::int64_t twice_area = 0;       // grid steps
+  double own_m2 = 0;                 // without what it has taken
+  std::vector<std::uint32_t> faces;  // its own, and those it has taken
   bool touches_cell_border = false;
-  bool has_taken = false;
-  std::uint32_t heir = 0;  // itself while it stays
 };
+
+double area_m2(std::int64_t twice_steps) { return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m; }
 
 struct Regions {
   std::vector<Border> borders;  // sorted
@@ -49,31 +53,6 @@ std::array<GridPoint, 3> corners_of(const Delaunay& net, std::uint32_t face) {
   return {net.vertices()[v[0]], net.vertices()[v[1]], net.vertices()[v[2]]};
 }
 
-double length(GridPoint a, GridPoint b) {
-  return std::sqrt(static_cast<double>((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)));
-}
-
-double distance_to_segment(GridPoint a, GridPoint b, GridPoint p) {
-  const auto along = [](GridPoint u, GridPoint v, GridPoint q) {
-    return (v.x - u.x) * (q.x - u.x) + (v.y - u.y) * (q.y - u.y);
-  };
-  if (along(a, b, p) <= 0) return length(a, p);
-  if (along(b, a, p) <= 0) return length(b, p);
-  return std::abs(static_cast<double>(turn(a, b, p))) / length(a, b);
-}
-
-// How far a triangle's points are from borders at most. From an edge of it that is a border the corner opposite is the
-// farthest; and no point is farther from the nearest corner than its circle's centre is.
-double reach_of(const Delaunay& net, std::uint32_t face) {
-  const auto c = corners_of(net, face);
-  double reach =
-      length(c[0], c[1]) * length(c[1], c[2]) * length(c[2], c[0]) / (2 * static_cast<double>(turn(c[0], c[1], c[2])));
-  for (int i = 0; i < 3; ++i)
-    if (net.faces()[face].is_constrained[i])
-      reach = std::min(reach, distance_to_segment(c[(i + 1) % 3], c[(i + 2) % 3], c[i]));
-  return reach;
-}
-
 // What lies on a face's side of its edge i, as the border says.
 std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, std::uint32_t face, int i) {
   const auto c = corners_of(net, face);
@@ -95,7 +74,7 @@ Region region_from(Regions& all, std::uint32_t start) {
     open.pop_back();
     const auto c = corners_of(all.net, f);
     region.twice_area += turn(c[0], c[1], c[2]);
-    region.reach = std::max(region.reach, reach_of(all.net, f));
+    region.faces.push_back(f);
     const DelaunayFace& face = all.net.faces()[f];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = face.neighbours[i];
@@ -106,6 +85,7 @@ Region region_from(Regions& all, std::uint32_t start) {
       open.push_back(beyond);
     }
   }
+  region.own_m2 = area_m2(region.twice_area);
   return region;
 }
 
@@ -125,37 +105,142 @@ std::uint32_t heir_of(const Regions& all, std::uint32_t region) {
   return region;
 }
 
-// A border of a region, as its turn to yield comes.
+// Is edge i of a face a border of the region that the face is in now?
+bool is_border(const Regions& all, const DelaunayFace& face, std::uint32_t region, int i) {
+  if (!face.is_constrained[i]) return false;
+  return face.neighbours[i] == kNoFace || heir_of(all, all.of_face[face.neighbours[i]]) != region;
+}
+
+// A piece of a region's border, listed under each of its ends.
+struct Rim {
+  std::uint32_t vertex, other;
+  auto operator<=>(const Rim&) const = default;
+};
+
+// Sorted.
+std::vector<Rim> rim_of(const Regions& all, std::uint32_t region) {
+  std::vector<Rim> rim;
+  for (const std::uint32_t f : all.regions[region].faces)
+    for (int i = 0; i < 3; ++i) {
+      const DelaunayFace& face = all.net.faces()[f];
+      if (!is_border(all, face, region, i)) continue;
+      const std::uint32_t u = face.vertices[(i + 1) % 3], v = face.vertices[(i + 2) % 3];
+      rim.push_back({u, v});
+      rim.push_back({v, u});
+    }
+  std::ranges::sort(rim);
+  return rim;
+}
+
+// A straight piece of border in plane metres; a point if its ends are the same.
+struct Piece {
+  Vec2 a, b;
+};
+
+double distance_m(const Piece& piece, Vec2 p) {
+  const Vec2 along = piece.b - piece.a;
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(dot(p - piece.a, along) / squared, 0.0, 1.0) : 0;
+  return distance(p, piece.a + along * share);
+}
+
+// No point of a triangle is farther from the nearest of some pieces. The distance to one piece is convex, so it is
+// largest at a corner; where that is too far, halves of the triangle may be near to different pieces.
+double reach_of_triangle(std::span<const Piece> pieces, const std::array<Vec2, 3>& corners, double enough_m,
+                         int halvings) {
+  double reach_m = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : pieces) {
+    const double farthest_m =
+        std::max({distance_m(piece, corners[0]), distance_m(piece, corners[1]), distance_m(piece, corners[2])});
+    reach_m = std::min(reach_m, farthest_m);
+  }
+  if (reach_m <= enough_m || halvings == 0) return reach_m;
+  std::array<double, 3> opposite_m{};
+  for (int i = 0; i < 3; ++i) opposite_m[i] = distance(corners[(i + 1) % 3], corners[(i + 2) % 3]);
+  const auto i = std::ranges::max_element(opposite_m) - opposite_m.begin();
+  const Vec2 tip = corners[i], u = corners[(i + 1) % 3], v = corners[(i + 2) % 3], middle = (u + v) * 0.5;
+  const double one_m = reach_of_triangle(pieces, {tip, u, middle}, enough_m, halvings - 1);
+  if (one_m > enough_m) return one_m;
+  return std::max(one_m, reach_of_triangle(pieces, {tip, middle, v}, enough_m, halvings - 1));
+}
+
+// The border's pieces at the corners of a triangle: in a strip, both of its sides.
+void pieces_at(const Regions& all, std::span<const Rim> rim, const DelaunayFace& face, std::vector<Piece>& pieces) {
+  pieces.clear();
+  const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
+  for (const std::uint32_t v : face.vertices) {
+    const auto first = std::ranges::lower_bound(rim, Rim{v, 0});
+    for (auto at = first; at != rim.end() && at->vertex == v; ++at) pieces.push_back({place(v), place(at->other)});
+  }
+}
+
+// What is not thin by this much is not thin at all, or so little that it may stay.
+constexpr int kHalvings = 6;
+
+// A bound: no point of a region is farther from its border. Beyond `enough_m` it is not sought closely.
+double reach_m_of(const Regions& all, std::uint32_t region, double enough_m) {
+  const std::vector<Rim> rim = rim_of(all, region);
+  double perimeter_m = 0;
+  const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
+  for (const Rim& piece : rim) perimeter_m += distance(place(piece.vertex), place(piece.other)) / 2;
+  // a band along the border covers no more than its width times its length
+  if (area_m2(all.regions[region].twice_area) > perimeter_m * enough_m) return std::numeric_limits<double>::infinity();
+  double reach_m = 0;
+  std::vector<Piece> pieces;
+  for (const std::uint32_t f : all.regions[region].faces) {
+    const DelaunayFace& face = all.net.faces()[f];
+    pieces_at(all, rim, face, pieces);
+    const std::array<Vec2, 3> corners = {place(face.vertices[0]), place(face.vertices[1]), place(face.vertices[2])};
+    reach_m = std::max(reach_m, reach_of_triangle(pieces, corners, enough_m, kHalvings));
+    if (reach_m > enough_m) break;
+  }
+  return reach_m;
+}
+
+// A piece of border, and the region beyond it.
 struct Shared {
-  std::uint32_t region;  // beyond it
-  double length;
+  std::uint32_t region;
+  double length_m;
 };
 
 // The neighbour with whom a region shares the longest border; itself if there is none.
-std::uint32_t closest_neighbour(const Regions& all, std::uint32_t region, std::span<const std::uint32_t> faces) {
+std::uint32_t closest_neighbour(const Regions& all, std::uint32_t region) {
   std::vector<Shared> shared;
-  for (const std::uint32_t f : faces)
+  for (const std::uint32_t f : all.regions[region].faces)
     for (int i = 0; i < 3; ++i) {
       const DelaunayFace& face = all.net.faces()[f];
-      if (!face.is_constrained[i]) continue;
+      if (!is_border(all, face, region, i)) continue;
       const auto c = corners_of(all.net, f);
-      shared.push_back({heir_of(all, all.of_face[face.neighbours[i]]), length(c[(i + 1) % 3], c[(i + 2) % 3])});
+      shared.push_back({heir_of(all, all.of_face[face.neighbours[i]]),
+                        distance(plane_point(c[(i + 1) % 3]), plane_point(c[(i + 2) % 3]))});
     }
   std::ranges::stable_sort(shared, {}, &Shared::region);
   Shared longest{region, 0};
   for (std::size_t i = 0, end = 0; i < shared.size(); i = end) {
     Shared sum{shared[i].region, 0};
-    for (; end < shared.size() && shared[end].region == sum.region; ++end) sum.length += shared[end].length;
-    if (sum.region != region && sum.length > longest.length) longest = sum;
+    for (; end < shared.size() && shared[end].region == sum.region; ++end) sum.length_m += shared[end].length_m;
+    if (sum.length_m > longest.length_m) longest = sum;
   }
   return longest.region;
 }
 
-std::vector<std::vector<std::uint32_t>> faces_by_region(const Regions& all) {
-  std::vector<std::vector<std::uint32_t>> faces(all.regions.size());
-  for (std::uint32_t f = 0; f < all.of_face.size(); ++f) faces[all.of_face[f]].push_back(f);
-  return faces;
+void yield_to(Regions& all, std::uint32_t region, std::uint32_t neighbour) {
+  Region& from = all.regions[region];
+  Region& to = all.regions[neighbour];
+  from.heir = neighbour;
+  to.twice_area += from.twice_area;
+  to.touches_cell_border |= from.touches_cell_border;
+  to.faces.insert(to.faces.end(), from.faces.begin(), from.faces.end());
+  from.faces.clear();
 }
+
+// One whose turn to yield comes by its area. Regions are numbered as the triangulation of sorted vertices is, so equals
+// are told apart alike whatever the order of the borders.
+struct Turn {
+  std::int64_t twice_area;
+  std::uint32_t region;
+  bool operator<(const Turn& o) const { return std::tie(twice_area, region) > std::tie(o.twice_area, o.region); }
+};
 
 // The borders that still lie between two surfaces.
 std::vector<Border> borders_left(const Regions& all) {
@@ -183,27 +268,28 @@ YieldedSlivers yield_slivers(std::span<const Border> borders, double thickness_m
                              const std::function<bool(std::uint32_t)>& may_yield) {
   if (borders.empty()) return {};
   Regions all = regions_between(borders);
-  const auto faces = faces_by_region(all);
-  std::vector<std::uint32_t> thin;
-  for (std::uint32_t r = 0; r < all.regions.size(); ++r) {
-    const Region& region = all.regions[r];
-    const bool is_thin = region.reach * kQuantum_m <= thickness_m;
-    if (is_thin && !region.touches_cell_border && may_yield(region.surface)) thin.push_back(r);
-  }
-  // regions are numbered as the triangulation of sorted vertices is, so equals are told apart alike
-  std::ranges::stable_sort(thin, {}, [&](std::uint32_t r) { return all.regions[r].twice_area; });
+  std::priority_queue<Turn> turns;
+  for (std::uint32_t r = 0; r < all.regions.size(); ++r) turns.push({all.regions[r].twice_area, r});
   YieldedSlivers yielded;
-  for (const std::uint32_t r : thin) {
-    Region& region = all.regions[r];
-    const std::uint32_t neighbour = closest_neighbour(all, r, faces[r]);
-    if (region.has_taken || neighbour == r) continue;
-    region.heir = neighbour;
-    all.regions[neighbour].has_taken = true;
+  while (!turns.empty()) {
+    const Turn turn = turns.top();
+    turns.pop();
+    const Region& region = all.regions[turn.region];
+    const bool is_stale = region.heir != turn.region || region.twice_area != turn.twice_area;
+    if (is_stale || region.touches_cell_border || !may_yield(region.surface)) continue;
+    const double reach_m = reach_m_of(all, turn.region, thickness_m);
+    if (reach_m > thickness_m) continue;
+    const std::uint32_t neighbour = closest_neighbour(all, turn.region);
+    if (neighbour == turn.region) continue;
     ++yielded.faces;
-    yielded.area_m2 += static_cast<double>(region.twice_area) / 2 * kQuantum_m * kQuantum_m;
-    yielded.error_m = std::max(yielded.error_m, region.reach * kQuantum_m);
+    yielded.error_m = std::max(yielded.error_m, reach_m);
+    yield_to(all, turn.region, neighbour);
+    turns.push({all.regions[neighbour].twice_area, neighbour});
   }
   yielded.borders = borders_left(all);
+  for (std::uint32_t r = 0; r < all.regions.size(); ++r)
+    if (all.regions[r].heir != r && all.regions[heir_of(all, r)].surface != all.regions[r].surface)
+      yielded.area_m2 += all.regions[r].own_m2;
   return yielded;
 }
 
