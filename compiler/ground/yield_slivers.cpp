@@ -164,18 +164,47 @@ double reach_of_triangle(std::span<const Piece> pieces, const std::array<Vec2, 3
   return std::max(one_m, reach_of_triangle(pieces, {tip, middle, v}, enough_m, halvings - 1));
 }
 
-// The border's pieces at the corners of a triangle: in a strip, both of its sides.
-void pieces_at(const Regions& all, std::span<const Rim> rim, const DelaunayFace& face, std::vector<Piece>& pieces) {
-  pieces.clear();
-  const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
-  for (const std::uint32_t v : face.vertices) {
-    const auto first = std::ranges::lower_bound(rim, Rim{v, 0});
-    for (auto at = first; at != rim.end() && at->vertex == v; ++at) pieces.push_back({place(v), place(at->other)});
+// A face and up to `count` in all of those about it, in one region.
+std::vector<std::uint32_t> faces_about(const Regions& all, std::uint32_t region, std::uint32_t face,
+                                       std::size_t count) {
+  std::vector<std::uint32_t> about = {face};
+  for (std::size_t next = 0; next < about.size() && about.size() < count; ++next) {
+    const DelaunayFace& here = all.net.faces()[about[next]];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t beyond = here.neighbours[i];
+      if (beyond == kNoFace || heir_of(all, all.of_face[beyond]) != region) continue;
+      if (std::ranges::find(about, beyond) == about.end()) about.push_back(beyond);
+    }
   }
+  return about;
 }
 
-// What is not thin by this much is not thin at all, or so little that it may stay.
-constexpr int kHalvings = 6;
+// The border's pieces at the corners of some faces: in a strip, of both of its sides.
+std::vector<Piece> pieces_at(const Regions& all, std::span<const Rim> rim, std::span<const std::uint32_t> faces) {
+  std::vector<Piece> pieces;
+  const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
+  for (const std::uint32_t f : faces)
+    for (const std::uint32_t v : all.net.faces()[f].vertices) {
+      const auto first = std::ranges::lower_bound(rim, Rim{v, 0});
+      for (auto at = first; at != rim.end() && at->vertex == v; ++at) pieces.push_back({place(v), place(at->other)});
+    }
+  return pieces;
+}
+
+// How hard a proof is sought that a triangle is thin: so often is it halved, so many faces about it are looked at.
+constexpr int kHalvings = 12;
+constexpr std::size_t kFacesAbout = 24;
+
+double reach_of_face(const Regions& all, std::span<const Rim> rim, std::uint32_t region, std::uint32_t face,
+                     double enough_m) {
+  const auto corner = [&](int i) { return plane_point(all.net.vertices()[all.net.faces()[face].vertices[i]]); };
+  const std::array<Vec2, 3> corners = {corner(0), corner(1), corner(2)};
+  // nearly always what is at its corners will do
+  const double reach_m = reach_of_triangle(pieces_at(all, rim, std::array{face}), corners, enough_m, 0);
+  if (reach_m <= enough_m) return reach_m;
+  return reach_of_triangle(pieces_at(all, rim, faces_about(all, region, face, kFacesAbout)), corners, enough_m,
+                           kHalvings);
+}
 
 // A bound: no point of a region is farther from its border. Beyond `enough_m` it is not sought closely.
 double reach_m_of(const Regions& all, std::uint32_t region, double enough_m) {
@@ -186,12 +215,8 @@ double reach_m_of(const Regions& all, std::uint32_t region, double enough_m) {
   // a band along the border covers no more than its width times its length
   if (area_m2(all.regions[region].twice_area) > perimeter_m * enough_m) return std::numeric_limits<double>::infinity();
   double reach_m = 0;
-  std::vector<Piece> pieces;
   for (const std::uint32_t f : all.regions[region].faces) {
-    const DelaunayFace& face = all.net.faces()[f];
-    pieces_at(all, rim, face, pieces);
-    const std::array<Vec2, 3> corners = {place(face.vertices[0]), place(face.vertices[1]), place(face.vertices[2])};
-    reach_m = std::max(reach_m, reach_of_triangle(pieces, corners, enough_m, kHalvings));
+    reach_m = std::max(reach_m, reach_of_face(all, rim, region, f, enough_m));
     if (reach_m > enough_m) break;
   }
   return reach_m;

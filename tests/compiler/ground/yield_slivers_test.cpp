@@ -91,24 +91,40 @@ TEST(YieldSlivers, OnlyWhatMayYieldDoes) {
     }
 }
 
+void add(std::vector<Border>& borders, Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right,
+         bool is_cell_border) {
+  const GridPoint a = grid_point(from), b = grid_point(to);
+  borders.push_back(a < b ? Border{a, b, left, right, is_cell_border} : Border{b, a, right, left, is_cell_border});
+}
+
+void add_box(std::vector<Border>& borders, const Box2& box, std::uint32_t inside, std::uint32_t outside,
+             bool is_cell_border) {
+  const std::vector<Vec2> corners = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  for (int i = 0; i < 4; ++i) add(borders, corners[i], corners[(i + 1) % 4], inside, outside, is_cell_border);
+}
+
 // The cell's border with 9 inside, and boxes stacked on each other from (-100, 20) up, 40 m wide: 1, 2, 3 …
 std::vector<Border> stacked(const std::vector<double>& heights_m) {
   std::vector<Border> borders;
-  const auto add = [&](Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right, bool is_cell_border) {
-    const GridPoint a = grid_point(from), b = grid_point(to);
-    borders.push_back(a < b ? Border{a, b, left, right, is_cell_border} : Border{b, a, right, left, is_cell_border});
-  };
-  const std::vector<Vec2> corners = {{-128, 0}, {0, 0}, {0, 128}, {-128, 128}};
-  for (int i = 0; i < 4; ++i) add(corners[i], corners[(i + 1) % 4], 9, 9, true);
+  add_box(borders, kCell, 9, 9, true);
   double y = 20;
   for (std::uint32_t i = 1; i <= heights_m.size(); ++i) {
     const double top = y + heights_m[i - 1];
-    add({-100, y}, {-60, y}, i, i == 1 ? 9 : i - 1, false);
-    add({-60, y}, {-60, top}, i, 9, false);
-    add({-100, top}, {-100, y}, i, 9, false);
+    add(borders, {-100, y}, {-60, y}, i, i == 1 ? 9 : i - 1, false);
+    add(borders, {-60, y}, {-60, top}, i, 9, false);
+    add(borders, {-100, top}, {-100, y}, i, 9, false);
     y = top;
   }
-  add({-60, y}, {-100, y}, static_cast<std::uint32_t>(heights_m.size()), 9, false);
+  add(borders, {-60, y}, {-100, y}, static_cast<std::uint32_t>(heights_m.size()), 9, false);
+  return borders;
+}
+
+// A square of 0.5 m inside one of 1 m, in the middle of 9.
+std::vector<Border> nested(std::uint32_t inner) {
+  std::vector<Border> borders;
+  add_box(borders, kCell, 9, 9, true);
+  add_box(borders, {{-64.5, 63.5}, {-63.5, 64.5}}, 1, 9, false);
+  add_box(borders, {{-64.25, 63.75}, {-63.75, 64.25}}, inner, 1, false);
   return borders;
 }
 
@@ -143,16 +159,25 @@ TEST(YieldSlivers, ABentStripOfUnequalSidesGoes) {
   const std::vector<Surface> surfaces = {
       {{{OsmType::kWay, 1}, 0}, map::SurfaceClass::kMeadow, 9, {ring(64, 30.5), hole}}};
   const auto borders = borders_of(surfaces, kCell);
-  EXPECT_EQ(yield_slivers(borders, 3.6, all_may).faces, 1u);
+  // the widest circle has a radius of 1.74 m
+  EXPECT_EQ(yield_slivers(borders, 2, all_may).faces, 1u);
   EXPECT_EQ(yield_slivers(borders, 1.7, all_may).faces, 0u);
 }
 
-TEST(YieldSlivers, ManyThinOnesStayTogetherOnceTheyAreThick) {
-  const YieldedSlivers now = yield_slivers(stacked({0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25}), 0.3125, all_may);
-  EXPECT_GT(now.faces, 0u);
-  EXPECT_LE(now.error_m, 0.3125);
-  EXPECT_EQ(faces_between(now.borders).size(), 1u + 8u - now.faces);
-  EXPECT_LT(now.area_m2, 40 * 2.0);
+// The frame is 0.25 m wide. With what it has taken it is a square of 1 m.
+TEST(YieldSlivers, ThinFacesYieldWhileTheyAreThinTogether) {
+  const YieldedSlivers fine = yield_slivers(nested(2), 0.375, all_may);
+  EXPECT_EQ(fine.faces, 1u);
+  EXPECT_EQ(fine.area_m2, 0.25);
+  EXPECT_EQ(surface_between(fine.borders, {-64.01, 64.02}), 1u);
+  const YieldedSlivers coarse = yield_slivers(nested(2), 0.75, all_may);
+  EXPECT_EQ(coarse.faces, 2u);
+  EXPECT_EQ(coarse.area_m2, 1);
+  EXPECT_EQ(coarse.borders.size(), 4u);
+}
+
+TEST(YieldSlivers, WhatGetsItsOwnSurfaceBackHasNotChanged) {
+  EXPECT_EQ(yield_slivers(nested(9), 0.75, all_may).area_m2, 0.75);
 }
 
 TEST(YieldSlivers, NothingInNothingOut) { EXPECT_TRUE(yield_slivers({}, 1, all_may).borders.empty()); }
