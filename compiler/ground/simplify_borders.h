@@ -20,15 +20,14 @@ struct SimplifiedBorders {
 
 /// Leaves vertices out, the one with the least error first.
 ///
-/// @param borders      Meet only at their ends, and no end lies within half a grid step of another border (arrange()
-///                     sees to both).
+/// @param borders      Meet only at their ends (arrange() sees to it).
 /// @param tolerance_m  >= 0; at 0 only vertices on straight lines go.
 /// @param is_pinned    Says of a vertex that it must stay. Besides these, vertices stay on the cell's border, where not
 ///                     exactly two borders meet, and where left or right changes.
 /// Guarantees: error_m <= tolerance_m, the Hausdorff distance between the borders and what replaced them, edge by edge;
-/// all vertices are old ones; what the input says of crossing and closeness holds of the output, so arrange() leaves it
-/// as it is; the same faces lie about each other, none is lost (a ring keeps three vertices). A function of the set of
-/// borders: their order does not count. Nothing outside the cell counts.
+/// all vertices are old ones; borders meet only at their ends, and a new one passes no vertex so closely that arrange()
+/// would bend it; the same faces lie about each other, none is lost (a ring keeps three vertices). A function of the set
+/// of borders: their order does not count. Nothing outside the cell counts.
 /// Error: the distance to a segment is convex, so it is largest at a vertex of what was left out; and as that runs from
 /// one end of the segment to the other, all of the segment has a point of it beside it at no larger distance. Runs are
 /// kept as their convex hulls.

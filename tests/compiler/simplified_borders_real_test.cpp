@@ -31,14 +31,10 @@ std::vector<CellBorders> borders_of_cells(const char* extract) {
   const scene::Scene& scene = compiled->scene;
   constexpr double kTolerance_m = 0.1;
   std::vector<CellBorders> all;
-  Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
     const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
-    for (const ground::GroundMesh& mesh : bake::expand_cells(chunk, cover.surfaces, tile, kTolerance_m, 0, ignored)) {
-      all.push_back({{}, ground::borders_of(mesh)});
-      for (const Vec3 p : mesh.mesh.positions) all.back().cell.grow(in_plan(p));
-    }
+    for (const Box2& cell : bake::cells_of(tile)) all.push_back({cell, ground::borders_of(cover.surfaces, cell)});
   }
   return all;
 }

@@ -12,40 +12,30 @@
 
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
-#include "compiler/ground/expand.h"
+#include "compiler/ground/partition.h"
 #include "compiler/ground/simplify_borders.h"
+#include "compiler/ground/surface_map.h"
 
 namespace citykiln::ground {
 
-/// The borders between the surfaces of a mesh, and those of its cell.
-inline std::vector<Border> borders_of(const GroundMesh& ground) {
-  struct Sides {
-    std::uint32_t left = 0, right = 0;
-    int faces = 0;
-  };
-  std::map<std::pair<GridPoint, GridPoint>, Sides> edges;
-  for (std::size_t f = 0; f < ground.mesh.triangles.size(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const auto place = [&](int k) {
-        return grid_point(in_plan(ground.mesh.positions[ground.mesh.triangles[f][k % 3]]));
-      };
-      const GridPoint a = place(i), b = place(i + 1);
-      Sides& sides = edges[{std::min(a, b), std::max(a, b)}];
-      (a < b ? sides.left : sides.right) = ground.face_surface[f];
-      if (++sides.faces == 1) (a < b ? sides.right : sides.left) = ground.face_surface[f];
-    }
-  std::vector<Border> borders;
-  for (const auto& [ends, sides] : edges)
-    if (sides.faces == 1 || sides.left != sides.right)
-      borders.push_back({ends.first, ends.second, sides.left, sides.right, sides.faces == 1});
-  return borders;
+inline std::vector<Border> borders_of(std::span<const Surface> surfaces, const Box2& cell) {
+  return seen_borders(partition_all(layers_near(surfaces, cell), {}, cell));
 }
 
-/// The ground of a cell without heights: its edges are all borders, or inside faces.
-inline std::vector<Border> borders_of(std::span<const Surface> surfaces, const Box2& cell) {
-  const map::Heightfield flat{cell.min, cell.width(), 2, 2, {0, 0, 0, 0}};
-  Report ignored;
-  return borders_of(expand_cell(surfaces, flat, cell, 100, ignored));
+/// What lies at a place, by the border straight above it. The cell's own must be among them.
+inline std::uint32_t surface_between(std::span<const Border> borders, Vec2 p) {
+  const Border* above = nullptr;
+  double least_m = 0;
+  for (const Border& border : borders) {
+    const Vec2 a = plane_point(border.a), b = plane_point(border.b);
+    // a is the western end; upright borders are passed by
+    if (p.x < a.x || p.x >= b.x) continue;
+    const double rise_m = a.y + (b.y - a.y) * ((p.x - a.x) / (b.x - a.x)) - p.y;
+    if (rise_m < 0 || (above != nullptr && rise_m >= least_m)) continue;
+    above = &border;
+    least_m = rise_m;
+  }
+  return above == nullptr ? kNoSurface : above->right;
 }
 
 inline bool no_two_cross(std::vector<Border> borders) {

