@@ -22,7 +22,8 @@ struct YieldedSlivers {
 ///
 /// @param borders      Meet only at their ends; the cell's own are among them.
 /// @param thickness_m  >= 0. A face is thin if every point of it is proved to lie within this of its border: strips up
-/// to about this width are, strips of more than twice the width never.
+/// to about this width are, strips of more than twice the width never: half a tolerance spares all that is wider than
+/// it.
 /// @param may_yield    Says of a surface that its faces may go.
 /// Guarantees: error_m <= thickness_m; faces on the cell's border stay, so cells meet as before; no vertex is new. A
 /// function of the set of borders. Total.
