@@ -46,16 +46,27 @@ PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, Gri
   buckets.side = static_cast<std::int64_t>(std::ceil(side));
   buckets.columns = (max.x - min.x) / buckets.side + 1;
   buckets.rows = (max.y - min.y) / buckets.side + 1;
-  const auto index = [&](GridPoint p) {
-    return static_cast<std::size_t>(buckets.row(p.y) * buckets.columns + buckets.column(p.x));
-  };
-  buckets.starts.assign(static_cast<std::size_t>(buckets.columns * buckets.rows) + 1, 0);
-  for (const GridPoint p : points) ++buckets.starts[index(p) + 1];
-  for (std::size_t i = 1; i < buckets.starts.size(); ++i) buckets.starts[i] += buckets.starts[i - 1];
+  const auto index = [&](GridPoint p) { return buckets.index(buckets.column(p.x), buckets.row(p.y)); };
+  buckets.ends.assign(static_cast<std::size_t>(buckets.columns * buckets.rows), 0);
+  for (const GridPoint p : points) ++buckets.ends[index(p)];
+  std::uint32_t before = 0;
+  for (std::uint32_t& end : buckets.ends) {
+    buckets.starts.push_back(before);
+    before += std::exchange(end, before);
+  }
   buckets.members.resize(points.size());
-  std::vector<std::uint32_t> next(buckets.starts.begin(), buckets.starts.end() - 1);
-  for (std::uint32_t i = 0; i < points.size(); ++i) buckets.members[next[index(points[i])]++] = i;
+  for (std::uint32_t i = 0; i < points.size(); ++i) buckets.members[buckets.ends[index(points[i])]++] = i;
   return buckets;
+}
+
+void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place) {
+  const std::size_t bucket = buckets.index(buckets.column(place.x), buckets.row(place.y));
+  const auto first = buckets.members.begin() + buckets.starts[bucket],
+             last = buckets.members.begin() + buckets.ends[bucket];
+  const auto at = std::find(first, last, index);
+  if (at == last) return;
+  std::move(at + 1, last, at);
+  --buckets.ends[bucket];
 }
 
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p) {
@@ -73,8 +84,8 @@ std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoi
 Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y) {
   Run run{INT64_MAX, INT64_MIN};
   const auto reach = [&](double x) {
-    run.low = std::min(run.low, static_cast<std::int64_t>(std::floor(x)) - 1);
-    run.high = std::max(run.high, static_cast<std::int64_t>(std::ceil(x)) + 1);
+    run.low = std::min(run.low, static_cast<std::int64_t>(std::floor(x)) - 2);
+    run.high = std::max(run.high, static_cast<std::int64_t>(std::ceil(x)) + 2);
   };
   for (int i = 0; i < 3; ++i) {
     GridPoint a = corners[i], b = corners[(i + 1) % 3];

@@ -16,24 +16,30 @@ inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// About two points a bucket. Refers to points by their index, not to where they are kept.
+/// About two points a bucket where they are spread evenly. Refers to points by their index, not to where they are kept.
 struct PointBuckets {
   GridPoint min;
   std::int64_t side = 1;
   std::int64_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> starts;   ///< columns * rows + 1 offsets into `members`.
-  std::vector<std::uint32_t> members;  ///< Indices of points, rising in each bucket.
+  std::vector<std::uint32_t> starts, ends;  ///< One a bucket, row by row: offsets into `members`.
+  std::vector<std::uint32_t> members;       ///< Indices of points, rising in each bucket.
 
   std::int64_t column(std::int64_t x) const { return std::clamp<std::int64_t>((x - min.x) / side, 0, columns - 1); }
   std::int64_t row(std::int64_t y) const { return std::clamp<std::int64_t>((y - min.y) / side, 0, rows - 1); }
+  std::size_t index(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::size_t>(row * columns + column);
+  }
   std::span<const std::uint32_t> bucket(std::int64_t column, std::int64_t row) const {
-    const auto i = static_cast<std::size_t>(row * columns + column);
-    return std::span(members).subspan(starts[i], starts[i + 1] - starts[i]);
+    const std::size_t i = index(column, row);
+    return std::span(members).subspan(starts[i], ends[i] - starts[i]);
   }
 };
 
 /// @param min, max  What the points are spread over; those outside fall into the rim. O(n).
 PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, GridPoint max);
+
+/// Takes a point out. O(points in its bucket).
+void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 
 /// The point nearest to p, of equals the first in order of place. There must be one. O(1) expected where points are
 /// spread evenly.
@@ -45,20 +51,23 @@ struct Run {
 };
 Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
 
-/// Calls visit(index) for every point in the buckets that a triangle touches: all points of the closed triangle, and
-/// some around it.
+/// Calls visit(index) for every point in the buckets near a triangle: all points within a grid step of it (in x and in
+/// y), and some around. Stops where visit returns true; whether it did.
 template <typename Visit>
-void for_each_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 3>& corners, Visit visit) {
+bool any_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 3>& corners, Visit visit) {
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-  const std::int64_t last = buckets.row(high_y);
-  for (std::int64_t row = buckets.row(low_y); row <= last; ++row) {
+  const std::int64_t last = buckets.row(high_y + 1);
+  for (std::int64_t row = buckets.row(low_y - 1); row <= last; ++row) {
     // the rim's buckets have no end outwards
-    const Run run = run_of_triangle(corners, row == 0 ? low_y : buckets.min.y + row * buckets.side,
-                                    row == buckets.rows - 1 ? high_y : buckets.min.y + (row + 1) * buckets.side);
+    const std::int64_t low = row == 0 ? low_y : buckets.min.y + row * buckets.side - 1;
+    const std::int64_t high = row == buckets.rows - 1 ? high_y : buckets.min.y + (row + 1) * buckets.side + 1;
+    const Run run = run_of_triangle(corners, low, high);
     if (run.low > run.high) continue;
     for (std::int64_t column = buckets.column(run.low); column <= buckets.column(run.high); ++column)
-      for (const std::uint32_t i : buckets.bucket(column, row)) visit(i);
+      for (const std::uint32_t i : buckets.bucket(column, row))
+        if (visit(i)) return true;
   }
+  return false;
 }
 
 }  // namespace citykiln

@@ -182,10 +182,11 @@ WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& c
   for (int i = 0; i < 3; ++i) plane.corners[i] = grid_point(in_plan(corners[i]));
   const auto& vertices = reference.triangulation.vertices();
   WorstPoint worst;
-  for_each_near_triangle(reference.buckets, plane.corners, [&](std::uint32_t v) {
-    if (!plane.holds(vertices[v])) return;
-    consider(worst, std::abs(plane.height_m_at(vertices[v]) - height_of(reference, v, layer)),
-             plane_point(vertices[v]));
+  any_near_triangle(reference.buckets, plane.corners, [&](std::uint32_t v) {
+    if (plane.holds(vertices[v]))
+      consider(worst, std::abs(plane.height_m_at(vertices[v]) - height_of(reference, v, layer)),
+               plane_point(vertices[v]));
+    return false;
   });
   return worst;
 }

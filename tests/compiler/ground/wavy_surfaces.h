@@ -1,0 +1,38 @@
+// Surfaces with many corners, over each other and over the cell's border.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "compiler/contract/draw.h"
+#include "compiler/geometry/arrangement.h"
+#include "compiler/ground/recipe.h"
+
+namespace citykiln::ground {
+
+/// Lobed rings of 60 corners with noise, of all sizes, in and about the cell -128 … 0, 0 … 128.
+inline std::vector<Surface> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
+  constexpr map::SurfaceClass kClasses[] = {map::SurfaceClass::kMeadow, map::SurfaceClass::kForest,
+                                            map::SurfaceClass::kLake, map::SurfaceClass::kResidentialRoad,
+                                            map::SurfaceClass::kBuilding};
+  std::vector<Surface> surfaces;
+  const Draw draw(seed, StableId{20}, "surfaces");
+  std::uint32_t next = 0;
+  for (int s = 0; s < count; ++s) {
+    const Vec2 centre{draw.between(-140, 12, next), draw.between(-12, 140, next + 1)};
+    const double radius_m = draw.between(2, 40, next + 2);
+    next += 3;
+    Ring ring;
+    for (int i = 0; i < 60; ++i, next += 2) {
+      const double turn = 2 * 3.14159265 * i / 60;
+      const double at_m = radius_m * (1 + 0.3 * std::sin(5 * turn));
+      const Vec2 p{centre.x + at_m * std::cos(turn) + draw.between(-noise_m, noise_m, next),
+                   centre.y + at_m * std::sin(turn) + draw.between(-noise_m, noise_m, next + 1)};
+      ring.push_back(plane_point(grid_point(p)));
+    }
+    surfaces.push_back({{{OsmType::kWay, s + 1}, 0}, kClasses[s % 5], static_cast<std::uint32_t>(radius_m), {ring}});
+  }
+  return surfaces;
+}
+
+}  // namespace citykiln::ground
