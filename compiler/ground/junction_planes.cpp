@@ -43,8 +43,11 @@ Plane plane_of(const ProfileGraph& graph, std::span<const std::uint32_t> nodes, 
   }
   const double area = xx * yy - xy * xy;
   plane.gradient = Vec2{xz * yy - yz * xy, yz * xx - xz * xy} * (1 / area);
+  double most = kPlaneSlope;
+  for (const std::uint32_t n : nodes)
+    for (const Leg& leg : graph.legs_of(n)) most = std::min(most, limit_of(graph, leg));
   const double slope = length(plane.gradient);
-  if (slope > kPlaneSlope) plane.gradient = plane.gradient * (kPlaneSlope / slope);
+  if (slope > most) plane.gradient = plane.gradient * (most / slope);
   return plane;
 }
 

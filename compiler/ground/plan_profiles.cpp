@@ -13,6 +13,9 @@
 namespace citykiln::ground {
 namespace {
 
+/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back: times
+/// that all are asked.
+constexpr int kRounds = 2;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
 
@@ -45,8 +48,7 @@ void tell_loose_ends(const ProfileGraph& graph, Report& report) {
     if (way.track->passage != map::Passage::kBridge) continue;
     const std::span<const Station> stations = graph.stations_of(way);
     for (const Station& end : {stations.front(), stations.back()})
-      if (graph.nodes[end.node].is_pinned && graph.nodes[end.node].legs == 1)
-        report.add(Code::kBridgeWithoutGround, way.track->id.osm);
+      if (graph.nodes[end.node].is_loose) report.add(Code::kBridgeWithoutGround, way.track->id.osm);
   }
 }
 
@@ -58,12 +60,13 @@ bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Profil
 }
 
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
-  const std::vector<double> line_m = line_heights(graph, heights);
-  const std::vector<double> smooth_m = smooth_heights(graph, line_m);
-  const Plates plates = level_junctions(graph, smooth_m);
-  const std::vector<double> limited_m = limit_grades(graph, plates.z_m);
-  const std::vector<double> clear_m = clear_crossings(graph, crossings, heights, limited_m);
-  return level_junctions(graph, clear_m);
+  Plates plates = level_junctions(graph, smooth_heights(graph, line_heights(graph, heights)));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  for (int round = 0; round < kRounds; ++round) {
+    plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
+    plates.z_m = limit_grades(graph, plates.z_m);
+  }
+  return plates;
 }
 
 }  // namespace
