@@ -15,7 +15,7 @@ namespace {
 
 /// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back: times
 /// that all are asked.
-constexpr int kRounds = 2;
+constexpr int kRounds = 1;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
 
