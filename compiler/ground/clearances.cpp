@@ -15,6 +15,8 @@ using map::Passage;
 
 /// Crossings that lack less than this are left alone.
 constexpr double kMet_m = 0.01;
+/// What neighbours take from a crossing that was met is given back once, if it is no more than this.
+constexpr double kRest_m = 2;
 /// Where a ramp meets the road it is rounded over this height.
 constexpr double kFoot_m = 0.5;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
@@ -176,13 +178,14 @@ std::vector<int> Clearer::storeys(bool of_upper) const {
 // Storey by storey, each crossing once: what is joined so that both rise does not rise for ever.
 void Clearer::dig_and_lift(bool of_upper) {
   const std::vector<int> storey = storeys(of_upper);
-  for (int round = 1; round <= kLiftRounds; ++round) {
+  for (int round = 1; round <= kLiftRounds + 1; ++round) {
+    const bool is_last = round > kLiftRounds;
     std::vector<Push> pushes;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
-      if (storey[i] != round) continue;
+      if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
       const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
-      if (lack_m <= kMet_m) continue;
+      if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
       pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
     }
     if (!of_upper) z_m = negated(z_m);
