@@ -188,6 +188,7 @@ void Clearer::dig_and_lift(bool of_upper) {
       if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
       pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
     }
+    if (pushes.empty()) continue;
     if (!of_upper) z_m = negated(z_m);
     push_up(pushes);
     if (!of_upper) z_m = negated(z_m);

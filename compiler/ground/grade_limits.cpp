@@ -149,6 +149,8 @@ std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const doub
   const std::vector<double> turned_m = negated(z_m);
   const std::vector<double> down_m = Lowering(graph, units, z_m, {}).run();
   const std::vector<double> up_m = Lowering(graph, units, turned_m, {}).run();
+  const auto stays = [](double m) { return m == 0; };
+  if (std::ranges::all_of(down_m, stays) && std::ranges::all_of(up_m, stays)) return {z_m.begin(), z_m.end()};
   const std::vector<double> room_up_m = room_of(graph, units, z_m), room_down_m = room_of(graph, units, turned_m);
   std::vector<double> limited;
   for (std::uint32_t n = 0; n < z_m.size(); ++n) {

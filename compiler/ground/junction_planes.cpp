@@ -93,7 +93,8 @@ Plates level_junctions(const ProfileGraph& graph, std::span<const double> z_m) {
   Plates plates{{z_m.begin(), z_m.end()}, std::vector<Vec2>(z_m.size())};
   std::vector<double> moved_m(z_m.size());
   for (const std::vector<std::uint32_t>& nodes : nodes_by_junction(graph)) {
-    if (nodes.empty()) continue;
+    const auto is_level = [&](std::uint32_t n) { return z_m[n] == z_m[nodes.front()]; };
+    if (std::ranges::all_of(nodes, is_level)) continue;
     const Plane plane = plane_of(graph, nodes, z_m);
     for (const std::uint32_t n : nodes) {
       plates.z_m[n] = plane.height_m(graph.nodes[n].at);
@@ -101,7 +102,7 @@ Plates level_junctions(const ProfileGraph& graph, std::span<const double> z_m) {
       moved_m[n] = plates.z_m[n] - z_m[n];
     }
   }
-  ease(graph, moved_m, plates.z_m);
+  if (std::ranges::any_of(moved_m, [](double m) { return m != 0; })) ease(graph, moved_m, plates.z_m);
   return plates;
 }
 

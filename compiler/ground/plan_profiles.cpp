@@ -52,11 +52,13 @@ void tell_loose_ends(const ProfileGraph& graph, Report& report) {
   }
 }
 
-bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Profile& profile,
+// All along, and so is the heightmap.
+bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates& plates,
                    const map::Heightfield& heights) {
-  const auto is_zero = [](const Knot& k) { return k.z_m == 0 && k.tilt == 0; };
-  const auto lies_at_zero = [&](const Station& s) { return height_m_at(heights, graph.nodes[s.node].at) == 0; };
-  return std::ranges::all_of(profile, is_zero) && std::ranges::all_of(graph.stations_of(way), lies_at_zero);
+  return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
+    return plates.z_m[s.node] == 0 && plates.gradient[s.node] == Vec2{} &&
+           height_m_at(heights, graph.nodes[s.node].at) == 0;
+  });
 }
 
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
@@ -81,11 +83,10 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
   Profiles profiles{std::move(roads), {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   for (const GradedWay& way : graph.ways) {
-    Profile profile = knots_of(graph, way, plates);
     if (way.road == kNone) {
-      profiles.off_ground[way.off_ground] = std::move(profile);
-    } else if (!is_level_zero(graph, way, profile, heights)) {
-      profiles.roads[way.road].profile = std::move(profile);
+      profiles.off_ground[way.off_ground] = knots_of(graph, way, plates);
+    } else if (!is_level_zero(graph, way, plates, heights)) {
+      profiles.roads[way.road].profile = knots_of(graph, way, plates);
     }
   }
   tell_steep(graph, plates.z_m, report);
