@@ -15,6 +15,8 @@ using map::Passage;
 
 /// Crossings that lack less than this are left alone.
 constexpr double kMet_m = 0.01;
+/// What neighbours take from a crossing that was met is given back once, if it is no more than this.
+constexpr double kRest_m = 2;
 /// Where a ramp meets the road it is rounded over this height.
 constexpr double kFoot_m = 0.5;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
@@ -57,10 +59,10 @@ struct Clearer {
   std::vector<double> covers(const map::Heightfield& heights) const;
   void sink(std::span<const double> floor_m, std::span<const double> cover_m);
   void push_up(std::span<const Push> pushes);
-  void dig();
-  void lift();
+  std::vector<int> storeys(bool of_upper) const;
+  bool moves(const Crossing& c, bool of_upper) const;
+  void dig_and_lift(bool of_upper);
   void keep_near_start();
-  std::vector<Push> lacking(bool is_wanted(const Clearer&, const Crossing&), bool of_upper) const;
 };
 
 // From each mouth of a tunnel down at the ramps' grade.
@@ -147,33 +149,50 @@ void Clearer::push_up(std::span<const Push> pushes) {
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
 
-std::vector<Push> Clearer::lacking(bool is_wanted(const Clearer&, const Crossing&), bool of_upper) const {
-  std::vector<Push> pushes;
-  for (const Crossing& c : crossings) {
-    if (!is_wanted(*this, c)) continue;
-    const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
-    if (lack_m <= kMet_m) continue;
-    pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
+// Bridges rise; tunnels for vehicles go down, with their approaches, under what is no bridge.
+bool Clearer::moves(const Crossing& c, bool of_upper) const {
+  if (of_upper) return passage_of(c.upper) == Passage::kBridge;
+  return c.lower != kNone && passage_of(c.lower) == Passage::kTunnel && passage_of(c.upper) != Passage::kBridge &&
+         map::values_of(graph.ways[c.lower].track->surface).group != map::SurfaceGroup::kPath;
+}
+
+// By crossing: how many lie one above the other below it (above it, for tunnels), itself among them.
+std::vector<int> Clearer::storeys(bool of_upper) const {
+  std::vector<int> of_way(graph.ways.size(), 0), of_crossing(crossings.size(), 0);
+  for (int round = 0; round < kLiftRounds; ++round) {
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const Crossing& c = crossings[i];
+      if (!moves(c, of_upper)) continue;
+      const std::uint32_t still = of_upper ? c.lower : c.upper;
+      of_crossing[i] = 1 + (still == kNone ? 0 : of_way[still]);
+    }
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (of_crossing[i] == 0) continue;
+      int& storey = of_way[of_upper ? crossings[i].upper : crossings[i].lower];
+      storey = std::max(storey, of_crossing[i]);
+    }
   }
-  return pushes;
+  return of_crossing;
 }
 
-// Tunnels for vehicles, with their approaches, under what is no bridge.
-void Clearer::dig() {
-  const auto is_wanted = [](const Clearer& self, const Crossing& c) {
-    return c.lower != kNone && self.passage_of(c.lower) == Passage::kTunnel &&
-           self.passage_of(c.upper) != Passage::kBridge &&
-           map::values_of(self.graph.ways[c.lower].track->surface).group != map::SurfaceGroup::kPath;
-  };
-  const std::vector<Push> pushes = lacking(is_wanted, false);
-  z_m = negated(z_m);
-  push_up(pushes);
-  z_m = negated(z_m);
-}
-
-void Clearer::lift() {
-  push_up(lacking([](const Clearer& self, const Crossing& c) { return self.passage_of(c.upper) == Passage::kBridge; },
-                  true));
+// Storey by storey, each crossing once: what is joined so that both rise does not rise for ever.
+void Clearer::dig_and_lift(bool of_upper) {
+  const std::vector<int> storey = storeys(of_upper);
+  for (int round = 1; round <= kLiftRounds + 1; ++round) {
+    const bool is_last = round > kLiftRounds;
+    std::vector<Push> pushes;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const Crossing& c = crossings[i];
+      if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
+      const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
+      if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
+      pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
+    }
+    if (pushes.empty()) continue;
+    if (!of_upper) z_m = negated(z_m);
+    push_up(pushes);
+    if (!of_upper) z_m = negated(z_m);
+  }
 }
 
 void Clearer::keep_near_start() {
@@ -189,8 +208,8 @@ std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const C
   const std::vector<double> floor_m = clearer.floors();
   clearer.sink(floor_m, clearer.covers(heights));
   for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
-  for (int round = 0; round < kLiftRounds; ++round) clearer.dig();
-  for (int round = 0; round < kLiftRounds; ++round) clearer.lift();
+  clearer.dig_and_lift(false);
+  clearer.dig_and_lift(true);
   clearer.keep_near_start();
   return std::move(clearer.z_m);
 }

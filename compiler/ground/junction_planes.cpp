@@ -43,8 +43,11 @@ Plane plane_of(const ProfileGraph& graph, std::span<const std::uint32_t> nodes, 
   }
   const double area = xx * yy - xy * xy;
   plane.gradient = Vec2{xz * yy - yz * xy, yz * xx - xz * xy} * (1 / area);
+  double most = kPlaneSlope;
+  for (const std::uint32_t n : nodes)
+    for (const Leg& leg : graph.legs_of(n)) most = std::min(most, limit_of(graph, leg));
   const double slope = length(plane.gradient);
-  if (slope > kPlaneSlope) plane.gradient = plane.gradient * (kPlaneSlope / slope);
+  if (slope > most) plane.gradient = plane.gradient * (most / slope);
   return plane;
 }
 
@@ -90,7 +93,8 @@ Plates level_junctions(const ProfileGraph& graph, std::span<const double> z_m) {
   Plates plates{{z_m.begin(), z_m.end()}, std::vector<Vec2>(z_m.size())};
   std::vector<double> moved_m(z_m.size());
   for (const std::vector<std::uint32_t>& nodes : nodes_by_junction(graph)) {
-    if (nodes.empty()) continue;
+    const auto is_level = [&](std::uint32_t n) { return z_m[n] == z_m[nodes.front()]; };
+    if (std::ranges::all_of(nodes, is_level)) continue;
     const Plane plane = plane_of(graph, nodes, z_m);
     for (const std::uint32_t n : nodes) {
       plates.z_m[n] = plane.height_m(graph.nodes[n].at);
@@ -98,7 +102,7 @@ Plates level_junctions(const ProfileGraph& graph, std::span<const double> z_m) {
       moved_m[n] = plates.z_m[n] - z_m[n];
     }
   }
-  ease(graph, moved_m, plates.z_m);
+  if (std::ranges::any_of(moved_m, [](double m) { return m != 0; })) ease(graph, moved_m, plates.z_m);
   return plates;
 }
 

@@ -8,7 +8,7 @@
 
 namespace citykiln::ground {
 
-/// No junction is steeper than this, whichever way.
+/// No junction is steeper than this, whichever way, nor than the limit of any of its roads.
 inline constexpr double kPlaneSlope = 0.08;
 /// What a plane moves its arms' ends by is spread over as much road as keeps it below 1 in kSpread, between these.
 inline constexpr double kSpread = 20, kLeastSpread_m = 16, kMostSpread_m = 64;

@@ -40,7 +40,7 @@ void draw_endless(const ProfileGraph& graph, std::span<const double> weight, std
   };
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (is_endless(n)) under_m[n] = z_m[n] - kCover_m;
-  under_m = lowered_to_limits(graph, under_m);
+  under_m = lowered_to_limits(graph, under_m, {kSpanReach_m, kSpanReach_m});
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (is_endless(n)) z_m[n] = under_m[n];
 }

@@ -13,6 +13,9 @@
 namespace citykiln::ground {
 namespace {
 
+/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back: times
+/// that all are asked.
+constexpr int kRounds = 1;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
 
@@ -45,25 +48,27 @@ void tell_loose_ends(const ProfileGraph& graph, Report& report) {
     if (way.track->passage != map::Passage::kBridge) continue;
     const std::span<const Station> stations = graph.stations_of(way);
     for (const Station& end : {stations.front(), stations.back()})
-      if (graph.nodes[end.node].is_pinned && graph.nodes[end.node].legs == 1)
-        report.add(Code::kBridgeWithoutGround, way.track->id.osm);
+      if (graph.nodes[end.node].is_loose) report.add(Code::kBridgeWithoutGround, way.track->id.osm);
   }
 }
 
-bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Profile& profile,
+// All along, and so is the heightmap.
+bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates& plates,
                    const map::Heightfield& heights) {
-  const auto is_zero = [](const Knot& k) { return k.z_m == 0 && k.tilt == 0; };
-  const auto lies_at_zero = [&](const Station& s) { return height_m_at(heights, graph.nodes[s.node].at) == 0; };
-  return std::ranges::all_of(profile, is_zero) && std::ranges::all_of(graph.stations_of(way), lies_at_zero);
+  return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
+    return plates.z_m[s.node] == 0 && plates.gradient[s.node] == Vec2{} &&
+           height_m_at(heights, graph.nodes[s.node].at) == 0;
+  });
 }
 
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
-  const std::vector<double> line_m = line_heights(graph, heights);
-  const std::vector<double> smooth_m = smooth_heights(graph, line_m);
-  const Plates plates = level_junctions(graph, smooth_m);
-  const std::vector<double> limited_m = limit_grades(graph, plates.z_m);
-  const std::vector<double> clear_m = clear_crossings(graph, crossings, heights, limited_m);
-  return level_junctions(graph, clear_m);
+  Plates plates = level_junctions(graph, smooth_heights(graph, line_heights(graph, heights)));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  for (int round = 0; round < kRounds; ++round) {
+    plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
+    plates.z_m = limit_grades(graph, plates.z_m);
+  }
+  return plates;
 }
 
 }  // namespace
@@ -78,11 +83,10 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
   Profiles profiles{std::move(roads), {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   for (const GradedWay& way : graph.ways) {
-    Profile profile = knots_of(graph, way, plates);
     if (way.road == kNone) {
-      profiles.off_ground[way.off_ground] = std::move(profile);
-    } else if (!is_level_zero(graph, way, profile, heights)) {
-      profiles.roads[way.road].profile = std::move(profile);
+      profiles.off_ground[way.off_ground] = knots_of(graph, way, plates);
+    } else if (!is_level_zero(graph, way, plates, heights)) {
+      profiles.roads[way.road].profile = knots_of(graph, way, plates);
     }
   }
   tell_steep(graph, plates.z_m, report);

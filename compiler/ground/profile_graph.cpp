@@ -108,7 +108,7 @@ void Builder::join_place(std::span<const Passing> here) {
         std::ranges::any_of(members, [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; });
     if (members.empty() || !matters) return;
     const auto node = static_cast<std::uint32_t>(graph.nodes.size());
-    graph.nodes.push_back({members.front().at, !members.front().is_off, false, kNone, 0, 0});
+    graph.nodes.push_back({members.front().at, !members.front().is_off, false, false, kNone, 0, 0});
     for (const Passing& p : members) drafts[p.way].node_at[p.vertex] = node;
   };
   std::vector<Passing> ground, rest;
@@ -204,7 +204,7 @@ void Builder::put_stations() {
     const auto put = [&](double at_m, std::uint32_t junction) {
       graph.stations.push_back({at_m, static_cast<std::uint32_t>(graph.nodes.size())});
       const Vec2 at = point_at(way.track->axis, draft.along, at_m);
-      graph.nodes.push_back({at, way.road != kNone, false, junction, 0, 0});
+      graph.nodes.push_back({at, way.road != kNone, false, false, junction, 0, 0});
     };
     for (std::size_t s = 0; s < stops.size(); ++s) {
       if (s > 0) {
@@ -268,8 +268,10 @@ void Builder::pin() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     const GradedWay& way = graph.ways[w];
     if (way.track->passage != Passage::kBridge) continue;
-    for (const std::uint32_t end : {drafts[w].node_at.front(), drafts[w].node_at.back()})
-      if (!graph.nodes[end].is_on_ground && graph.nodes[end].legs == 1) graph.nodes[end].is_pinned = true;
+    for (const std::uint32_t end : {drafts[w].node_at.front(), drafts[w].node_at.back()}) {
+      GraphNode& node = graph.nodes[end];
+      if (!node.is_on_ground && !node.is_pinned && node.legs == 1) node.is_loose = node.is_pinned = true;
+    }
   }
 }
 

@@ -33,6 +33,7 @@ struct GraphNode {
   Vec2 at;                         ///< Plane metres.
   bool is_on_ground = false;       ///< Of a way of the ground.
   bool is_pinned = false;          ///< Lies on the ground as it is: where what leaves the ground comes down on a path.
+  bool is_loose = false;           ///< A bridge's end that meets nothing; pinned.
   std::uint32_t junction = kNone;  ///< On whose plane it lies.
   std::uint32_t first_leg = 0, legs = 0;
 };

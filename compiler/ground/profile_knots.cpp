@@ -37,6 +37,15 @@ class Directions {
   double passed_m_ = 0;
 };
 
+// The height of a knot that lies a little before or after its station, so that the profile has the station's height
+// there.
+double height_beside(std::span<const Station> stations, std::size_t s, std::span<const double> z_m, double after_m) {
+  const double own_m = z_m[stations[s].node];
+  const std::size_t other = after_m > 0 ? s - 1 : s + 1;
+  if (after_m == 0 || other >= stations.size()) return own_m;
+  return own_m + (z_m[stations[other].node] - own_m) * after_m / (stations[other].at_m - stations[s].at_m);
+}
+
 std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GradedWay& way, const Plates& plates) {
   std::vector<Candidate> candidates;
   Directions directions(way.track->axis);
@@ -46,10 +55,9 @@ std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GradedWay&
     const double at_m =
         is_last ? std::floor(stations[s].at_m / kAlong_m) * kAlong_m : snapped_to(kAlong_m, stations[s].at_m);
     const std::uint32_t node = stations[s].node;
-    const double z_m = height_along(graph, way, plates.z_m, at_m);
+    const double z_m = height_beside(stations, s, plates.z_m, at_m - stations[s].at_m);
     const double tilt = dot(plates.gradient[node], left_of(directions.at(stations[s].at_m)));
-    const Knot knot{at_m, snapped_to(kProfileQuantum_m, s == 0 || is_last ? plates.z_m[node] : z_m),
-                    snapped_to(kTiltQuantum, tilt)};
+    const Knot knot{at_m, snapped_to(kProfileQuantum_m, z_m), snapped_to(kTiltQuantum, tilt)};
     // the end stays where rounding puts two on one place
     if (!candidates.empty() && candidates.back().knot.at_m >= at_m) {
       if (!is_last) continue;
