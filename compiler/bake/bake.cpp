@@ -59,7 +59,7 @@ void fire_ground(Firing& firing, const ground::Carving& carving, const Box2& box
   Markings markings = lay_out_markings(cover, firing.tolerance_m);
   for (const ground::GroundMesh& ground :
        expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
-    firing.certify(ground.error_m);
+    firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
     firing.take(dress(ground, cover, markings, firing.header.seed));
   }
   firing.tile.sheet = std::move(markings.sheet);

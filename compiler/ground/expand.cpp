@@ -1,12 +1,15 @@
 #include "compiler/ground/expand.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/ground/bend_borders.h"
 #include "compiler/ground/carve_lines.h"
 #include "compiler/ground/partition.h"
 #include "compiler/ground/refine.h"
+#include "compiler/ground/simplify_borders.h"
 #include "compiler/ground/step_mesh.h"
+#include "compiler/ground/yield_slivers.h"
 
 namespace citykiln::ground {
 namespace {
@@ -17,6 +20,10 @@ constexpr double kFinestBorders = 8;
 // The cell's own border is split at this share of the tolerance. A vertex close to a border that is off by a, where the
 // border is off by b, leaves an edge between them that is off by at most a + b: two halves are the tolerance.
 constexpr double kCellBorderShare = 0.5;
+
+// Of the tolerance, what borders may be off in plan, and what thin faces may be thick: together a little over two
+// thirds, so that as much is left for heights (the squares add up).
+constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
 std::vector<HeightLayer> layers_of(std::span<const Surface> surfaces) {
   std::vector<HeightLayer> layers;
@@ -31,13 +38,32 @@ std::vector<HeightLayer> face_layers(std::span<const std::uint32_t> face_surface
   return of_faces;
 }
 
-// Borders bent to the ground, and points between them, to the tolerance; borders inside the cell to a finer one.
+// Thin faces given away, and the rest of the borders simplified; no border is off by more than the error.
+struct Simpler {
+  std::vector<Border> borders;
+  double error_m;
+};
+
+Simpler simpler_borders(std::span<const Border> borders, double tolerance_m) {
+  const auto any = [](std::uint32_t) { return true; };
+  const auto none = [](GridPoint) { return false; };
+  YieldedSlivers yielded = yield_slivers(borders, kSliverShare * tolerance_m, any);
+  SimplifiedBorders simplified = simplify_borders(yielded.borders, kBorderShare * tolerance_m, none);
+  return {std::move(simplified.borders), yielded.error_m + simplified.error_m};
+}
+
+// How far off the ground the cell's own border, the borders inside and the faces may be.
+struct HeightTolerances {
+  double cell_border_m, borders_m, faces_m;
+};
+
+// Borders bent to the ground, and points between them.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const HeightLayer> layers,
-                   double tolerance_m, double inner_m) {
-  const Bent bent = bend_to(reference, borders, layers, kCellBorderShare * tolerance_m, inner_m);
+                   const HeightTolerances& tolerances) {
+  const Bent bent = bend_to(reference, borders, layers, tolerances.cell_border_m, tolerances.borders_m);
   Partition seen = partition_of(bent.borders, bent.points, reference.cell);
   std::vector<HeightLayer> of_faces = face_layers(seen.face_surface, layers);
-  return refine(std::move(seen), std::move(of_faces), reference, tolerance_m);
+  return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
 Reference reference_on(Delaunay&& triangulation, const Carving& carving, const Box2& cell) {
@@ -57,19 +83,25 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
                        Report& report) {
   const std::vector<HeightLayer> layers = layers_of(surfaces);
   Partition all = partition_all(layers_near(surfaces, cell), carve_lines(carving, cell), cell);
-  const std::vector<Border> borders = seen_borders(all);
+  const Simpler simpler = simpler_borders(seen_borders(all), tolerance_m);
   const Reference reference = reference_on(std::move(all.triangulation), carving, cell);
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
   // vertex: then the borders are split more finely. The cell's own border is not: its vertices are the neighbour's too.
-  double inner_m = tolerance_m;
-  Refined refined = refined_to(reference, borders, layers, tolerance_m, inner_m);
-  while (refined.error_m > tolerance_m && inner_m > tolerance_m / kFinestBorders) {
+  const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
+  double inner_m = height_m;
+  const auto refine_borders = [&] {
+    return refined_to(reference, simpler.borders, layers, {kCellBorderShare * tolerance_m, inner_m, height_m});
+  };
+  Refined refined = refine_borders();
+  while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
     inner_m /= 2;
-    refined = refined_to(reference, borders, layers, tolerance_m, inner_m);
+    refined = refine_borders();
   }
-  if (refined.error_m > tolerance_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  return step_mesh(refined, carving);
+  if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
+  GroundMesh ground = step_mesh(refined, carving);
+  ground.border_error_m = simpler.error_m;
+  return ground;
 }
 
 }  // namespace citykiln::ground

@@ -5,10 +5,11 @@
 //      arrangement on the 2^-10 m grid; triangulated, with the carved heights at its vertices, it is the reference
 //   2. its faces learn what covers them by counting the rings they are inside of; borders between equal faces are
 //      forgotten
-//   3. what is left is split where the height along it would be off by more than the tolerance
-//   4. a constrained Delaunay triangulation takes points of the reference until no face is off by more than the
+//   3. thin faces yield to their neighbours and borders are simplified, both to a share of the tolerance
+//   4. what is left is split where the height along it would be off by more than the tolerance
+//   5. a constrained Delaunay triangulation takes points of the reference until no face is off by more than the
 //      tolerance
-//   5. where surfaces of different layers meet at different heights, upright faces close the step
+//   6. where surfaces of different layers meet at different heights, upright faces close the step
 //
 // See ground.md for why neighbouring cells fit byte for byte, and for the error's proof.
 #pragma once
@@ -31,6 +32,7 @@ struct GroundMesh {
   Mesh mesh;  ///< Upwards, then upright faces; positions on the 2^-10 m grid; normals of the carved ground.
   std::vector<std::uint32_t> face_surface;  ///< One a triangle: index into the surfaces given, or kNoSurface.
   std::uint32_t first_upright = 0;          ///< Triangles from here on stand upright: kerbs, quays, walls.
+  double border_error_m = 0;  ///< Largest distance in plan between borders and what they stand for, both ways.
   double error_m = 0;  ///< Largest vertical distance between mesh and carved ground, layer by layer: measured at all
                        ///< vertices of their overlay, so exact.
 };
@@ -44,8 +46,9 @@ struct GroundMesh {
 /// Guarantees: triangles that are not upright are counter-clockwise from above, they tile the cell exactly (sum of plan
 /// areas equals the cell's); each inner edge has two faces, or an upright one between them; border vertices depend only
 /// on surfaces and heights that touch the border, so cells made apart meet vertex for vertex; vertices take the carved
-/// height of their layer rounded to 2^-10 m; error_m <= max(tolerance_m, what a further vertex could not mend; then
-/// diagnosed kToleranceNotMet). Cost: n log n in border segments and inserted samples.
+/// height of their layer rounded to 2^-10 m; error_m and border_error_m, squared and added, <= tolerance_m squared, but
+/// for what a further vertex could not mend; then diagnosed kToleranceNotMet. Cost: n log n in border segments and
+/// inserted samples.
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report);
 
