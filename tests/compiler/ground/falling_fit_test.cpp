@@ -59,6 +59,7 @@ TEST(FallingFit, FallsWhereRiversPart) {
     const Draw draw(seed, StableId{2}, "arms");
     for (std::uint32_t i = 1; i < 60; ++i) {
       flow.downstream[i].push_back(draw.below(i, 2 * i));
+      flow.pulls[i][0].height_m -= 3;
       flow.is_sea[i] = draw.below(10, 2 * i + 1) == 0;
       if (flow.is_sea[i]) flow.pulls[i] = {{0, 1 << 20, 1 << 20}};
     }
