@@ -41,12 +41,27 @@ void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
   bounds.most_m = std::min(bounds.most_m, z_m + slope);
 }
 
-Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, std::optional<double> water_m, Vec2 p,
-                 double terrain_m) {
+// Slopes start at the road's edge from what the roads agree on there, farther off from the height of the road alone.
+void keep_near_roads(Bounds& bounds, std::span<const Strand> strands, double nearer_m, double road_m,
+                     double terrain_m) {
+  for (const Strand& s : strands) {
+    if (!s.is_graded) continue;
+    const double away_m = std::max(0.0, s.beyond_m - nearer_m);
+    keep_near(bounds, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+  }
+}
+
+// How much of a road is felt: nothing where no road is in reach, all from half of it on.
+double road_share(std::span<const Strand> strands) {
+  double nearest_m = kCarve_m;
+  for (const Strand& s : strands) nearest_m = std::min(nearest_m, s.beyond_m);
+  return std::min(1.0, (kCarve_m - nearest_m) / (kCarve_m / 2));
+}
+
+Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const RoadHeight& road,
+                 std::optional<double> water_m, Vec2 p, double terrain_m) {
   Bounds bounds;
-  const double nearer_m = corner_m(carving, strands, p);
-  for (const Strand& s : strands)
-    if (s.is_graded) keep_near(bounds, s.z_m, std::max(0.0, s.beyond_m - nearer_m), terrain_m);
+  keep_near_roads(bounds, strands, corner_m(carving, strands, p), road.z_m, terrain_m);
   if (!water_m) return bounds;
   const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
   if (shore_m < kCarve_m) keep_near(bounds, *water_m, shore_m, terrain_m);
@@ -75,7 +90,7 @@ std::vector<Box2> reaches_of(std::span<const Surface> surfaces) {
 std::vector<Surface> on_layers(std::span<const Surface> surfaces, std::span<const HeightLayer> layers) {
   std::vector<Surface> chosen;
   for (const Surface& s : surfaces)
-    if (std::ranges::find(layers, layer_of(s.surface)) != layers.end()) chosen.push_back(s);
+    if (std::ranges::find(layers, layer_of(s)) != layers.end()) chosen.push_back(s);
   return chosen;
 }
 
@@ -100,11 +115,12 @@ Heights heights_at(const Carving& carving, Vec2 p) {
   const std::vector<Strand> strands = strands_at(carving.roads, p, terrain_m);
   const std::optional<double> water_m = water_at(carving, p);
   if (strands.empty() && !water_m) return {terrain_m, terrain_m, terrain_m, terrain_m};
-  const Bounds bounds = bounds_at(carving, strands, water_m, p, terrain_m);
+  const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
+  const Bounds bounds = bounds_at(carving, strands, road, water_m, p, terrain_m);
   // what is below wins: the higher road keeps its edge by a wall
   const double land_m = std::min(std::max(terrain_m, bounds.least_m), bounds.most_m);
-  const RoadHeight road = strands.empty() ? RoadHeight{land_m, 0} : blend(strands);
-  return {land_m, road.z_m, road.z_m - road.kerb_m, water_m.value_or(land_m)};
+  const double share = road_share(strands), road_m = land_m + (road.z_m - land_m) * share;
+  return {land_m, road_m, road_m - road.kerb_m * share, water_m.value_or(land_m)};
 }
 
 double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }

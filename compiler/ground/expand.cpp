@@ -27,7 +27,7 @@ constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
 std::vector<HeightLayer> layers_of(std::span<const Surface> surfaces) {
   std::vector<HeightLayer> layers;
-  for (const Surface& surface : surfaces) layers.push_back(layer_of(surface.surface));
+  for (const Surface& surface : surfaces) layers.push_back(layer_of(surface));
   return layers;
 }
 

@@ -1,8 +1,9 @@
 #include "compiler/ground/height_layer.h"
 
 namespace citykiln::ground {
+namespace {
 
-HeightLayer layer_of(map::SurfaceClass surface) {
+HeightLayer layer_of_class(map::SurfaceClass surface) {
   using enum map::SurfaceClass;
   switch (surface) {
     case kPavement:
@@ -28,6 +29,15 @@ HeightLayer layer_of(map::SurfaceClass surface) {
     default:
       return HeightLayer::kLand;
   }
+}
+
+bool is_strip_or_junction(const Surface& surface) { return surface.area_m2 <= kPassedJunctionArea_m2; }
+
+}  // namespace
+
+HeightLayer layer_of(const Surface& surface) {
+  const HeightLayer layer = layer_of_class(surface.surface);
+  return layer == HeightLayer::kWater || is_strip_or_junction(surface) ? layer : HeightLayer::kLand;
 }
 
 }  // namespace citykiln::ground

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "compiler/map/surface_class.h"
+#include "compiler/ground/recipe.h"
 
 namespace citykiln::ground {
 
@@ -23,7 +23,7 @@ using Heights = std::array<double, static_cast<std::size_t>(HeightLayer::kCount)
 
 inline double of(const Heights& heights, HeightLayer layer) { return heights[static_cast<std::size_t>(layer)]; }
 
-/// The layer on which a surface of the class lies.
-HeightLayer layer_of(map::SurfaceClass surface);
+/// The layer on which a surface lies. Areas of a road's class, squares and car parks, have no profile: they are land.
+HeightLayer layer_of(const Surface& surface);
 
 }  // namespace citykiln::ground

@@ -9,8 +9,8 @@ namespace {
 // About the reach of a road of two lanes: most places look into one bucket with few segments.
 constexpr double kBucket_m = 32;
 
-// Weights of strands beside which a place lies are those of a quarter of a metre at least.
-constexpr double kNearest_m = 0.25;
+// Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
+constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
 
 bool is_graded(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
 
@@ -32,6 +32,11 @@ Box2 reach_of(const GradedSegment& s) {
   return box_of(std::array{s.from, s.to}).widened(std::max(s.left_m, s.right_m) + kCarve_m);
 }
 
+double weight_of(double from_axis_m, double half_m, double beyond_m) {
+  const double t = from_axis_m / (half_m + kBlend_m), slack = std::max(0.0, 1 - t * t), far_m = beyond_m + kNearest_m;
+  return slack * slack + kFarWeight / (far_m * far_m * far_m);
+}
+
 Strand strand_at(const RoadField& field, const GradedSegment& s, Vec2 p, double terrain_m) {
   const Vec2 along = s.to - s.from;
   const double length2 = dot(along, along);
@@ -39,22 +44,14 @@ Strand strand_at(const RoadField& field, const GradedSegment& s, Vec2 p, double 
   const double aside_m = cross(along, p - s.from) / std::sqrt(length2);
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
   const double from_axis_m = distance(p, s.from + along * t);
-  Strand strand{terrain_m, s.kerb_m, from_axis_m / std::max(half_m, kNearest_m), std::max(0.0, from_axis_m - half_m)};
+  const double beyond_m = std::max(0.0, from_axis_m - half_m);
+  Strand strand{terrain_m, s.kerb_m, weight_of(from_axis_m, half_m, beyond_m), beyond_m};
   const Profile& profile = field.profiles[s.road];
   if (profile.empty()) return strand;
   const Knot knot = knot_at(profile, s.from_m + (s.to_m - s.from_m) * t);
   strand.z_m = knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m);
   strand.is_graded = true;
   return strand;
-}
-
-double weight_of(const Strand& strand, bool is_on_road) {
-  if (is_on_road) {
-    const double slack = 1 - strand.inside * strand.inside;
-    return strand.inside < 1 ? slack * slack + 1e-9 : 0;
-  }
-  const double near_m = strand.beyond_m + kNearest_m;
-  return 1 / (near_m * near_m * near_m);
 }
 
 }  // namespace
@@ -82,12 +79,11 @@ std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m)
 }
 
 RoadHeight blend(std::span<const Strand> strands) {
-  const bool is_on_road = std::ranges::any_of(strands, [](const Strand& s) { return s.inside < 1; });
   double weight = 0;
   RoadHeight sum;
   for (const Strand& strand : strands) {
-    const double w = weight_of(strand, is_on_road);
-    weight += w, sum.z_m += w * strand.z_m, sum.kerb_m += w * strand.kerb_m;
+    weight += strand.weight;
+    sum.z_m += strand.weight * strand.z_m, sum.kerb_m += strand.weight * strand.kerb_m;
   }
   return {sum.z_m / weight, sum.kerb_m / weight};
 }

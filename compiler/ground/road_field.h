@@ -22,6 +22,9 @@ inline constexpr double kKerbRise_m = 0.125;
 /// No road is felt farther from its edge than this: there every cut and every bank has met the terrain.
 inline constexpr double kCarve_m = 16;
 
+/// Where edges of two roads come closer than this their heights are mixed.
+inline constexpr double kBlend_m = 1.5;
+
 /// A straight piece of a road that has a profile, or kerbs, or both.
 struct GradedSegment {
   Vec2 from, to;                   ///< Of the axis, plane metres.
@@ -44,7 +47,7 @@ RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs);
 struct Strand {
   double z_m = 0;          ///< Height of the road there, at the top of its kerbs.
   double kerb_m = 0;       ///< How far the carriageway lies below that.
-  double inside = 0;       ///< From the axis, of the way to the edge: below 1 on the road.
+  double weight = 0;       ///< Among all strands of a place: most on its axis, next to none far from its edge.
   double beyond_m = 0;     ///< From the edge; 0 on the road.
   bool is_graded = false;  ///< False where it follows the terrain.
 };
@@ -53,8 +56,8 @@ struct Strand {
 /// @param terrain_m  The terrain's height at p.
 std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m);
 
-/// What the strands agree on: those that the place lies on, each the more the nearer its axis; else all, the near ones
-/// by far the most. There must be one at least.
+/// What the strands agree on, by their weights: continuous, and beside an edge as steep as two roads' heights differ
+/// over kBlend_m. There must be one at least.
 struct RoadHeight {
   double z_m = 0, kerb_m = 0;
 };

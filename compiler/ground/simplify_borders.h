@@ -26,11 +26,10 @@ struct SimplifiedBorders {
 ///                     exactly two borders meet, and where left or right changes.
 /// Guarantees: error_m <= tolerance_m, the Hausdorff distance between the borders and what replaced them, edge by edge;
 /// all vertices are old ones; borders meet only at their ends, and a new one passes no vertex so closely that arrange()
-/// would bend it; the same faces lie about each other, none is lost (a ring keeps three vertices). A function of the set
-/// of borders: their order does not count. Nothing outside the cell counts.
-/// Error: the distance to a segment is convex, so it is largest at a vertex of what was left out; and as that runs from
-/// one end of the segment to the other, all of the segment has a point of it beside it at no larger distance. Runs are
-/// kept as their convex hulls.
+/// would bend it; the same faces lie about each other, none is lost (a ring keeps three vertices). A function of the
+/// set of borders: their order does not count. Nothing outside the cell counts. Error: the distance to a segment is
+/// convex, so it is largest at a vertex of what was left out; and as that runs from one end of the segment to the
+/// other, all of the segment has a point of it beside it at no larger distance. Runs are kept as their convex hulls.
 /// Cost: O(n log n) where hulls stay small and vertices are spread evenly.
 /// Sources: Visvalingam, Whyatt, "Line generalisation by repeated elimination of points", Cartographic J. 30, 1993 (the
 /// order; there by area); Dyken, Daehlen, Sevaldrud, "Simultaneous curve simplification", J. Geographical Systems 11,
