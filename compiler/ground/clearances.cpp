@@ -128,7 +128,8 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
     if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
 }
 
-// Along all that is joined. On a slope a ramp ends where what it adds is used up, at half its grade.
+// Along all that is joined. On a slope a ramp is as steep as it may be, and ends where what it adds is used up, at half
+// its grade.
 void Clearer::push_up(std::span<const Push> pushes) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
@@ -137,11 +138,13 @@ void Clearer::push_up(std::span<const Push> pushes) {
     const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
     const double level_m = ramp_m({0, push.way, push.half_width_m});
     walk.from(
-        starts_about(graph, push.way, push.at_m), 2 * std::max(rise_m, 0.0) + kCrest_m + level_m,
+        starts_about(graph, push.way, push.at_m), 5 * std::max(rise_m, 0.0) + kCrest_m + level_m,
         [&](const Leg& leg) { return ramp_m(leg); },
         [&](std::uint32_t node, double cost_m) {
           const double down_m = drop_m(cost_m - level_m);
-          const double here_m = std::min(top_m - down_m, start_m[node] + rise_m - down_m / 2);
+          const double steep_m = top_m - down_m / kRampShare - std::max(0.0, down_m - 2 * rise_m) / 2;
+          const double faded_m = start_m[node] + rise_m - down_m / 2;
+          const double here_m = std::min(top_m - down_m, std::max(steep_m, faded_m));
           up_m[node] = std::max(up_m[node], here_m);
           return here_m > z_m[node] - kFoot_m;
         });

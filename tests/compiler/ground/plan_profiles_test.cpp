@@ -269,6 +269,15 @@ TEST(Profiles, ABridgeClearsWhatItCrossesAndItsApproachesKeepTheirLimit) {
   EXPECT_GE(gap_m(p), kOverRail_m - 0.1);
 }
 
+TEST(Profiles, ARampEndsOnASlopeToo) {
+  const Planned p = planned(crossing(Passage::kBridge, 1), field_of([](double x, double) { return 300 + 0.12 * x; }));
+  EXPECT_GE(gap_m(p), kOverRoad_m - 0.3);
+  for (const double at : {400.0, 600.0}) {
+    EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 770 - at), 300 - 0.12 * (at + 30), 0.3);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, at), 300 + 0.12 * (at + 30), 0.3);
+  }
+}
+
 TEST(Profiles, ATunnelGoesBelowWhatItCrossesWithItsApproaches) {
   const Planned p = planned(crossing(Passage::kTunnel, 0), field_of([](double, double) { return 40; }));
   EXPECT_LE(gap_m(p), -kOverRoad_m + 0.1);
