@@ -62,6 +62,7 @@ struct Clearer {
   std::vector<int> storeys(bool of_upper) const;
   bool moves(const Crossing& c, bool of_upper) const;
   void dig_and_lift(bool of_upper);
+  void turn_over() { z_m = negated(z_m), start_m = negated(start_m); }
   void keep_near_start();
 };
 
@@ -127,19 +128,23 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
     if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
 }
 
-// Along all that is joined. On a slope a ramp ends where what it adds is used up, at half its grade.
+// Along all that is joined. On a slope a ramp is as steep as it may be, and ends where what it adds is used up, at half
+// its grade.
 void Clearer::push_up(std::span<const Push> pushes) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
     const GradedWay& way = graph.ways[push.way];
     const double top_m = height_along(graph, way, z_m, push.at_m) + push.lack_m;
+    const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
     const double level_m = ramp_m({0, push.way, push.half_width_m});
     walk.from(
-        starts_about(graph, push.way, push.at_m), 2 * kMostLift_m + kCrest_m + level_m,
+        starts_about(graph, push.way, push.at_m), 5 * std::max(rise_m, 0.0) + kCrest_m + level_m,
         [&](const Leg& leg) { return ramp_m(leg); },
         [&](std::uint32_t node, double cost_m) {
           const double down_m = drop_m(cost_m - level_m);
-          const double here_m = std::min(top_m - down_m, z_m[node] + push.lack_m - down_m / 2);
+          const double steep_m = top_m - down_m / kRampShare - std::max(0.0, down_m - 2 * rise_m) / 2;
+          const double faded_m = start_m[node] + rise_m - down_m / 2;
+          const double here_m = std::min(top_m - down_m, std::max(steep_m, faded_m));
           up_m[node] = std::max(up_m[node], here_m);
           return here_m > z_m[node] - kFoot_m;
         });
@@ -184,14 +189,15 @@ void Clearer::dig_and_lift(bool of_upper) {
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
       if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
-      const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
+      const double most_m = kMostLift_m + (storey[i] - 1) * kOverRail_m;
+      const double lack_m = std::min(shortfall_m(graph, c, z_m), most_m);
       if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
       pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
     }
     if (pushes.empty()) continue;
-    if (!of_upper) z_m = negated(z_m);
+    if (!of_upper) turn_over();
     push_up(pushes);
-    if (!of_upper) z_m = negated(z_m);
+    if (!of_upper) turn_over();
   }
 }
 

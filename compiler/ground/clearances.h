@@ -17,8 +17,8 @@ namespace citykiln::ground {
 
 /// Stacks of more layers than this are not solved to the top.
 inline constexpr int kLiftRounds = 4;
-/// No crossing lifts or lowers by more than this in one round, whatever the heightmap says: a clear height, and as much
-/// again for a cutting that the heightmap does not show.
+/// No crossing lifts or lowers by more than this, and kOverRail_m for each storey below its own, whatever the heightmap
+/// says: a clear height, and as much again for a cutting that the heightmap does not show.
 inline constexpr double kMostLift_m = 12;
 /// Nothing ends up farther than this from where it was.
 inline constexpr double kMostLiftInAll_m = 24;
@@ -30,9 +30,8 @@ inline constexpr double kCrest_m = 1;
 /// By node.
 ///
 /// Guarantees: nothing moves without a crossing, but for tunnels under less than their cover; pinned nodes stay; where
-/// `z_m` keeps its limits and is level, what comes out keeps them; on slopes ramps are steeper than the slope by three
-/// eighths of the limit at most, so that they end. Total. Reach: kLiftRounds times the length of a ramp of twice
-/// kMostLift_m.
+/// `z_m` keeps its limits and is level, what comes out keeps them; on slopes ramps may be steeper than the limit
+/// by three eighths of it, so that they end (limit_grades() comes after). Total. Reach: as many ramps as storeys.
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                     const map::Heightfield& heights, std::span<const double> z_m);
 

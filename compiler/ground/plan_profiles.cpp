@@ -62,7 +62,7 @@ bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates
 }
 
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
-  Plates plates = level_junctions(graph, smooth_heights(graph, line_heights(graph, heights)));
+  Plates plates = level_junctions(graph, smooth_heights(graph, line_heights(graph, heights), heights.step_m));
   plates.z_m = limit_grades(graph, plates.z_m);
   for (int round = 0; round < kRounds; ++round) {
     plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));

@@ -23,6 +23,11 @@
 
 namespace citykiln::ground {
 
+/// Where nothing leaves the ground, nothing farther than this matters: the steps' reaches added up (smoothing, plates
+/// twice, grades twice). Each storey of bridges or tunnels adds the length of a ramp, 850 m for a railway's and half as
+/// much for a road's, and kSpanReach_m is how far their ends are looked for.
+inline constexpr double kProfileReach_m = 2560;
+
 struct Profiles {
   std::vector<roads::Road> roads;   ///< Those given, with their profiles.
   std::vector<Profile> off_ground;  ///< One a track that leaves the ground, in the order of features.tracks.
@@ -33,10 +38,9 @@ struct Profiles {
 ///
 /// Guarantees: where ways share a node their heights there are the same, to kKnotError_m; nodes of one junction lie on
 /// one plane; a bridge that crosses nothing, or has room, lies on the smooth line between its ends; spikes of the
-/// heightmap move no profile by more than 16 m; a road at height 0 all along, over a heightmap that is 0 there, has no
-/// knots. Does not depend on the order of tracks and roads. Diagnosed: kTooSteep, kClearanceNotMet,
-/// kBridgeWithoutGround. Total. Reach: the sum of the steps', some 2.5 km, and kSpanReach_m along what leaves the
-/// ground.
+/// heightmap (20 to 500 m at one vertex) move no profile by more than 8 m; a road at height 0 all along, over a
+/// heightmap that is 0 there, has no knots. Does not depend on the order of tracks and roads. Diagnosed: kTooSteep,
+/// kClearanceNotMet, kBridgeWithoutGround. Total. Reach: kProfileReach_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const Surface> waters, const map::Heightfield& heights, Report& report);

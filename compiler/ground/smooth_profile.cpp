@@ -12,9 +12,11 @@
 namespace citykiln::ground {
 namespace {
 
+/// Of the heightmap's step, below which there is nothing to follow but its noise and its triangles.
+constexpr double kStepShare = 0.75;
 /// Times that data are weighed again.
 constexpr int kRounds = 2;
-constexpr double kOffGround = 1e-3, kPinned = 1e4;
+constexpr double kOffGround = 0.05, kPinned = 1e4;
 
 // A line that goes on through a node, and what its bending costs: (a z_from + b z_node + c z_to)^2.
 struct Bend {
@@ -22,15 +24,17 @@ struct Bend {
   double a = 0, b = 0, c = 0;
 };
 
-double smooth_m_of(const ProfileGraph& graph, const Leg& leg) {
-  return grade_rule_of(graph.ways[leg.way].track->surface).smooth_m;
+// Lines off the ground have no noise.
+double smooth_m_of(const ProfileGraph& graph, const Leg& leg, double least_m) {
+  const GradedWay& way = graph.ways[leg.way];
+  return std::max(grade_rule_of(way.track->surface).smooth_m, way.road == kNone ? 0 : least_m);
 }
 
-Bend bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, const Leg& to) {
+Bend bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, const Leg& to, double least_m) {
   // shorter legs weigh so much that nothing else would count beside rounding
   constexpr double kShortest_m = 0.5;
   const double h1 = std::max(from.length_m, kShortest_m), h2 = std::max(to.length_m, kShortest_m);
-  const double smooth_m = std::min(smooth_m_of(graph, from), smooth_m_of(graph, to));
+  const double smooth_m = std::min(smooth_m_of(graph, from, least_m), smooth_m_of(graph, to, least_m));
   const double root = smooth_m * smooth_m * std::sqrt((h1 + h2) / 2);
   const double a = root * 2 / (h1 * (h1 + h2)), c = root * 2 / (h2 * (h1 + h2));
   return {from.to, node, to.to, a, -(a + c), c};
@@ -51,13 +55,13 @@ std::uint32_t goes_on_in(const ProfileGraph& graph, std::uint32_t node, std::uin
   return best;
 }
 
-void add_bends(const ProfileGraph& graph, std::uint32_t node, std::vector<Bend>& bends) {
+void add_bends(const ProfileGraph& graph, std::uint32_t node, double least_m, std::vector<Bend>& bends) {
   const std::span<const Leg> legs = graph.legs_of(node);
   for (std::uint32_t leg = 0; legs.size() > 1 && leg < legs.size(); ++leg) {
     const std::uint32_t other = goes_on_in(graph, node, leg);
     // of a pair that wants each other once
     if (other == kNone || (other < leg && goes_on_in(graph, node, other) == leg)) continue;
-    if (legs[leg].to != legs[other].to) bends.push_back(bend_of(graph, node, legs[leg], legs[other]));
+    if (legs[leg].to != legs[other].to) bends.push_back(bend_of(graph, node, legs[leg], legs[other], least_m));
   }
 }
 
@@ -114,6 +118,7 @@ double share_of(Cell square, Vec2 at) { return share_along(square.x, at.x) * sha
 struct Smoother {
   const ProfileGraph& graph;
   std::span<const double> data_m;
+  double least_m;                              // smoothing length
   std::vector<Bend> bends = {};                // by node
   std::vector<std::uint32_t> first_bend = {};  // of each node, and one beyond
   std::vector<double> run_m = {};              // of line that each node stands for
@@ -128,7 +133,7 @@ struct Smoother {
 void Smoother::prepare() {
   for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
     first_bend.push_back(static_cast<std::uint32_t>(bends.size()));
-    add_bends(graph, n, bends);
+    add_bends(graph, n, least_m, bends);
     double sum_m = 0;
     for (const Leg& leg : graph.legs_of(n)) sum_m += leg.length_m / 2;
     run_m.push_back(std::max(sum_m, 0.5));
@@ -197,10 +202,10 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
 
 }  // namespace
 
-std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m) {
+std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m, double step_m) {
   // no hills: every square would find just that
   if (std::ranges::all_of(data_m, [&](double z) { return z == data_m.front(); })) return {data_m.begin(), data_m.end()};
-  Smoother smoother{graph, data_m};
+  Smoother smoother{graph, data_m, kStepShare * step_m};
   smoother.prepare();
   const Bins bins(graph);
   std::vector<std::uint32_t> nodes;

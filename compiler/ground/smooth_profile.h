@@ -20,12 +20,13 @@ inline constexpr double kSmoothReach_m = kSquare_m + 2 * kBlend_m + kHalo_m;
 /// Data that miss the line by this count half (Cauchy's weights).
 inline constexpr double kDoubt_m = 4;
 
-/// By node: minimises the sum of (z - data)^2 dx + l^4 z''^2 dx, l the class' smoothing length, over ways that go on
-/// into each other; data off the ground count a thousandth, pinned ones as much as ten thousand; data are weighed again
+/// By node: minimises the sum of (z - data)^2 dx + l^4 z''^2 dx, l the class' smoothing length or three
+/// quarters of the heightmap's step `step_m`, whichever is more, over ways that go on
+/// into each other; data off the ground count a twentieth, pinned ones as much as ten thousand; data are weighed again
 /// twice by how far they miss.
 ///
 /// Guarantees: equal data stay what they are; a constant more in the data is that constant more; reach as above. Total.
 /// O(n log n), Eigen's SimplicialLDLT for each square.
-std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m);
+std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m, double step_m);
 
 }  // namespace citykiln::ground
