@@ -80,9 +80,11 @@ Shade shade_at(Vec2 place_m, Material material, std::uint64_t seed) {
   };
   const bool grows = is_green(material);
   const double depth = grows ? 0.10 + variation : variation;
-  const double level = 1 - depth * (0.5 + sum(kLight, seed) * 0.9);
+  const double level = 1 - depth * std::clamp(0.5 + 0.9 * sum(kLight, seed), 0.0, 1.0);
   const Shade light{level, level, level};
-  return grows ? times(light, dried(std::clamp(1.3 * sum(kDry, seed + 100), -1.0, 1.0))) : light;
+  // a field is sown as one
+  const double spread = material == Material::kFarmland ? 0.5 : 1.3;
+  return grows ? times(light, dried(std::clamp(spread * sum(kDry, seed + 100), -1.0, 1.0))) : light;
 }
 
 materials::Tint tint_of(Shade surface, Shade place) {

@@ -28,8 +28,44 @@ Field within_one(Field field) {
   return field;
 }
 
+// The mean of a row of values that comes round, over `width` of them, odd.
+void blur_row(std::vector<double>& row, std::uint32_t width) {
+  const auto count = static_cast<std::uint32_t>(row.size());
+  const std::uint32_t half = width / 2;
+  std::vector<double> blurred(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double sum = 0;
+    for (std::uint32_t k = 0; k < width; ++k) sum += row[(i + count + k - half) % count];
+    blurred[i] = sum / width;
+  }
+  row = std::move(blurred);
+}
+
+// Means over squares, twice, so that their corners do not show.
+Field blurred(const Field& field, std::uint32_t width) {
+  Field out = field;
+  std::vector<double> line(field.side_px);
+  for (int pass = 0; pass < 4; ++pass)
+    for (std::uint32_t row = 0; row < field.side_px; ++row) {
+      const auto value = [&](std::uint32_t i) -> float& { return pass % 2 == 0 ? out.at(i, row) : out.at(row, i); };
+      for (std::uint32_t i = 0; i < field.side_px; ++i) line[i] = value(i);
+      blur_row(line, width);
+      for (std::uint32_t i = 0; i < field.side_px; ++i) value(i) = static_cast<float>(line[i]);
+    }
+  return out;
+}
+
+// What is wider than a tenth of the side would show from afar how it repeats: little of it is left.
+Field fine(const Field& field) {
+  constexpr float kLeft = 0.15f;
+  Field out = field;
+  const Field wide = blurred(field, std::max(3u, field.side_px / 10 | 1u));
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] -= (1 - kLeft) * wide.values[i];
+  return out;
+}
+
 Tones tones(const Field& tone, const Field& relief) { return {within_one(levelled(tone, 2)), levelled(relief, 1)}; }
-Tones tones(const Field& both) { return tones(both, both); }
+Tones fine_tones(const Field& both) { return tones(fine(both), both); }
 
 template <typename Of>
 Field combined(std::uint32_t side_px, Of of) {
@@ -41,52 +77,52 @@ Field combined(std::uint32_t side_px, Of of) {
 }
 
 Tones blades(std::uint32_t px, std::uint64_t key) {
-  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), fine = layered_noise(px, {24, 24}, 3, 1.0, key + 10);
-  return tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + fine.at(c, r); }));
+  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 3, 1.0, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + detail.at(c, r); }));
 }
 
 Tones tufts(std::uint32_t px, std::uint64_t key) {
-  const Cells plants = cells(px, 20, key);
-  const Field fine = layered_noise(px, {10, 10}, 4, 0.9, key + 10);
-  return tones(combined(px, [&](auto c, auto r) {
-    return fine.at(c, r) + 0.5 * plants.chance.at(c, r) + 0.55 * std::min(plants.to_edge.at(c, r), 0.7f);
+  const Cells plants = cells(px, 34, key);
+  const Field detail = layered_noise(px, {22, 22}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    return detail.at(c, r) + 0.5 * plants.chance.at(c, r) + 0.55 * std::min(plants.to_edge.at(c, r), 0.7f);
   }));
 }
 
 // Sixteen a side: half a metre apart on 8 m.
 Tones rows(std::uint32_t px, std::uint64_t key) {
   constexpr double kRows = 16;
-  const Field clods = layered_noise(px, {32, 16}, 3, 0.9, key), sway = gradient_noise(px, {4, 2}, key + 10);
+  const Field clods = fine(layered_noise(px, {32, 16}, 3, 1.1, key)), sway = gradient_noise(px, {4, 2}, key + 10);
   const auto ridge = [&](std::uint32_t c, std::uint32_t r) {
     return direction_of((c + 0.5) / px * kRows + 0.10 * sway.at(c, r)).x;
   };
   const Field relief = combined(px, [&](auto c, auto r) { return ridge(c, r) + 0.5 * clods.at(c, r); });
-  return tones(combined(px, [&](auto c, auto r) { return 0.30 * ridge(c, r) + 0.9 * clods.at(c, r); }), relief);
+  return tones(combined(px, [&](auto c, auto r) { return 0.22 * ridge(c, r) + clods.at(c, r); }), relief);
 }
 
 Tones litter(std::uint32_t px, std::uint64_t key) {
   const Cells leaves = cells(px, 40, key);
-  const Field fine = layered_noise(px, {8, 8}, 4, 0.8, key + 10);
-  return tones(combined(px, [&](auto c, auto r) { return 0.8 * fine.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
+  const Field detail = layered_noise(px, {18, 18}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.8 * detail.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
 }
 
 Tones mottled(std::uint32_t px, std::uint64_t key) {
-  const Field patches = layered_noise(px, {6, 6}, 5, 0.8, key);
-  const Cells pebbles = cells(px, 40, key + 10);
-  return tones(combined(px, [&](auto c, auto r) { return patches.at(c, r) + 0.35 * pebbles.chance.at(c, r); }));
+  const Field patches = layered_noise(px, {14, 14}, 4, 0.95, key);
+  const Cells pebbles = cells(px, 50, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return patches.at(c, r) + 0.35 * pebbles.chance.at(c, r); }));
 }
 
 Tones grains(std::uint32_t px, std::uint64_t key) {
   const Field clouds = layered_noise(px, {4, 4}, 3, 0.8, key),
-              fine = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
-  return tones(combined(px, [&](auto c, auto r) { return 0.3 * clouds.at(c, r) + fine.at(c, r); }));
+              detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.3 * clouds.at(c, r) + detail.at(c, r); }));
 }
 
 Tones stones(std::uint32_t px, std::uint64_t key) {
   const Cells large = cells(px, 26, key);
-  const Field fine = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
-  return tones(combined(px, [&](auto c, auto r) {
-    return 0.7 * large.chance.at(c, r) + 1.1 * std::min(large.to_edge.at(c, r), 0.45f) + 0.25 * fine.at(c, r);
+  const Field detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    return 0.7 * large.chance.at(c, r) + 1.1 * std::min(large.to_edge.at(c, r), 0.45f) + 0.25 * detail.at(c, r);
   }));
 }
 
@@ -94,16 +130,16 @@ Tones stones(std::uint32_t px, std::uint64_t key) {
 Tones crags(std::uint32_t px, std::uint64_t key) {
   Field ridges = flat(px);
   double height = 1;
-  for (std::uint32_t waves = 3; waves <= px / 4; waves *= 2, height *= 0.62) {
+  for (std::uint32_t waves = 5; waves <= px / 4; waves *= 2, height *= 0.68) {
     const Field layer = gradient_noise(px, {waves, 2 * waves <= px / 4 ? waves + waves / 2 : waves}, key + waves);
     for (std::size_t i = 0; i < ridges.values.size(); ++i)
       ridges.values[i] += static_cast<float>(height * (0.35 - std::abs(layer.values[i])));
   }
   const Cells blocks = cells(px, 9, key);
   const Field relief = combined(px, [&](auto c, auto r) {
-    return ridges.at(c, r) + 0.5 * blocks.chance.at(c, r) + 0.8 * std::min(blocks.to_edge.at(c, r), 0.18f);
+    return ridges.at(c, r) + 0.16 * blocks.chance.at(c, r) + 0.5 * std::min(blocks.to_edge.at(c, r), 0.12f);
   });
-  return tones(relief);
+  return fine_tones(relief);
 }
 
 // How far inside its joint a place of a brick wall is, 0 … 1, and the brick's chance.
@@ -121,22 +157,22 @@ Brick brick_at(double u, double v, std::uint32_t across, std::uint32_t along, do
 
 Tones slabs(std::uint32_t px, std::uint64_t key) {
   constexpr std::uint32_t kSlabs = 8;
-  const Field fine = layered_noise(px, {px / 8, px / 8}, 3, 1, key), chances = cells(32, 32, key + 10).chance;
-  return tones(combined(px, [&](auto c, auto r) {
+  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 1, key), chances = cells(32, 32, key + 10).chance;
+  return fine_tones(combined(px, [&](auto c, auto r) {
     const Brick slab = brick_at((c + 0.5) / px, (r + 0.5) / px, kSlabs, kSlabs, 0.09, chances);
-    return 0.9 * slab.inside + 0.55 * slab.chance + 0.5 * fine.at(c, r);
+    return 0.9 * slab.inside + 0.55 * slab.chance + 0.5 * detail.at(c, r);
   }));
 }
 
 Tones masonry(std::uint32_t px, std::uint64_t key) {
-  const Field fine = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
+  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
   const auto brick = [&](std::uint32_t c, std::uint32_t r) {
     return brick_at((c + 0.5) / px, (r + 0.5) / px, 7, 12, 0.12, chances);
   };
-  const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * fine.at(c, r); });
+  const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * detail.at(c, r); });
   return tones(
       combined(px, [&](auto c,
-                       auto r) { return 0.7 * brick(c, r).inside + 0.9 * brick(c, r).chance + 0.6 * fine.at(c, r); }),
+                       auto r) { return 0.8 * brick(c, r).inside + 0.5 * brick(c, r).chance + 0.6 * detail.at(c, r); }),
       relief);
 }
 

@@ -248,6 +248,7 @@ class Manifest:
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
         self.dictionary = header.bytes(13)
+        self.snow_line_m = None if header.place(14) is None else header.number(14, "d")
         self.chunks, end = {}, 0
         for tile, size, value in tiles_of(header.table(12)):
             assert not self.chunks or max(self.chunks) < tile
@@ -289,6 +290,11 @@ class Page(ProgramTest):
         self.assertGreaterEqual(len(manifest.chunks), 64)
         self.assertTrue(manifest.dictionary)
         self.assertEqual(sum(len(chunk.buildings) for chunk in manifest.chunks.values()), report_of(out)["counts"]["buildings"])
+
+    def test_says_where_snow_lies(self):
+        for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):
+            out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", *arguments)
+            self.assertEqual(Manifest((out / "scene.kiln").read_bytes()).snow_line_m, line_m)
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")
