@@ -75,6 +75,13 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
   return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
 }
 
+// The flatter one of the face's own normal and of its corners' mean: rounding turns slivers any way.
+Vec3 slope_of(const Mesh& mesh, std::size_t face) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 own = normal_of(mesh, t), smooth = unit(mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]]);
+  return own.z < smooth.z ? smooth : own;
+}
+
 Vec3 centre_of(const Mesh& mesh, std::size_t face) {
   const Triangle& t = mesh.triangles[face];
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
@@ -86,7 +93,8 @@ std::vector<Material> materials_of_faces(const Dressing& d) {
   std::vector<Material> all;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     const Triangle& t = mesh.triangles[f];
-    GroundFace face{class_of(d.cover, d.ground.face_surface[f]), normal_of(mesh, t), centre_of(mesh, f), false};
+    GroundFace face{class_of(d.cover, d.ground.face_surface[f]), slope_of(mesh, f), centre_of(mesh, f)};
+    face.is_upright = f >= d.ground.first_upright;
     for (const std::uint32_t v : t) face.is_beside_road = face.is_beside_road || is_beside[v];
     all.push_back(material_of(face, d.header.snow_line_m, d.header.seed));
   }
@@ -130,7 +138,7 @@ std::optional<Places> places_of(const Dressing& d, std::uint32_t face, Material 
     return less(along, periods_below(along));
   }
   if (!shows_texture(d, surface, material)) return std::nullopt;
-  const Vec3 normal = normal_of(d.ground.mesh, d.ground.mesh.triangles[face]);
+  const Vec3 normal = slope_of(d.ground.mesh, face);
   if (normal.z >= kSteepCosine) return places_on_land(d, face, material);
   const Places on_wall = places(d, face, [&](Vec3 p) { return place_on_wall(p, normal); });
   return less(on_wall, periods_below(on_wall));

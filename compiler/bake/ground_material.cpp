@@ -42,6 +42,7 @@ bool is_land(SurfaceGroup group) {
 Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed) {
   const auto& values = values_of(face.surface);
   if (!is_land(values.group)) return values.material;
+  if (face.is_upright) return Material::kStone;
   const bool is_snowed = snow_line_m && face.normal.z >= kSnowCosine && is_above(face.centre, *snow_line_m, seed);
   if (is_snowed) return Material::kSnow;
   if (face.normal.z >= kSteepCosine) return values.material;

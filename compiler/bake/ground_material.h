@@ -14,6 +14,7 @@ struct GroundFace {
   Vec3 normal;                  ///< Unit, upwards.
   Vec3 centre;                  ///< Plane metres.
   bool is_beside_road = false;  ///< A corner of it is a road's.
+  bool is_upright = false;      ///< Built: a retaining wall, a quay, a kerb.
 };
 
 /// Land steeper than this does not hold soil or grass; the angle of repose of scree is 35 to 40°, grass holds a little
@@ -27,9 +28,9 @@ inline constexpr double kSnowLineSway_m = 40;
 /// Is it land: neither water nor built nor sporting ground?
 bool is_land(map::SurfaceGroup group);
 
-/// Rock where land is steep, masonry where that is in a town or beside a road; snow on land above the line, if there
-/// is one; else the class's own. Roads, water and what is built keep theirs at any slope and height. A function of the
-/// arguments alone, so that tiles agree. Total.
+/// Rock where land is steep, masonry where that is in a town or beside a road, or land stands upright; snow on land
+/// above the line, if there is one; else the class's own. Roads, water and what is built keep theirs at any slope and
+/// height. A function of the arguments alone, so that tiles agree. Total.
 materials::Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed);
 
 }  // namespace citykiln::bake

@@ -36,6 +36,7 @@ struct OnePiece {
     ground.mesh.normals.assign(4, {0, 0, 1});
     ground.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     ground.face_surface = {0, 0};
+    ground.first_upright = 2;
   }
 };
 
@@ -84,9 +85,10 @@ struct Slope {
     cover.surfaces = {{{{OsmType::kWay, 5}, 0}, surface, 1, {{{0, 0}, {90, 0}, {90, 50}, {0, 50}}}}};
     for (const double y : {3.0, 50.0})
       for (const double x : {3.0, 50.0, 90.0}) ground.mesh.positions.push_back({x, y, x > 50 ? rise * (x - 50) : 0});
-    ground.mesh.normals.assign(6, {0, 0, 1});
+    for (const Vec3& p : ground.mesh.positions) ground.mesh.normals.push_back(unit(Vec3{p.x >= 50 ? -rise : 0, 0, 1}));
     ground.mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
     ground.face_surface = {0, 0, 0, 0};
+    ground.first_upright = 4;
   }
 
   std::vector<materials::DressedMesh> dressed(double tolerance_m, std::optional<double> snow_line_m = {}) const {
@@ -107,6 +109,23 @@ TEST(DressGround, SteepFacesAreMeshesOfRockOfTheSameFeature) {
   }
   // up the wall, not seen from above
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(meshes[1].uvs[i].y, meshes[1].mesh.positions[i].z);
+}
+
+TEST(DressGround, UprightLandIsMasonryAndTellsItsHeight) {
+  Slope quay(map::SurfaceClass::kMeadow, 0);
+  quay.ground.mesh.positions = {{10, 20, 0}, {14, 20, 0}, {14, 20, 3}};
+  quay.ground.mesh.normals.assign(3, {0, -1, 0});
+  quay.ground.mesh.triangles = {{0, 1, 2}}, quay.ground.face_surface = {0}, quay.ground.first_upright = 0;
+  const auto meshes = quay.dressed(0.02);
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].material, materials::Material::kStone);
+  EXPECT_EQ(meshes[0].uvs, (std::vector<Vec2>{{10, 0}, {14, 0}, {14, 3}}));
+}
+
+TEST(DressGround, ASliverIsNotSteepWhereTheLandAboutItIsNot) {
+  Slope land(map::SurfaceClass::kMeadow, 0);
+  land.ground.mesh.positions[1].z = 30;
+  for (const auto& mesh : land.dressed(0.02)) EXPECT_EQ(mesh.material, materials::Material::kMeadow);
 }
 
 TEST(DressGround, SnowIsAskedForByTheHeader) {

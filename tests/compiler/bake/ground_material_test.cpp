@@ -56,6 +56,14 @@ TEST(GroundMaterial, SnowLiesAboveTheLineWhereOneIsAskedFor) {
   }
 }
 
+TEST(GroundMaterial, UprightLandIsBuiltOfStoneAndNeverSnowed) {
+  for (const SurfaceClass surface : kAll) {
+    GroundFace wall = face(surface, 0, 4000);
+    wall.normal = {1, 0, 0}, wall.is_upright = true;
+    EXPECT_EQ(material_of(wall, 1000, 1), Material::kStone);
+  }
+}
+
 TEST(GroundMaterial, SnowSlidesOffCliffs) {
   EXPECT_EQ(material_of(face(SurfaceClass::kFell, kCliff, 2500), 2000, 1), Material::kRock);
 }
