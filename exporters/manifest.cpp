@@ -91,7 +91,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
-  // not a number is the field's default: it is left out
+  // not a number stands for none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,

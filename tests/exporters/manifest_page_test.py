@@ -2,6 +2,7 @@
 """exporters/MANIFEST.md is enough: a reader made of its words alone, down to its table of streams, reads what citykiln writes."""
 import ctypes
 import ctypes.util
+import math
 import re
 import struct
 import sys
@@ -248,7 +249,8 @@ class Manifest:
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
         self.dictionary = header.bytes(13)
-        self.snow_line_m = None if header.place(14) is None else header.number(14, "d")
+        line_m = header.number(14, "d") if header.place(14) else math.nan
+        self.snow_line_m = None if math.isnan(line_m) else line_m
         self.chunks, end = {}, 0
         for tile, size, value in tiles_of(header.table(12)):
             assert not self.chunks or max(self.chunks) < tile
