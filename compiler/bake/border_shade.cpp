@@ -27,8 +27,7 @@ std::vector<Corner> soft_corners(const ground::GroundMesh& ground, const std::ve
       if (!is_on_cell_border(ground.mesh.positions[v])) corners.push_back({v, surface});
   }
   std::ranges::sort(corners);
-  const auto same = std::ranges::unique(corners);
-  corners.erase(same.begin(), same.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
