@@ -15,6 +15,8 @@ using Rgb = std::array<double, 3>;
 constexpr int kColours = 16;
 // Steps of a slope either way: 15 by 15 normals fit a palette.
 constexpr int kSlopeSteps = 7, kMirroredSlopeSteps = 100;
+// From here on the ground's bumps are not told; water's waves are, of which nothing else tells.
+constexpr double kEven_m = 0.06;
 constexpr std::uint32_t kFewest_px = 16, kMostNormals_px = 128;
 
 struct Row {
@@ -134,8 +136,8 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   const Tones tones = tones_of(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
   if (row.contrast > 0) texture.colour = coloured(row, reduced(tones.tone, texels_at(row, row.side_px, tolerance_m)));
-  if (row.relief_m > 0)
-    texture.normal = shaped(row, reduced(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
+  const bool is_shaped = row.relief_m > 0 && (tolerance_m < kEven_m || row.pattern == Pattern::kWaves);
+  if (is_shaped) texture.normal = shaped(row, reduced(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
   return texture;
 }
 

@@ -95,7 +95,7 @@ inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   tile.primitives.push_back(made_primitive(dice, Material::kStone, 12, 4));
   tile.primitives.push_back(placed(Material::kStone, materials::kTexturePlace_m));
   const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone};
-  tile.textures = materials::textures_of(shown, 0.1, seed);
+  tile.textures = materials::textures_of(shown, 0.05, seed);
   return tile;
 }
 

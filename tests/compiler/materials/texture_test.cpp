@@ -125,6 +125,13 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
   EXPECT_EQ(shaped, 5);  // water, sea, fields, rock, masonry
 }
 
+TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
+  for (const Texture& texture : all_textures(0.1)) {
+    const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
+    EXPECT_EQ(texture.normal.texels.empty(), !is_water) << name_of(texture);
+  }
+}
+
 // Seen so far off that a pixel covers an eighth of a side, hardly anything is left to see repeating.
 TEST(Texture, IsEvenFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
