@@ -189,6 +189,7 @@ Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane,
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
   scene::Header header{plane.origin(), region, spec.tile_m, spec.seed, resampling_error_m, std::move(*sky), {}, {}};
+  header.snow_line_m = spec.snow_line_m;
 
   header.sources.push_back(file_name_of(spec.map_path));
   for (const source::RasterSpec& raster : spec.rasters) header.sources.push_back(file_name_of(raster.path));

@@ -169,6 +169,13 @@ Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
+  const Result<double> line_m = parse_number(text);
+  if (!line_m) return expected("metres above the heights' zero", text);
+  spec.snow_line_m = *line_m;
+  return Done{};
+}
+
 Result<Done> set_threads(CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }
 
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.is_strict); }
@@ -191,6 +198,7 @@ constexpr Setting kSettings[] = {
     {"drive-on", "left|right", "side of the road; else by each road's place", false, set_drive_on},
     {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
     {"seed", "N", "of all chance (0)", false, set_seed},
+    {"snow-line", "M", "land above it is under snow; else none is", false, set_snow_line},
     {"threads", "N", "0: as many as the machine has (0)", false, set_threads},
     {"strict", "", "exit 2 where data was mended or dropped", false, set_strict},
 };

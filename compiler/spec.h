@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,9 +36,10 @@ struct CompileSpec {
   double tile_m = 1024;              ///< A whole multiple of map::kCell_m.
   std::vector<scene::TileKey> only;  ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
-  std::string time;        ///< Of the sky, ISO 8601, UTC; see sky::plan.
-  int threads = 0;         ///< 0: as many as the machine has. Never changes a byte.
-  bool is_strict = false;  ///< Exit 2 where data was mended or dropped.
+  std::optional<double> snow_line_m;  ///< Land above it is under snow.
+  std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
+  int threads = 0;                    ///< 0: as many as the machine has. Never changes a byte.
+  bool is_strict = false;             ///< Exit 2 where data was mended or dropped.
   Outputs outputs;
 };
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "exporters/file.h"
 #include "exporters/glb.h"
@@ -116,15 +117,42 @@ double element(const Value& array, std::size_t i) {
   return number(array.Get(i));
 }
 
+std::optional<materials::Material> material_called(std::string_view name) {
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    if (const auto material = static_cast<materials::Material>(m); values_of(material).name == name) return material;
+  return std::nullopt;
+}
+
+// A name's beginning, where it ends so.
+std::optional<std::string_view> without(std::string_view name, std::string_view ending) {
+  if (!name.ends_with(ending)) return std::nullopt;
+  return name.substr(0, name.size() - ending.size());
+}
+
 // Whether it has uvs is not for the material to say.
 bake::PrimitiveKey key_named(const std::string& name) {
-  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
-    for (const bool is_on_sheet : {false, true}) {
-      const bake::PrimitiveKey key{static_cast<materials::Material>(m), is_on_sheet, is_on_sheet};
-      if (material_name(key) == name) return key;
-    }
+  if (const auto material = material_called(name)) return {*material, false, false};
+  if (const auto plain = without(name, "Plain"))
+    if (const auto material = material_called(*plain)) return {*material, false, false};
+  if (const auto marked = without(name, "Marked"))
+    if (const auto material = material_called(*marked)) return {*material, true, true};
   throw Wrong{"a material that citykiln has, not \"" + name + "\""};
 }
+
+// Metres, or 16 bits that count steps.
+std::vector<Float2> uvs_of(Source& source, int accessor_number) {
+  if (item(source.model.accessors, accessor_number, "an accessor that exists").componentType ==
+      TINYGLTF_COMPONENT_TYPE_FLOAT)
+    return finite(values_of<Float2>(source, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
+  std::vector<Float2> uvs;
+  for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
+           source, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
+    uvs.push_back(
+        {static_cast<float>(u * materials::kTexturePlace_m), static_cast<float>(v * materials::kTexturePlace_m)});
+  return uvs;
+}
+
+bool has_sheet(const tinygltf::Model& model) { return !model.images.empty() && model.images.front().name == "sheet"; }
 
 std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int accessor, std::size_t vertices) {
   const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
@@ -156,9 +184,7 @@ Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t
       values_of<Float3>(source, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.colours = values_of<materials::Tint>(source, attribute(p.attributes, "COLOR_0"),
                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
-  if (p.attributes.count("TEXCOORD_0") != 0)
-    out.uvs = finite(values_of<Float2>(source, attribute(p.attributes, "TEXCOORD_0"), TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                       TINYGLTF_TYPE_VEC2));
+  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(source, attribute(p.attributes, "TEXCOORD_0"));
   if (p.attributes.count("_FEATURE_ID_0") != 0)
     out.features = as_numbers(values_of<float>(source, attribute(p.attributes, "_FEATURE_ID_0"),
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
@@ -167,7 +193,7 @@ Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t
   expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
              (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
-  expect(!out.is_on_sheet || (!out.uvs.empty() && !source.model.images.empty()),
+  expect(!out.is_on_sheet || (!out.uvs.empty() && has_sheet(source.model)),
          "a sheet, and a place on it, for each corner that is on it");
   out.triangles = triangles_of(source, p.indices, n);
   return out;
@@ -201,15 +227,40 @@ std::vector<OsmId> features_of(Source& source) {
 }
 
 // The size of a texel stands beside the picture.
-materials::Sheet sheet_of(Source& source) {
-  if (source.model.images.empty()) return {};
-  expect(source.model.images.size() == 1, "one sheet at most");
-  const tinygltf::Image& image = source.model.images.front();
-  auto sheet = decode_png(std::as_bytes(bytes_of(source, image.bufferView)), "");
-  if (!sheet) throw Wrong{"a sheet: " + to_string(sheet.error())};
-  sheet->texel_m = number(member(image.extras, "texel_m"));
-  expect(sheet->texel_m > 0 && std::isfinite(sheet->texel_m), "texels with a size");
-  return *sheet;
+materials::Sheet picture_of(Source& source, const tinygltf::Image& image) {
+  auto picture = decode_png(std::as_bytes(bytes_of(source, image.bufferView)), "");
+  if (!picture) throw Wrong{"a picture: " + to_string(picture.error())};
+  picture->texel_m = number(member(image.extras, "texel_m"));
+  expect(picture->texel_m > 0 && std::isfinite(picture->texel_m), "texels with a size");
+  return std::move(*picture);
+}
+
+// The texture that a picture belongs to: the last one, or the next.
+materials::Texture& texture_with(std::vector<materials::Texture>& textures, std::string_view name) {
+  const auto material = material_called(name);
+  expect(material.has_value(), "pictures named after materials, and one sheet at most");
+  if (!textures.empty() && textures.back().material == *material) return textures.back();
+  expect(textures.empty() || textures.back().material < *material, "each material's pictures once, in order");
+  return textures.emplace_back(materials::Texture{*material, {}, {}});
+}
+
+// The sheet, if any, then colours and normals of materials.
+void read_pictures(Source& source, BakedTile& tile) {
+  for (std::size_t i = 0; i < source.model.images.size(); ++i) {
+    const tinygltf::Image& image = source.model.images[i];
+    if (i == 0 && image.name == "sheet") {
+      tile.sheet = picture_of(source, image);
+      continue;
+    }
+    const auto coloured = without(image.name, "Colour"), shaped = without(image.name, "Normal");
+    expect(coloured || shaped, "pictures named after materials, and one sheet at most");
+    materials::Texture& texture = texture_with(tile.textures, coloured ? *coloured : *shaped);
+    materials::Sheet& place = coloured ? texture.colour : texture.normal;
+    expect(place.texels.empty() && (shaped || texture.normal.texels.empty()),
+           "each material's pictures once, in order");
+    place = picture_of(source, image);
+    expect(place.columns == place.rows, "textures that are square");
+  }
 }
 
 Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {
@@ -281,7 +332,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
   add_instances(source, root, tile);
-  tile.sheet = sheet_of(source);
+  read_pictures(source, tile);
   return tile;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <set>
@@ -8,6 +9,7 @@
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
 #include "exporters/png.h"
+#include "exporters/tangents.h"
 #include "exporters/tinygltf_switches.h"
 
 namespace citykiln::exporters {
@@ -26,12 +28,21 @@ Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
 Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
 
+// What a primitive shows, and how it says where.
+struct Look {
+  bake::PrimitiveKey key;                       // without uvs where they show nothing
+  const materials::Texture* texture = nullptr;  // of its material, if it shows one
+  bool is_in_steps = false;
+  bool operator==(const Look&) const = default;
+};
+
 // A model while it is being filled.
 struct Filling {
   const BakedTile& tile;
   const scene::Header& header;
   tinygltf::Model model;
   std::set<std::string> extensions;
+  std::vector<Look> looks;  // one a material
 
   std::vector<unsigned char>& buffer() { return model.buffers.front().data; }
 
@@ -104,45 +115,106 @@ Value feature_ids(Filling& f, const char* extension) {
   return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
 }
 
-// The sheet as a texture whose coordinates are metres.
-tinygltf::TextureInfo sheet_texture(Filling& f) {
-  const materials::Sheet& sheet = f.tile.sheet;
-  const Array scale = {number(1 / (sheet.columns * sheet.texel_m)), number(1 / (sheet.rows * sheet.texel_m))};
+// 16 bits count steps on textures from 0 to nearly four periods.
+constexpr double kMostSteps = 65535;
+
+bool is_in_steps(const Primitive& p) {
+  const auto fits = [](float v) {
+    const double steps = v / materials::kTexturePlace_m;
+    return steps >= 0 && steps <= kMostSteps && steps == std::floor(steps);
+  };
+  return !p.is_on_sheet &&
+         std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
+}
+
+Look look_of(const Filling& f, const Primitive& p) {
+  if (p.is_on_sheet) return {key_of(p)};
+  const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
+  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, false}};
+  return {key_of(p), &*found, is_in_steps(p)};
+}
+
+// The number of a picture among all: the sheet, then each texture's colours and normals.
+int picture_number(const BakedTile& tile, const materials::Sheet* picture) {
+  int number = 0;
+  const auto is_it = [&](const materials::Sheet& other) {
+    if (&other == picture) return true;
+    number += other.texels.empty() ? 0 : 1;
+    return false;
+  };
+  if (is_it(tile.sheet)) return number;
+  for (const materials::Texture& texture : tile.textures)
+    if (is_it(texture.colour) || is_it(texture.normal)) break;
+  return number;
+}
+
+// A picture shown by places of so many metres a unit.
+template <typename Info>
+Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
+  const Array scale = {number(unit_m / (picture.columns * picture.texel_m)),
+                       number(unit_m / (picture.rows * picture.texel_m))};
   f.extensions.insert("KHR_texture_transform");
-  tinygltf::TextureInfo texture;
-  texture.index = 0;
-  texture.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
-  return texture;
+  Info info;
+  info.index = picture_number(f.tile, &picture);
+  info.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
+  return info;
 }
 
 // What is on the sheet keeps the default colour, white: the sheet says how much light each place sends back.
-int material_number(Filling& f, const bake::PrimitiveKey& key) {
-  const auto& values = values_of(key.material);
-  const std::string name = material_name(key);
-  auto& all = f.model.materials;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].name == name) return static_cast<int>(i);
+void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
+  const auto& base = values_of(look.key.material).base_colour;
+  if (look.key.is_on_sheet) {
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
+    return;
+  }
+  m.baseColorFactor = {base[0], base[1], base[2], 1};
+  if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
+  const auto factor = colour_factor(*look.texture);
+  m.baseColorFactor = {factor[0], factor[1], factor[2], 1};
+  const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+  m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
+}
+
+bool has_normals(const Look& look) { return look.texture != nullptr && !look.texture->normal.texels.empty(); }
+
+int material_number(Filling& f, const Look& look) {
+  const auto same = std::ranges::find(f.looks, look);
+  if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
+  const auto& values = values_of(look.key.material);
   tinygltf::Material m;
-  m.name = name;
-  if (key.is_on_sheet)
-    m.pbrMetallicRoughness.baseColorTexture = sheet_texture(f);
-  else
-    m.pbrMetallicRoughness.baseColorFactor = {values.base_colour[0], values.base_colour[1], values.base_colour[2], 1};
+  m.name = material_name(look.key, f.tile.textures);
+  set_colour(f, look, m.pbrMetallicRoughness);
+  if (has_normals(look)) {
+    const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, look.texture->normal, unit_m);
+  }
   m.pbrMetallicRoughness.roughnessFactor = values.roughness, m.pbrMetallicRoughness.metallicFactor = values.metallic;
-  all.push_back(m);
-  return static_cast<int>(all.size()) - 1;
+  f.model.materials.push_back(m), f.looks.push_back(look);
+  return static_cast<int>(f.looks.size()) - 1;
+}
+
+int add_uvs(Filling& f, const Primitive& p, const Look& look) {
+  if (!look.is_in_steps) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
+  std::vector<std::array<std::uint16_t, 2>> steps;
+  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTexturePlace_m); };
+  for (const bake::Float2& uv : p.uvs) steps.push_back({step(uv[0]), step(uv[1])});
+  return f.add_attribute(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2,
+                         TINYGLTF_TARGET_ARRAY_BUFFER, true);
 }
 
 tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  out.material = material_number(f, key_of(p));
+  const Look look = look_of(f, p);
+  out.material = material_number(f, look);
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
-  if (!p.uvs.empty())
-    out.attributes["TEXCOORD_0"] = f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
+  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
+  if (has_normals(look))
+    out.attributes["TANGENT"] =
+        f.add_attribute(turned(tangents_of(p)), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
     out.attributes["_FEATURE_ID_0"] =
         f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
@@ -199,21 +271,37 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
   }
 }
 
-// The sheet, its texels' size beside it: what scale it has is rounded. Strips lie side by side, so it repeats along v
-// alone.
-void add_sheet(Filling& f) {
-  const materials::Sheet& sheet = f.tile.sheet;
-  if (sheet.texels.empty()) return;
-  tinygltf::Image image;
-  image.name = "sheet", image.mimeType = "image/png", image.bufferView = f.add_view(encode_png(sheet), 0);
-  image.extras = Value(Object{{"texel_m", number(sheet.texel_m)}});
+int add_sampler(Filling& f, int wrap_across) {
   tinygltf::Sampler sampler;
-  sampler.wrapS = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
+  sampler.wrapS = wrap_across, sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
   sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+  f.model.samplers.push_back(sampler);
+  return static_cast<int>(f.model.samplers.size()) - 1;
+}
+
+// A picture, its texels' size beside it: what scale it has is rounded.
+void add_picture(Filling& f, const materials::Sheet& picture, const std::string& name, int sampler) {
+  if (picture.texels.empty()) return;
+  tinygltf::Image image;
+  image.name = name, image.mimeType = "image/png", image.bufferView = f.add_view(encode_png(picture), 0);
+  image.extras = Value(Object{{"texel_m", number(picture.texel_m)}});
   tinygltf::Texture texture;
-  texture.sampler = 0, texture.source = 0;
-  f.model.images.push_back(image), f.model.samplers.push_back(sampler), f.model.textures.push_back(texture);
+  texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
+  f.model.images.push_back(image), f.model.textures.push_back(texture);
+}
+
+void add_pictures(Filling& f) {
+  // strips lie side by side, so that the sheet repeats along v alone
+  if (!f.tile.sheet.texels.empty())
+    add_picture(f, f.tile.sheet, "sheet", add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE));
+  if (f.tile.textures.empty()) return;
+  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT);
+  for (const materials::Texture& texture : f.tile.textures) {
+    const std::string name(values_of(texture.material).name);
+    add_picture(f, texture.colour, name + "Colour", repeating);
+    add_picture(f, texture.normal, name + "Normal", repeating);
+  }
 }
 
 // Which OSM element each feature is: row 0 is none.
@@ -280,7 +368,7 @@ void fill(Filling& f, Instancing instancing) {
                                          : add_single_nodes(f, instanced, mesh, children);
   }
   f.model.nodes[0].children = children;
-  add_sheet(f);
+  add_pictures(f);
   f.model.extensions["EXT_structural_metadata"] = property_table(f);
   f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());
   tinygltf::Scene scene;
@@ -291,12 +379,15 @@ void fill(Filling& f, Instancing instancing) {
 
 }  // namespace
 
-std::string material_name(const bake::PrimitiveKey& key) {
-  return std::string(values_of(key.material).name) + (key.is_on_sheet ? "Marked" : "");
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
+  const std::string name(values_of(key.material).name);
+  if (key.is_on_sheet) return name + "Marked";
+  const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
+  return !key.has_uvs && is_textured ? name + "Plain" : name;
 }
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  Filling f{tile, header, {}, {}};
+  Filling f{tile, header, {}, {}, {}};
   fill(f, instancing);
   std::ostringstream out;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);

@@ -15,15 +15,17 @@ namespace citykiln::exporters {
 /// (Blender, Godot).
 enum class Instancing { kExtension, kNodes };
 
-/// The material under which a primitive is written: "Asphalt", and "AsphaltMarked" where it is on the sheet.
-std::string material_name(const bake::PrimitiveKey& key);
+/// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet; "AsphaltPlain"
+/// where it has no uvs, and Asphalt has one of the tile's textures.
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
 
 /// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
 /// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
 /// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras;
-/// attribution in asset.copyright; uvs in metres as TEXCOORD_0; the sheet as a PNG inside, which what is on it shows
-/// with KHR_texture_transform from metres to the picture: its row 0, v = 0, is the picture's top. Same input, same
-/// bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
+/// attribution in asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of
+/// materials::kTexturePlace_m; the sheet and the textures as PNGs inside, shown with KHR_texture_transform from there
+/// to the picture: its row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same bytes.
+/// Valid by Khronos' validator with 0 errors and 0 warnings.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing);
 
 /// A tile back from a .glb that encode_glb made; read(encode(tile)) == tile for either way of instancing.

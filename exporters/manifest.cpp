@@ -25,7 +25,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 1, kMinor = 0;
+constexpr std::uint16_t kMajor = 1, kMinor = 1;
 constexpr const char* kExpanderVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
@@ -91,9 +91,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
       static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
   const auto sky = sky_of(builder, h.sky);
   const auto index = index_of(builder, scene, frames);
+  // not a number stands for none
+  const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
-                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary));
+                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -162,6 +164,8 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   header.sky.turbidity = s.turbidity();
   const double length2 = dot(header.sky.to_sun, header.sky.to_sun);
   if (!(length2 > 0.99 && length2 < 1.01) || !(header.sky.turbidity >= 1 && header.sky.turbidity <= 20)) return damaged;
+  if (std::isinf(h.snow_line_m())) return damaged;
+  if (!std::isnan(h.snow_line_m())) header.snow_line_m = h.snow_line_m();
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
   return header;
 }

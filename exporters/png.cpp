@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <map>
+#include <optional>
+#include <unordered_map>
 
 namespace citykiln::exporters {
 namespace {
@@ -19,16 +20,26 @@ png_image picture_of(const Sheet& sheet) {
   return picture;
 }
 
-// Each colour's number, in order; more than 256 are no palette, and given up.
-std::map<Sheet::Texel, std::uint8_t> palette_of(const Sheet& sheet) {
+std::uint32_t packed(Sheet::Texel texel) { return std::uint32_t{texel[0]} << 16 | texel[1] << 8 | texel[2]; }
+
+// The colours in order, and each one's number, to be looked up only.
+struct Palette {
+  std::vector<Sheet::Texel> colours;
+  std::unordered_map<std::uint32_t, std::uint8_t> numbers;
+};
+
+// More than 256 are no palette, and given up.
+std::optional<Palette> palette_of(const Sheet& sheet) {
   constexpr std::size_t kMost = 256;
-  std::map<Sheet::Texel, std::uint8_t> palette;
+  Palette palette;
   for (const Sheet::Texel& texel : sheet.texels) {
-    palette.emplace(texel, std::uint8_t{0});
-    if (palette.size() > kMost) return {};
+    if (!palette.numbers.emplace(packed(texel), std::uint8_t{0}).second) continue;
+    if (palette.numbers.size() > kMost) return std::nullopt;
+    palette.colours.push_back(texel);
   }
-  std::uint8_t number = 0;
-  for (auto& [texel, place] : palette) place = number++;
+  std::ranges::sort(palette.colours);
+  for (std::size_t i = 0; i < palette.colours.size(); ++i)
+    palette.numbers[packed(palette.colours[i])] = static_cast<std::uint8_t>(i);
   return palette;
 }
 
@@ -51,15 +62,14 @@ std::uint64_t most_texels_in(std::size_t bytes) {
 std::vector<std::byte> encode_png(const Sheet& sheet) {
   assert(sheet.texels.size() == std::size_t{sheet.columns} * sheet.rows && !sheet.texels.empty());
   png_image picture = picture_of(sheet);
-  const std::map<Sheet::Texel, std::uint8_t> palette = palette_of(sheet);
-  if (palette.empty()) return written(picture, sheet.texels.data(), nullptr);
-  std::vector<Sheet::Texel> colours;
-  for (const auto& [texel, number] : palette) colours.push_back(texel);
+  const std::optional<Palette> palette = palette_of(sheet);
+  if (!palette) return written(picture, sheet.texels.data(), nullptr);
   std::vector<std::uint8_t> numbers;
-  for (const Sheet::Texel& texel : sheet.texels) numbers.push_back(palette.at(texel));
+  numbers.reserve(sheet.texels.size());
+  for (const Sheet::Texel& texel : sheet.texels) numbers.push_back(palette->numbers.at(packed(texel)));
   picture.format = PNG_FORMAT_RGB_COLORMAP;
-  picture.colormap_entries = static_cast<png_uint_32>(colours.size());
-  return written(picture, numbers.data(), colours.data());
+  picture.colormap_entries = static_cast<png_uint_32>(palette->colours.size());
+  return written(picture, numbers.data(), palette->colours.data());
 }
 
 Result<Sheet> decode_png(std::span<const std::byte> bytes, const std::string& name) {

@@ -44,14 +44,29 @@ Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners
           beam.across_m};
 }
 
+// The normal of the texture, told by its directions over the triangle, instead of the smooth one.
+void roughen(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners, Vec3 normal) {
+  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
+  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
+  const Vec2 uv1 = uv(1) - uv(0), uv2 = uv(2) - uv(0);
+  const double turn = cross(uv1, uv2) < 0 ? -1 : 1;
+  const Vec3 along_u = ((at(1) - at(0)) * uv2.y - (at(2) - at(0)) * uv1.y) * turn;
+  const Vec3 out = unit(hit.shading_normal), u = unit(along_u - out * dot(along_u, out));
+  hit.shading_normal = unit(u * normal.x - cross(out, u) * (turn * normal.y) + out * normal.z);
+}
+
 void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners,
                   const std::array<double, 3>& weights, const RTCHit& found, const Beam& beam) {
   const bake::Primitive& primitive = *part.primitive;
   const materials::MaterialValues& values = values_of(primitive.material);
   const auto& own = values.base_colour;
-  const std::array<double, 3> colour = part.texture != nullptr
-                                           ? part.texture->mean(patch_of(part, corners, found, beam))
-                                           : std::array<double, 3>{own[0], own[1], own[2]};
+  std::array<double, 3> colour{own[0], own[1], own[2]};
+  if (part.texture != nullptr) colour = part.texture->mean(patch_of(part, corners, found, beam));
+  if (part.surface != nullptr) {
+    const Patch patch = patch_of(part, corners, found, beam);
+    colour = part.surface->colour(patch);
+    if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch));
+  }
   hit.material = primitive.material;
   hit.roughness = values.roughness;
   for (int c = 0; c < 3; ++c) {
@@ -63,8 +78,10 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
 
 }  // namespace
 
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture) {
-  MeshPart part{&primitive, {}, primitive.is_on_sheet ? texture : nullptr};
+MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
+               const SurfaceTexture* surface) {
+  const bool shows_surface = !primitive.is_on_sheet && !primitive.uvs.empty();
+  MeshPart part{&primitive, {}, primitive.is_on_sheet ? texture : nullptr, shows_surface ? surface : nullptr};
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
     part.corners.push_back({static_cast<float>(p[0] + offset.x), static_cast<float>(p[1] + offset.y),

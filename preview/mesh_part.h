@@ -7,6 +7,7 @@
 
 #include "compiler/bake/baked.h"
 #include "preview/sheet_texture.h"
+#include "preview/surface_texture.h"
 #include "preview/world.h"
 
 namespace citykiln::preview {
@@ -14,8 +15,9 @@ namespace citykiln::preview {
 /// Triangles, and their corners about another origin. Refers to the primitive and the texture.
 struct MeshPart {
   const bake::Primitive* primitive = nullptr;
-  std::vector<bake::Float3> corners;      ///< One a position, and one more: Embree reads 16 bytes at each.
-  const SheetTexture* texture = nullptr;  ///< What colours it instead of its material, if any.
+  std::vector<bake::Float3> corners;        ///< One a position, and one more: Embree reads 16 bytes at each.
+  const SheetTexture* texture = nullptr;    ///< What colours it instead of its material, if any.
+  const SurfaceTexture* surface = nullptr;  ///< Or its material's texture.
 };
 
 /// What a ray covers where it hits.
@@ -25,8 +27,9 @@ struct Beam {
 };
 
 /// The primitive's positions plus `offset`, rounded once. @param texture  Its tile's sheet, if there is one: taken
-/// where the primitive is on it.
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture);
+/// where the primitive is on it. @param surface  Its material's texture, if there is one: taken where it has uvs.
+MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
+               const SurfaceTexture* surface = nullptr);
 
 /// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);

@@ -10,13 +10,19 @@ namespace {
 
 using Rgb3 = std::array<double, 3>;
 
-const std::array<float, 256>& linear_values() {
-  static const std::array<float, 256> values = [] {
-    std::array<float, 256> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = materials::linear_of_srgb(static_cast<std::uint8_t>(i));
-    return all;
-  }();
-  return values;
+template <typename Of>
+std::array<float, 256> table(Of of) {
+  std::array<float, 256> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = of(static_cast<std::uint8_t>(i));
+  return all;
+}
+
+// What the bytes of a texel stand for.
+const std::array<float, 256>& values_of(Texels texels) {
+  static const std::array<float, 256> colours = table(materials::linear_of_srgb);
+  static const std::array<float, 256> normals =
+      table([](std::uint8_t byte) { return static_cast<float>(byte) / 127.5f - 1; });
+  return texels == Texels::kColours ? colours : normals;
 }
 
 template <typename Colour>
@@ -44,7 +50,8 @@ Shares shares(std::size_t i, std::size_t fine, std::size_t coarse) {
 
 }  // namespace
 
-SheetTexture::SheetTexture(const materials::Sheet& sheet) : sheet_(&sheet) {
+SheetTexture::SheetTexture(const materials::Sheet& sheet, Texels texels, Sides sides)
+    : sheet_(&sheet), texels_(texels), sides_(sides) {
   levels_.push_back({sheet.columns, sheet.rows, {}});
   while (levels_.back().columns > 1 || levels_.back().rows > 1) levels_.push_back(halved(levels_.back()));
 }
@@ -53,8 +60,8 @@ SheetTexture::Texel SheetTexture::texel(const Level& level, std::size_t column, 
   const std::size_t place = row * level.columns + column;
   if (!level.texels.empty()) return level.texels[place];
   const auto& [r, g, b] = sheet_->texels[place];
-  const auto& linear = linear_values();
-  return {linear[r], linear[g], linear[b]};
+  const auto& values = values_of(texels_);
+  return {values[r], values[g], values[b]};
 }
 
 SheetTexture::Level SheetTexture::halved(const Level& level) const {
@@ -77,15 +84,20 @@ SheetTexture::Level SheetTexture::halved(const Level& level) const {
 // Between the middles of four texels.
 std::array<double, 3> SheetTexture::smooth(const Level& level, Vec2 at) const {
   const double columns = static_cast<double>(level.columns), rows = static_cast<double>(level.rows);
-  const double x = std::clamp(at.x / (sheet_->columns * sheet_->texel_m) * columns - 0.5, 0.0, columns - 1);
-  const double turns = at.y / (sheet_->rows * sheet_->texel_m), y = (turns - std::floor(turns)) * rows + rows - 0.5;
+  const double across = at.x / (sheet_->columns * sheet_->texel_m), along = at.y / (sheet_->rows * sheet_->texel_m);
+  const auto repeated = [](double turns, double count) { return (turns - std::floor(turns)) * count + count - 0.5; };
+  const double x =
+      sides_ == Sides::kRepeat ? repeated(across, columns) : std::clamp(across * columns - 0.5, 0.0, columns - 1);
+  const double y = repeated(along, rows);
   const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
   const double right = x - static_cast<double>(column), up = y - static_cast<double>(row);
-  const std::size_t next = std::min(column + 1, level.columns - 1);
+  const std::size_t here = column % level.columns;
+  const std::size_t next =
+      sides_ == Sides::kRepeat ? (column + 1) % level.columns : std::min(column + 1, level.columns - 1);
   Rgb3 sum{};
-  add(sum, texel(level, column, row % level.rows), (1 - right) * (1 - up));
+  add(sum, texel(level, here, row % level.rows), (1 - right) * (1 - up));
   add(sum, texel(level, next, row % level.rows), right * (1 - up));
-  add(sum, texel(level, column, (row + 1) % level.rows), (1 - right) * up);
+  add(sum, texel(level, here, (row + 1) % level.rows), (1 - right) * up);
   add(sum, texel(level, next, (row + 1) % level.rows), right * up);
   return sum;
 }

@@ -16,18 +16,27 @@ struct Patch {
   double across_m = 0;  ///< Diameter. 0: the texels themselves.
 };
 
+/// What texels mean.
+enum class Texels {
+  kColours,  ///< sRGB.
+  kNormals   ///< -1 … 1 in each direction (materials::Texture).
+};
+
+/// What follows on a sheet's sides.
+enum class Sides { kGoOn, kRepeat };
+
 /// Method: levels of half as many texels (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), each of them the exact
 /// mean of the whole; between texels and between levels linear, in linear light. A long patch is several round ones in
-/// a row (McCormack et al., "Feline", SIGGRAPH 1999), at most 16. Across the sheet its edge goes on, along it repeats.
+/// a row (McCormack et al., "Feline", SIGGRAPH 1999), at most 16. Along the sheet it repeats, across it as asked for.
 ///
 /// Refers to the sheet, which must outlive it. Memory: 4 bytes a texel. Cost: O(texels), then O(1) a patch.
 class SheetTexture {
  public:
   /// @param sheet  With texels.
-  explicit SheetTexture(const materials::Sheet& sheet);
+  explicit SheetTexture(const materials::Sheet& sheet, Texels texels = Texels::kColours, Sides sides = Sides::kGoOn);
 
   const materials::Sheet& sheet() const { return *sheet_; }
-  /// Linear reflectance, mean over a patch. What is not finite gives the sheet's mean.
+  /// Linear reflectance, or the normal, mean over a patch. What is not finite gives the sheet's mean.
   std::array<double, 3> mean(const Patch& patch) const;
 
  private:
@@ -43,6 +52,8 @@ class SheetTexture {
   std::array<double, 3> disk(Vec2 at, double across_m) const;
 
   const materials::Sheet* sheet_;
+  Texels texels_;
+  Sides sides_;
   std::vector<Level> levels_;
 };
 

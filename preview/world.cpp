@@ -6,6 +6,7 @@
 
 #include "preview/crowd.h"
 #include "preview/mesh_part.h"
+#include "preview/surface_texture.h"
 
 namespace citykiln::preview {
 namespace {
@@ -52,6 +53,7 @@ struct World::Scene {
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene top = rtcNewScene(device);
   std::vector<std::unique_ptr<SheetTexture>> textures;
+  std::vector<std::unique_ptr<SurfaceTexture>> surfaces;
   std::vector<MeshPart> fixed;                 // geometry ids 0 … n - 1
   std::vector<std::unique_ptr<Crowd>> crowds;  // geometry ids n …
 
@@ -69,10 +71,20 @@ struct World::Scene {
     return textures.emplace_back(std::make_unique<SheetTexture>(tile.sheet)).get();
   }
 
+  // Tiles with equal textures share them.
+  const SurfaceTexture* surface_of(const bake::BakedTile& tile, materials::Material material) {
+    const auto own = std::ranges::find(tile.textures, material, &materials::Texture::material);
+    if (own == tile.textures.end()) return nullptr;
+    const auto same = std::ranges::find_if(surfaces, [&](const auto& other) { return other->texture() == *own; });
+    if (same != surfaces.end()) return same->get();
+    return surfaces.emplace_back(std::make_unique<SurfaceTexture>(*own)).get();
+  }
+
   void add_fixed(const bake::BakedTile& tile) {
     const SheetTexture* texture = texture_of(tile);
     for (const bake::Primitive& primitive : tile.primitives)
-      if (!primitive.triangles.empty()) fixed.push_back(moved(primitive, tile.origin - origin, texture));
+      if (!primitive.triangles.empty())
+        fixed.push_back(moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material)));
   }
 
   void add_crowds(const bake::BakedTile& tile) {

@@ -60,7 +60,7 @@ void fire_ground(Firing& firing, const ground::Carving& carving, const Box2& box
   for (const ground::GroundMesh& ground :
        expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
-    firing.take(dress(ground, cover, markings, firing.header.seed));
+    firing.take(dress(ground, cover, markings, firing.header, firing.tolerance_m));
   }
   firing.tile.sheet = std::move(markings.sheet);
 }
@@ -199,6 +199,7 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
+  tile.textures = textures_shown(tile.primitives, tolerance_m, header.seed);
   fire_trees(firing, trees);
   fire_lamps(firing, lamps, carving, report);
   return tile;

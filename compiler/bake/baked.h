@@ -10,6 +10,7 @@
 #include "compiler/contract/stable_id.h"
 #include "compiler/materials/material.h"
 #include "compiler/materials/sheet.h"
+#include "compiler/materials/texture.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
@@ -27,8 +28,8 @@ struct Primitive {
   std::vector<materials::Tint> colours;  ///< One a position.
   std::vector<std::uint32_t> features;   ///< One a position: index into BakedTile::features.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// One a position, or empty: metres across and along, of the sheet or of the road (dressed_mesh.h). Rounded once, to
-  /// float32: by at most 0.5 mm up to 16 km.
+  /// One a position, or empty: metres on the sheet, or on the material's texture (dressed_mesh.h). On the sheet rounded
+  /// once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of materials::kTexturePlace_m.
   std::vector<Float2> uvs{};
   bool is_on_sheet = false;  ///< Coloured by BakedTile::sheet times `colours`; then it has uvs, and the sheet texels.
   bool operator==(const Primitive&) const = default;
@@ -63,6 +64,9 @@ struct BakedTile {
   std::vector<Primitive> primitives;  ///< Sorted by key, at most one each.
   std::vector<Instanced> instanced;
   materials::Sheet sheet{};  ///< What primitives on the sheet are coloured by; no texels: there are none.
+  /// Of the tile's own primitives that have uvs and are not on the sheet, by material, rising, where the tolerance has
+  /// any.
+  std::vector<materials::Texture> textures{};
   bool operator==(const BakedTile&) const = default;
 };
 

@@ -1,33 +1,33 @@
 #include "compiler/bake/dress_ground.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <optional>
 
-#include "compiler/contract/draw.h"
+#include "compiler/bake/border_shade.h"
+#include "compiler/bake/ground_material.h"
+#include "compiler/bake/ground_tint.h"
+#include "compiler/bake/texture_place.h"
+#include "compiler/materials/texture.h"
 #include "compiler/roads/sheet_layout.h"
 
 namespace citykiln::bake {
 namespace {
 
 using ground::kNoSurface;
-using ground::Surface;
 using materials::DressedMesh;
+using materials::Material;
 
-// What is paved is one surface, whatever ways it was mapped as.
-bool is_paved(map::SurfaceClass surface) {
-  using map::SurfaceGroup;
-  const SurfaceGroup group = map::values_of(surface).group;
-  return group == SurfaceGroup::kRoad || group == SurfaceGroup::kPath || group == SurfaceGroup::kRail ||
-         group == SurfaceGroup::kPaved;
-}
-
-// Brightness drawn for a surface, within its material's variation.
-materials::Tint tint_of(const Surface& surface, materials::Material material, std::uint64_t seed) {
-  if (is_paved(surface.surface)) return materials::kNoTint;
-  const double darker = values_of(material).variation * Draw(seed, stable_id(surface.id), "ground tint").unit(0);
-  const auto level = static_cast<std::uint8_t>(255 * (1 - darker) + 0.5);
-  return {level, level, level, 255};
-}
+// Everything that dressing a cell looks at.
+struct Dressing {
+  const ground::GroundMesh& ground;
+  const scene::GroundCover& cover;
+  const Markings& markings;
+  const scene::Header& header;
+  double tolerance_m;
+  BorderShades border = border_shades(ground, cover.surfaces, header.seed);
+};
 
 // The piece that a surface is, or null.
 const roads::Piece* piece_of(const scene::GroundCover& cover, std::uint32_t surface) {
@@ -35,15 +35,20 @@ const roads::Piece* piece_of(const scene::GroundCover& cover, std::uint32_t surf
   return &cover.pieces[cover.surfaces[surface].piece - 1];
 }
 
-// Faces of one mesh are those of one surface, or of one run of a road's pieces.
+map::SurfaceClass class_of(const scene::GroundCover& cover, std::uint32_t surface) {
+  return surface == kNoSurface ? map::SurfaceClass::kUnknown : cover.surfaces[surface].surface;
+}
+
+// Faces of one mesh are those of one surface, or of one run of a road's pieces, and of one material.
 struct MeshOf {
   bool is_run;
   std::uint32_t number;
+  Material material;
   auto operator<=>(const MeshOf&) const = default;
 };
-MeshOf mesh_of(const scene::GroundCover& cover, std::uint32_t surface) {
+MeshOf mesh_of(const scene::GroundCover& cover, std::uint32_t surface, Material material) {
   const roads::Piece* piece = piece_of(cover, surface);
-  return piece ? MeshOf{true, piece->run} : MeshOf{false, surface};
+  return piece ? MeshOf{true, piece->run, material} : MeshOf{false, surface, material};
 }
 
 const Column* column_of(const Markings& markings, const roads::Piece* piece) {
@@ -52,51 +57,142 @@ const Column* column_of(const Markings& markings, const roads::Piece* piece) {
   return column.left_m < 0 ? nullptr : &column;
 }
 
-// On the sheet, or across and along the road where the piece is not marked.
-Vec2 uv_of(const roads::Piece& piece, const Column* column, Vec2 p) {
+Vec2 on_sheet(const roads::Piece& piece, const Column& column, Vec2 p) {
   Vec2 uv = roads::uv_at(piece.frame, p);
-  if (!column) return uv;
-  if (column->is_turned) uv = {column->width_m - uv.x, column->length_m - uv.y};
-  return {column->left_m + uv.x, uv.y};
+  if (column.is_turned) uv = {column.width_m - uv.x, column.length_m - uv.y};
+  return {column.left_m + uv.x, uv.y};
 }
 
-DressedMesh dressed_as(const scene::GroundCover& cover, const Markings& markings, std::uint32_t number,
-                       std::uint64_t seed) {
+std::vector<bool> beside_roads(const Dressing& d) {
+  std::vector<bool> is_beside(d.ground.mesh.positions.size(), false);
+  for (std::size_t f = 0; f < d.ground.face_surface.size(); ++f)
+    if (is_paved(class_of(d.cover, d.ground.face_surface[f])))
+      for (const std::uint32_t v : d.ground.mesh.triangles[f]) is_beside[v] = true;
+  return is_beside;
+}
+
+Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
+  return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
+}
+
+// The flatter one of the face's own normal and of its corners' mean: rounding turns slivers any way.
+Vec3 slope_of(const Mesh& mesh, std::size_t face) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 own = normal_of(mesh, t), smooth = unit(mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]]);
+  return own.z < smooth.z ? smooth : own;
+}
+
+Vec3 centre_of(const Mesh& mesh, std::size_t face) {
+  const Triangle& t = mesh.triangles[face];
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
+}
+
+std::vector<Material> materials_of_faces(const Dressing& d) {
+  const std::vector<bool> is_beside = beside_roads(d);
+  const Mesh& mesh = d.ground.mesh;
+  std::vector<Material> all;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
+    GroundFace face{class_of(d.cover, d.ground.face_surface[f]), slope_of(mesh, f), centre_of(mesh, f)};
+    face.is_upright = f >= d.ground.first_upright;
+    for (const std::uint32_t v : t) face.is_beside_road = face.is_beside_road || is_beside[v];
+    all.push_back(material_of(face, d.header.snow_line_m, d.header.seed));
+  }
+  return all;
+}
+
+// What lies under a building is seen by nobody.
+bool shows_texture(const Dressing& d, std::uint32_t surface, Material material) {
+  return class_of(d.cover, surface) != map::SurfaceClass::kBuilding && has_texture(material, d.tolerance_m);
+}
+
+// Where a face's corners lie on the sheet or on its material's texture.
+using Places = std::array<Vec2, 3>;
+
+template <typename Place>
+Places places(const Dressing& d, std::uint32_t face, Place place) {
+  const Triangle& t = d.ground.mesh.triangles[face];
+  const auto at = [&](std::size_t i) { return place(d.ground.mesh.positions[t[i]]); };
+  return {at(0), at(1), at(2)};
+}
+
+Places less(Places places, Vec2 off) { return {places[0] - off, places[1] - off, places[2] - off}; }
+
+// All of a cell is told from one corner of it, so that its faces share vertices.
+Places places_on_land(const Dressing& d, std::uint32_t face, Material material) {
+  const std::uint32_t surface = d.ground.face_surface[face];
+  const Vec2 east =
+      surface == kNoSurface ? Vec2{1, 0} : texture_direction(d.cover.surfaces[surface].id, material, d.header.seed);
+  const Places of_face = places(d, face, [&](Vec3 p) { return place_on_land(in_plan(p), east); });
+  return less(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
+}
+
+// Nothing where the face shows neither.
+std::optional<Places> places_of(const Dressing& d, std::uint32_t face, Material material) {
+  const std::uint32_t surface = d.ground.face_surface[face];
+  const roads::Piece* piece = piece_of(d.cover, surface);
+  if (const Column* column = column_of(d.markings, piece))
+    return places(d, face, [&](Vec3 p) { return on_sheet(*piece, *column, in_plan(p)); });
+  if (piece) {
+    const Places along = places(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
+    return less(along, periods_below(along));
+  }
+  if (!shows_texture(d, surface, material)) return std::nullopt;
+  const Vec3 normal = slope_of(d.ground.mesh, face);
+  if (normal.z >= kSteepCosine) return places_on_land(d, face, material);
+  const Places on_wall = places(d, face, [&](Vec3 p) { return place_on_wall(p, normal); });
+  return less(on_wall, periods_below(on_wall));
+}
+
+materials::Tint tint_at(const Dressing& d, std::uint32_t surface, Material material, std::uint32_t v) {
+  const Vec2 place = in_plan(d.ground.mesh.positions[v]);
+  Shade shade;
+  if (surface != kNoSurface) shade = shade_of(d.cover.surfaces[surface], material, d.header.seed);
+  if (d.border.is_shared[v] && is_soft(class_of(d.cover, surface))) shade = d.border.shades[v];
+  return tint_of(shade, shade_at(place, material, d.header.seed));
+}
+
+DressedMesh dressed_as(const Dressing& d, std::uint32_t surface, Material material) {
   DressedMesh mesh;
-  const bool is_bare = number == kNoSurface;
-  mesh.material = values_of(is_bare ? map::SurfaceClass::kUnknown : cover.surfaces[number].surface).material;
-  if (is_bare) return mesh;
-  mesh.tint = tint_of(cover.surfaces[number], mesh.material, seed);
-  mesh.feature = cover.surfaces[number].id.osm;
-  mesh.is_on_sheet = column_of(markings, piece_of(cover, number)) != nullptr;
+  mesh.material = material;
+  if (surface == kNoSurface) return mesh;
+  mesh.feature = d.cover.surfaces[surface].id.osm;
+  mesh.is_on_sheet = column_of(d.markings, piece_of(d.cover, surface)) != nullptr;
   return mesh;
 }
 
 // Where the ground's vertices are in the meshes made of it.
-struct Places {
+struct Known {
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
   std::vector<std::uint32_t> mesh, vertex;
-  explicit Places(std::size_t count) : mesh(count, kNowhere), vertex(count, 0) {}
+  explicit Known(std::size_t count) : mesh(count, kNowhere), vertex(count, 0) {}
 };
 
-// The mesh's vertex for one of the ground's, with this uv: the one it has, or a new one.
-std::uint32_t vertex_in(DressedMesh& dressed, std::uint32_t mesh, const ground::GroundMesh& ground, std::uint32_t v,
-                        const std::optional<Vec2>& uv, Places& places) {
-  const bool is_known = places.mesh[v] == mesh && (!uv || dressed.uvs[places.vertex[v]] == *uv);
-  if (is_known) return places.vertex[v];
-  places.mesh[v] = mesh;
-  places.vertex[v] = static_cast<std::uint32_t>(dressed.mesh.positions.size());
-  dressed.mesh.positions.push_back(ground.mesh.positions[v]);
-  dressed.mesh.normals.push_back(ground.mesh.normals[v]);
+// The last mesh's vertex for one of the ground's, with this place: the one it has, or a new one.
+std::uint32_t vertex_in(std::vector<DressedMesh>& all, const Dressing& d, std::uint32_t surface, std::uint32_t v,
+                        const std::optional<Vec2>& uv, Known& known) {
+  DressedMesh& dressed = all.back();
+  const auto mesh = static_cast<std::uint32_t>(all.size());
+  const bool is_known = known.mesh[v] == mesh && (!uv || dressed.uvs[known.vertex[v]] == *uv);
+  if (is_known) return known.vertex[v];
+  known.mesh[v] = mesh;
+  known.vertex[v] = static_cast<std::uint32_t>(dressed.mesh.positions.size());
+  dressed.mesh.positions.push_back(d.ground.mesh.positions[v]);
+  dressed.mesh.normals.push_back(d.ground.mesh.normals[v]);
+  dressed.tints.push_back(tint_at(d, surface, dressed.material, v));
   if (uv) dressed.uvs.push_back(*uv);
-  return places.vertex[v];
+  return known.vertex[v];
 }
 
-std::vector<std::uint32_t> faces_by_mesh(const ground::GroundMesh& ground, const scene::GroundCover& cover) {
-  std::vector<std::uint32_t> order(ground.face_surface.size());
-  for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t f) { return mesh_of(cover, ground.face_surface[f]); });
-  return order;
+void add_face(std::vector<DressedMesh>& all, const Dressing& d, std::uint32_t face, Known& known) {
+  const std::optional<Places> places = places_of(d, face, all.back().material);
+  Triangle triangle = d.ground.mesh.triangles[face];
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::optional<Vec2> uv;
+    if (places) uv = (*places)[i];
+    triangle[i] = vertex_in(all, d, d.ground.face_surface[face], triangle[i], uv, known);
+  }
+  all.back().mesh.triangles.push_back(triangle);
 }
 
 }  // namespace
@@ -121,24 +217,21 @@ Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m) {
 }
 
 std::vector<DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,
-                               const Markings& markings, std::uint64_t seed) {
+                               const Markings& markings, const scene::Header& header, double tolerance_m) {
+  const Dressing d{ground, cover, markings, header, tolerance_m};
+  const std::vector<Material> materials = materials_of_faces(d);
+  const auto mesh_of_face = [&](std::uint32_t f) { return mesh_of(cover, ground.face_surface[f], materials[f]); };
+  std::vector<std::uint32_t> order(ground.face_surface.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, mesh_of_face);
+
   std::vector<DressedMesh> dressed;
-  Places places(ground.mesh.positions.size());
-  std::uint32_t last = 0;
-  for (const std::uint32_t f : faces_by_mesh(ground, cover)) {
-    const std::uint32_t number = ground.face_surface[f];
-    if (dressed.empty() || mesh_of(cover, last) != mesh_of(cover, number))
-      dressed.push_back(dressed_as(cover, markings, number, seed));
-    last = number;
-    const roads::Piece* piece = piece_of(cover, number);
-    const Column* column = column_of(markings, piece);
-    Triangle triangle = ground.mesh.triangles[f];
-    for (std::uint32_t& v : triangle) {
-      std::optional<Vec2> uv;
-      if (piece) uv = uv_of(*piece, column, in_plan(ground.mesh.positions[v]));
-      v = vertex_in(dressed.back(), static_cast<std::uint32_t>(dressed.size()), ground, v, uv, places);
-    }
-    dressed.back().mesh.triangles.push_back(triangle);
+  Known known(ground.mesh.positions.size());
+  std::optional<MeshOf> last;
+  for (const std::uint32_t f : order) {
+    if (last != mesh_of_face(f)) dressed.push_back(dressed_as(d, ground.face_surface[f], materials[f]));
+    last = mesh_of_face(f);
+    add_face(dressed, d, f, known);
   }
   return dressed;
 }

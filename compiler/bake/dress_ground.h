@@ -26,9 +26,10 @@ struct Markings {
 /// Patterns that look alike share a column. Same bytes for the same patterns in any order.
 Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m);
 
-/// A cell's ground: a mesh a surface, and for roads one a run of pieces, with texture coordinates; tinted by (seed,
-/// surface). On the sheet where a piece is marked.
+/// A cell's ground: a mesh a surface, or one a run of a road's pieces, and for each material that slope and snow make
+/// of it (ground_material.h). Vertices have tints (ground_tint.h, border_shade.h), and places on the sheet where a
+/// piece is marked, else on their material's texture where the tolerance has any; on pieces of roads always.
 std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,
-                                          const Markings& markings, std::uint64_t seed);
+                                          const Markings& markings, const scene::Header& header, double tolerance_m);
 
 }  // namespace citykiln::bake

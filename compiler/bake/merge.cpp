@@ -31,7 +31,7 @@ struct Copies {
     const auto v = static_cast<std::uint32_t>(primitive.positions.size());
     primitive.positions.push_back(offset_from(origin, dressed.mesh.positions[position]));
     primitive.normals.push_back(normal);
-    primitive.colours.push_back(dressed.tint);
+    primitive.colours.push_back(dressed.tints.empty() ? dressed.tint : dressed.tints[position]);
     primitive.features.push_back(feature);
     if (!dressed.uvs.empty()) primitive.uvs.push_back(single(dressed.uvs[position]));
     next.push_back(first[position]);
@@ -51,6 +51,7 @@ Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature) {
   const Mesh& mesh = dressed.mesh;
   assert(dressed.uvs.empty() ? !dressed.is_on_sheet : dressed.uvs.size() == mesh.positions.size());
+  assert(dressed.tints.empty() || dressed.tints.size() == mesh.positions.size());
   const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.is_on_sheet};
   Primitive& primitive = merged[key];
   primitive.material = key.material, primitive.is_on_sheet = key.is_on_sheet;
@@ -63,6 +64,14 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
       corners[i] = copies.vertex(t[i], single(mesh.normals.empty() ? flat : mesh.normals[t[i]]));
     primitive.triangles.push_back(corners);
   }
+}
+
+std::vector<materials::Texture> textures_shown(std::span<const Primitive> primitives, double tolerance_m,
+                                               std::uint64_t seed) {
+  std::vector<materials::Material> shown;
+  for (const Primitive& p : primitives)
+    if (!p.uvs.empty() && !p.is_on_sheet) shown.push_back(p.material);
+  return materials::textures_of(shown, tolerance_m, seed);
 }
 
 std::vector<Primitive> primitives_of(Merged&& merged) {

@@ -21,6 +21,10 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
 /// Sorted by key.
 std::vector<Primitive> primitives_of(Merged&& merged);
 
+/// The textures of what shows its material's, in the order of materials.
+std::vector<materials::Texture> textures_shown(std::span<const Primitive> primitives, double tolerance_m,
+                                               std::uint64_t seed);
+
 Float3 offset_from(Vec3 origin, Vec3 p);
 
 }  // namespace citykiln::bake

@@ -69,7 +69,7 @@ Json describe(const bake::BakedTile& tile) {
                {"features", tile.features.size() - 1}};
   json["materials"] = Json::object();
   for (const bake::Primitive& primitive : tile.primitives) {
-    Json& count = json["materials"][exporters::material_name(bake::key_of(primitive))];
+    Json& count = json["materials"][exporters::material_name(bake::key_of(primitive), tile.textures)];
     count = (count.is_null() ? 0 : count.get<std::size_t>()) + primitive.triangles.size();
   }
   json["instanced"] = Json::object();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "compiler/commands/join_sheets.h"
@@ -90,6 +91,14 @@ bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& li
   return joined.instanced.emplace_back(bake::Instanced{like.name, std::move(primitives), {}, {}, {}, {}});
 }
 
+/// One a material: tiles of one tolerance and seed have the same.
+void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tiles) {
+  std::map<materials::Material, const materials::Texture*> first;
+  for (const bake::BakedTile& tile : tiles)
+    for (const materials::Texture& texture : tile.textures) first.emplace(texture.material, &texture);
+  for (const auto& [material, texture] : first) joined.textures.push_back(*texture);
+}
+
 }  // namespace
 
 Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
@@ -103,6 +112,8 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   Result<JoinedSheets> joined_sheets = join_sheets(sheets);
   if (!joined_sheets) return joined_sheets.error();
   joined.sheet = std::move(joined_sheets->sheet);
+
+  add_textures(joined, tiles);
 
   double reach_m = 0;
   for (std::size_t t = 0; t < tiles.size(); ++t) {

@@ -15,9 +15,10 @@ struct DressedMesh {
   Material material{};
   Tint tint = kNoTint;
   OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
-  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. Elsewhere, on plain
-  /// road surfaces: x across the road, y along it.
+  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. Elsewhere where the
+  /// material's texture is shown: across and along a road; east and north, or a field's rows, on land.
   std::vector<Vec2> uvs{};
+  std::vector<Tint> tints{};  ///< One a position, instead of `tint`; or empty.
   bool is_on_sheet =
       false;  ///< Drawn with the tile's sheet (sheet.h) instead of the material's colour; then it has uvs.
 };

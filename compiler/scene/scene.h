@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct Header {
   sky::Sky sky;
   std::vector<std::string> sources;       ///< File names of map and heightmaps, without folders.
   std::vector<std::string> attributions;  ///< "© OpenStreetMap contributors", then the heightmaps' credits.
+  std::optional<double> snow_line_m{};    ///< Land above it, in the heights' datum, is under snow.
   bool operator==(const Header&) const = default;
 };
 

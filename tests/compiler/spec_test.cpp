@@ -60,6 +60,7 @@ TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},
+                                                      {"snow-line", "2200"},
                                                       {"strict", "true"},
                                                       {"time", "2026-06-21T15:00"}};
   for (const auto& [name, text] : rows) EXPECT_EQ(objection(name, text), "") << name;
@@ -68,11 +69,11 @@ TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
 
 TEST(Spec, ObjectionsNameTheSettingAndWhatItTakes) {
   const std::pair<const char*, const char*> rows[] = {
-      {"bbox", "1,2,3"}, {"bbox", "3,1,2,2"}, {"bbox", "1,2,x,4"}, {"origin", "1"},       {"tile", "100"},
-      {"tile", "0"},     {"only", "1-2"},     {"emit", "obj"},     {"lods", "1,1"},       {"lods", "0,1"},
-      {"lods", ""},      {"world", "torus"},  {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"},
-      {"seed", "-1"},    {"threads", "-1"},   {"threads", "1.5"},  {"strict", "yes"},     {"dem", "a,bound=1"},
-      {"time", "noon"}};
+      {"bbox", "1,2,3"}, {"bbox", "3,1,2,2"},  {"bbox", "1,2,x,4"}, {"origin", "1"},       {"tile", "100"},
+      {"tile", "0"},     {"only", "1-2"},      {"emit", "obj"},     {"lods", "1,1"},       {"lods", "0,1"},
+      {"lods", ""},      {"world", "torus"},   {"compress", "zip"}, {"instancing", "yes"}, {"drive-on", "top"},
+      {"seed", "-1"},    {"threads", "-1"},    {"threads", "1.5"},  {"strict", "yes"},     {"dem", "a,bound=1"},
+      {"time", "noon"},  {"snow-line", "high"}};
   for (const auto& [name, text] : rows) {
     EXPECT_TRUE(objection(name, text).starts_with("--" + std::string(name) + ": "))
         << name << " " << text << ": " << objection(name, text);

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "exporters/png.h"
 #include "tests/exporters/made_tile.h"
 
 namespace citykiln::exporters {
@@ -61,7 +62,7 @@ std::string refusal_with(Instancing instancing, const std::string& text, const s
 TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
   for (std::uint32_t seed = 0; seed < 100; ++seed)
     for (const Instancing instancing : kBoth) {
-      for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed)}) {
+      for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_textured_tile(seed)}) {
         const auto back = decoded(encoded(tile, instancing));
         ASSERT_TRUE(back) << refusal(back);
         ASSERT_EQ(*back, tile);
@@ -110,7 +111,100 @@ TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
     for (const bool is_on_sheet : {false, true})
-      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, is_on_sheet})).second);
+      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, is_on_sheet}, {})).second);
+}
+
+nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {
+  for (const auto& material : gltf["materials"])
+    if (material["name"] == name) return material;
+  ADD_FAILURE() << "no material " << name;
+  return {};
+}
+
+// What the primitive of a material has as its attributes.
+nlohmann::json attributes_of(const nlohmann::json& gltf, const std::string& name) {
+  for (const auto& primitive : gltf["meshes"][0]["primitives"])
+    if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] == name) return primitive["attributes"];
+  ADD_FAILURE() << "no primitive of " << name;
+  return {};
+}
+
+TEST(GlbTextures, RepeatBothWays) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  ASSERT_EQ(gltf["samplers"].size(), 2u);
+  EXPECT_EQ(gltf["samplers"][1]["wrapS"], 10497);
+  EXPECT_EQ(gltf["samplers"][1]["wrapT"], 10497);
+  // the sheet, three colours, and normals of water, rock and masonry
+  EXPECT_EQ(gltf["images"].size(), 7u);
+  EXPECT_EQ(gltf["images"][0]["name"], "sheet");
+  EXPECT_EQ(gltf["textures"][0]["sampler"], 0);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_EQ(gltf["textures"][i]["sampler"], 1);
+}
+
+TEST(GlbTextures, ShowTheirPictureTimesTheFactor) {
+  const BakedTile tile = made_textured_tile(1);
+  const auto gltf = gltf_of(tile);
+  for (const materials::Texture& texture : tile.textures) {
+    const std::string name(values_of(texture.material).name);
+    const auto material = material_called(gltf, name);
+    const auto factor = colour_factor(texture);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][c].get<double>(), factor[c]) << name;
+    if (texture.colour.texels.empty()) continue;
+    const auto shown = material["pbrMetallicRoughness"]["baseColorTexture"];
+    const auto& image =
+        gltf["images"][gltf["textures"][shown["index"].get<std::size_t>()]["source"].get<std::size_t>()];
+    EXPECT_EQ(image["name"], name + "Colour");
+  }
+}
+
+TEST(GlbTextures, PlacesAreMetresIn16BitsWhereTheyFit) {
+  const BakedTile tile = made_textured_tile(1);
+  const auto gltf = gltf_of(tile);
+  const auto scale_of = [&](const char* name) {
+    const auto transform = material_called(gltf, name)["pbrMetallicRoughness"]["baseColorTexture"]["extensions"];
+    return transform["KHR_texture_transform"]["scale"][0].get<double>();
+  };
+  const auto component = [&](const char* name) {
+    return gltf["accessors"][attributes_of(gltf, name)["TEXCOORD_0"].get<std::size_t>()]["componentType"].get<int>();
+  };
+  EXPECT_EQ(component("Grass"), 5123);
+  EXPECT_EQ(component("Rock"), 5126);
+  EXPECT_EQ(scale_of("Grass"), 65535 * materials::kTexturePlace_m / 8);
+  EXPECT_EQ(scale_of("Rock"), 1.0 / 16);
+}
+
+TEST(GlbTextures, NormalsComeWithTangents) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  for (const char* name : {"Water", "Rock", "Stone"}) {
+    EXPECT_TRUE(material_called(gltf, name).contains("normalTexture")) << name;
+    EXPECT_TRUE(attributes_of(gltf, name).contains("TANGENT")) << name;
+  }
+  EXPECT_FALSE(attributes_of(gltf, "Grass").contains("TANGENT"));
+}
+
+TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  const auto plain = material_called(gltf, "StonePlain")["pbrMetallicRoughness"];
+  EXPECT_FALSE(plain.contains("baseColorTexture"));
+  EXPECT_EQ(plain["baseColorFactor"][0].get<float>(), values_of(materials::Material::kStone).base_colour[0]);
+}
+
+// DESIGN 8.15: a byte budget a tile. Whatever materials it has, all of them together fit.
+TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
+  std::vector<materials::Material> all;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    all.push_back(static_cast<materials::Material>(m));
+  const auto bytes_at = [&](double tolerance_m) {
+    std::size_t bytes = 0;
+    for (const materials::Texture& texture : materials::textures_of(all, tolerance_m, 0))
+      for (const materials::Sheet* sheet : {&texture.colour, &texture.normal})
+        if (!sheet->texels.empty()) bytes += encode_png(*sheet).size();
+    return bytes;
+  };
+  EXPECT_LE(bytes_at(0.02), 300'000u);
+  EXPECT_LE(bytes_at(0.1), 60'000u);
+  EXPECT_EQ(bytes_at(0.5), 0u);
 }
 
 TEST(Glb, BothWaysOfInstancingAreOneTile) {
@@ -247,7 +341,37 @@ TEST(GlbSheetDamage, PlacesThatAreNotFiniteAreRefused) {
 
 TEST(GlbSheetDamage, ASecondSheetIsRefused) {
   const std::string images = images_of(made_marked_tile(1)), one = images.substr(1, images.size() - 2);
-  EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"), "tile.glb: expected one sheet at most");
+  EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"),
+            "tile.glb: expected pictures named after materials, and one sheet at most");
+}
+
+std::string textured_refusal_with(const std::string& text, const std::string& other) {
+  return refusal_with(Instancing::kExtension, text, other, made_textured_tile(1));
+}
+
+TEST(GlbTextureDamage, PicturesOfNoMaterialTwiceOrOutOfOrderAreRefused) {
+  const std::string named = "tile.glb: expected pictures named after materials, and one sheet at most",
+                    once = "tile.glb: expected each material's pictures once, in order";
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"GrossColour\""), named);
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"Grass\""), named);
+  EXPECT_EQ(textured_refusal_with("\"RockColour\"", "\"RockNormal\""), once);
+  EXPECT_EQ(textured_refusal_with("\"WaterNormal\"", "\"GrassColour\""), once);
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"StoneColour\""), once);
+}
+
+TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
+  std::mt19937 dice(5);
+  const Bytes bytes = encoded(made_textured_tile(3), Instancing::kExtension);
+  const std::size_t end = 20 + json_of(bytes).size();
+  for (std::size_t at = 0; at < end; at += 1 + dice() % 5) {
+    Bytes changed = bytes;
+    changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
+    const auto tile = decoded(changed);
+    if (!tile) continue;
+    const auto again = decoded(encoded(*tile, Instancing::kExtension));
+    ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
+    ASSERT_EQ(*again, *tile) << "byte " << at;
+  }
 }
 
 TEST(GlbSheetDamage, TexelsWithoutASizeAreRefused) {
@@ -269,7 +393,7 @@ TEST(GlbSheetDamage, APictureThatIsNoneIsRefused) {
     const auto at = find(word);
     ASSERT_NE(at, bytes.end());
     *at ^= std::byte{1};
-    EXPECT_EQ(refusal(decoded(bytes)).substr(0, 50), "tile.glb: expected a sheet: expected a PNG picture");
+    EXPECT_EQ(refusal(decoded(bytes)).substr(0, 52), "tile.glb: expected a picture: expected a PNG picture");
   }
 }
 

@@ -43,6 +43,7 @@ class SceneMaker {
     h.resampling_error_m = 0.125;
     h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
+    if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
     return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};
   }

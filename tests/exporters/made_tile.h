@@ -76,4 +76,27 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   return tile;
 }
 
+/// The same on textures: land, water, a wall, a primitive too wide for 16 bits, and one of a textured material that has
+/// no places.
+inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
+  std::mt19937 dice(seed + 2000);
+  bake::BakedTile tile = made_marked_tile(seed);
+  using materials::Material;
+  const auto placed = [&](Material material, double step_m) {
+    bake::Primitive p = made_primitive(dice, material, 12, 4);
+    for (std::size_t i = 0; i < p.positions.size(); ++i)
+      p.uvs.push_back({static_cast<float>(dice() % 65536 * step_m), static_cast<float>(dice() % 65536 * step_m)});
+    return p;
+  };
+  tile.primitives.clear();
+  tile.primitives.push_back(placed(Material::kGrass, materials::kTexturePlace_m));
+  tile.primitives.push_back(placed(Material::kWater, materials::kTexturePlace_m));
+  tile.primitives.push_back(placed(Material::kRock, 1.25));
+  tile.primitives.push_back(made_primitive(dice, Material::kStone, 12, 4));
+  tile.primitives.push_back(placed(Material::kStone, materials::kTexturePlace_m));
+  const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone};
+  tile.textures = materials::textures_of(shown, 0.05, seed);
+  return tile;
+}
+
 }  // namespace citykiln::exporters

@@ -2,6 +2,7 @@
 """exporters/MANIFEST.md is enough: a reader made of its words alone, down to its table of streams, reads what citykiln writes."""
 import ctypes
 import ctypes.util
+import math
 import re
 import struct
 import sys
@@ -248,6 +249,8 @@ class Manifest:
         assert fnv(manifest[:16] + frame) == value
         header = root_of(unzstd(frame))
         self.dictionary = header.bytes(13)
+        line_m = header.number(14, "d") if header.place(14) else math.nan
+        self.snow_line_m = None if math.isnan(line_m) else line_m
         self.chunks, end = {}, 0
         for tile, size, value in tiles_of(header.table(12)):
             assert not self.chunks or max(self.chunks) < tile
@@ -289,6 +292,11 @@ class Page(ProgramTest):
         self.assertGreaterEqual(len(manifest.chunks), 64)
         self.assertTrue(manifest.dictionary)
         self.assertEqual(sum(len(chunk.buildings) for chunk in manifest.chunks.values()), report_of(out)["counts"]["buildings"])
+
+    def test_says_where_snow_lies(self):
+        for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):
+            out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", *arguments)
+            self.assertEqual(Manifest((out / "scene.kiln").read_bytes()).snow_line_m, line_m)
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "exporters/chunk_codec.h"
@@ -204,6 +205,20 @@ TEST(Manifest, OtherTablesAreOneClearLine) {
   const Bytes other = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) { ++h.tables_hash; });
   EXPECT_EQ(refusal(decoded(other)),
             "town.kiln: expected this version's materials and surface classes, found others: made by another citykiln");
+}
+
+TEST(Manifest, AHeaderWithoutASnowLineHasNone) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const scene::Scene scene = made(seed);
+    const auto back = decoded(with_header(encode_manifest(scene, 1), [](fbs::HeaderT& h) { h.snow_line_m = NAN; }));
+    ASSERT_TRUE(back) << refusal(back);
+    EXPECT_FALSE(back->header.snow_line_m);
+  }
+}
+
+TEST(Manifest, ASnowLineBeyondAllHeightsIsDamage) {
+  const Bytes endless = with_header(encode_manifest(made(4), 1), [](fbs::HeaderT& h) { h.snow_line_m = INFINITY; });
+  EXPECT_EQ(refusal(decoded(endless)), "town.kiln: expected a citykiln manifest, found one whose header is damaged");
 }
 
 TEST(Manifest, ALaterMinorFormatIsRead) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/materials/texture.h"
+
 namespace citykiln::bake {
 namespace {
 
@@ -34,6 +36,7 @@ struct OnePiece {
     ground.mesh.normals.assign(4, {0, 0, 1});
     ground.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     ground.face_surface = {0, 0};
+    ground.first_upright = 2;
   }
 };
 
@@ -50,7 +53,7 @@ TEST(Markings, OfAStripDrawnEitherWayShareAColumn) {
 TEST(DressGround, PutsMarkedPiecesOnTheSheet) {
   const OnePiece one(0);
   const Markings markings = lay_out_markings(one.cover, 0.05);
-  const auto meshes = dress(one.ground, one.cover, markings, 1);
+  const auto meshes = dress(one.ground, one.cover, markings, {}, 0.05);
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_TRUE(meshes[0].is_on_sheet);
   EXPECT_EQ(meshes[0].feature.id, 9);
@@ -65,12 +68,91 @@ TEST(DressGround, PutsMarkedPiecesOnTheSheet) {
   }
 }
 
-TEST(DressGround, KeepsTheMetresOfPiecesThatAreNotMarked) {
+TEST(DressGround, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   const OnePiece one(roads::kNoPattern);
-  const auto meshes = dress(one.ground, one.cover, lay_out_markings(one.cover, 0.05), 1);
+  const auto meshes = dress(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05);
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_FALSE(meshes[0].is_on_sheet);
-  EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100}));
+  EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
+}
+
+// Land of one class: a level square, and one that rises from x = 50 on.
+struct Slope {
+  scene::GroundCover cover;
+  ground::GroundMesh ground;
+
+  Slope(map::SurfaceClass surface, double rise) {
+    cover.surfaces = {{{{OsmType::kWay, 5}, 0}, surface, 1, {{{0, 0}, {90, 0}, {90, 50}, {0, 50}}}}};
+    for (const double y : {3.0, 50.0})
+      for (const double x : {3.0, 50.0, 90.0}) ground.mesh.positions.push_back({x, y, x > 50 ? rise * (x - 50) : 0});
+    for (const Vec3& p : ground.mesh.positions) ground.mesh.normals.push_back(unit(Vec3{p.x >= 50 ? -rise : 0, 0, 1}));
+    ground.mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    ground.face_surface = {0, 0, 0, 0};
+    ground.first_upright = 4;
+  }
+
+  std::vector<materials::DressedMesh> dressed(double tolerance_m, std::optional<double> snow_line_m = {}) const {
+    scene::Header header;
+    header.snow_line_m = snow_line_m;
+    return dress(ground, cover, {}, header, tolerance_m);
+  }
+};
+
+TEST(DressGround, SteepFacesAreMeshesOfRockOfTheSameFeature) {
+  const auto meshes = Slope(map::SurfaceClass::kMeadow, 3).dressed(0.02);
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].material, materials::Material::kMeadow);
+  EXPECT_EQ(meshes[1].material, materials::Material::kRock);
+  for (const auto& mesh : meshes) {
+    EXPECT_EQ(mesh.mesh.triangles.size(), 2u);
+    EXPECT_EQ(mesh.feature.id, 5);
+  }
+  // up the wall, not seen from above
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(meshes[1].uvs[i].y, meshes[1].mesh.positions[i].z);
+}
+
+TEST(DressGround, UprightLandIsMasonryAndTellsItsHeight) {
+  Slope quay(map::SurfaceClass::kMeadow, 0);
+  quay.ground.mesh.positions = {{10, 20, 0}, {14, 20, 0}, {14, 20, 3}};
+  quay.ground.mesh.normals.assign(3, {0, -1, 0});
+  quay.ground.mesh.triangles = {{0, 1, 2}}, quay.ground.face_surface = {0}, quay.ground.first_upright = 0;
+  const auto meshes = quay.dressed(0.02);
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].material, materials::Material::kStone);
+  EXPECT_EQ(meshes[0].uvs, (std::vector<Vec2>{{10, 0}, {14, 0}, {14, 3}}));
+}
+
+TEST(DressGround, ASliverIsNotSteepWhereTheLandAboutItIsNot) {
+  Slope land(map::SurfaceClass::kMeadow, 0);
+  land.ground.mesh.positions[1].z = 300;
+  for (const auto& mesh : land.dressed(0.02)) EXPECT_EQ(mesh.material, materials::Material::kMeadow);
+}
+
+TEST(DressGround, SnowIsAskedForByTheHeader) {
+  const Slope high(map::SurfaceClass::kMeadow, 0.2);
+  EXPECT_EQ(high.dressed(0.02).size(), 1u);
+  const auto meshes = high.dressed(0.02, -100);
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].material, materials::Material::kSnow);
+}
+
+TEST(DressGround, EachVertexHasATintAndAPlaceWhereThereIsATexture) {
+  const Slope slope(map::SurfaceClass::kFarmland, 0.1);
+  for (const double tolerance_m : {0.02, 0.1, 0.25, 2.5})
+    for (const auto& mesh : slope.dressed(tolerance_m)) {
+      EXPECT_EQ(mesh.mesh.positions.size(), 6u);
+      EXPECT_EQ(mesh.tints.size(), 6u);
+      EXPECT_EQ(mesh.uvs.size(), tolerance_m < materials::kPlainGround_m ? 6u : 0u);
+    }
+}
+
+TEST(DressGround, LevelsHaveTheSameTints) {
+  const Slope slope(map::SurfaceClass::kFarmland, 0.1);
+  EXPECT_EQ(slope.dressed(0.02)[0].tints, slope.dressed(12.5)[0].tints);
+}
+
+TEST(DressGround, WhatLiesUnderBuildingsHasNoPlaces) {
+  for (const auto& mesh : Slope(map::SurfaceClass::kBuilding, 0).dressed(0.02)) EXPECT_TRUE(mesh.uvs.empty());
 }
 
 }  // namespace

@@ -57,6 +57,27 @@ TEST(Merge, EachVertexHasTheUvOfItsPosition) {
   }
 }
 
+TEST(Merge, EachVertexHasTheTintOfItsPosition) {
+  DressedMesh dressed = square(Material::kGrass);
+  dressed.tints = {{1, 0, 0, 255}, {2, 0, 0, 255}, {3, 0, 0, 255}, {4, 0, 0, 255}};
+  const auto primitives = merged({dressed});
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Float3& at = primitives[0].positions[v];
+    const int corner = at[1] == 0 ? (at[0] == 0 ? 1 : 2) : (at[0] == 0 ? 4 : 3);
+    EXPECT_EQ(primitives[0].colours[v][0], corner);
+  }
+}
+
+TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
+  const auto primitives = merged({laid_out(Material::kAsphalt, true), laid_out(Material::kGrass, false),
+                                  square(Material::kMeadow), laid_out(Material::kRock, false)});
+  const auto textures = textures_shown(primitives, 0.1, 1);
+  ASSERT_EQ(textures.size(), 2u);
+  EXPECT_EQ(textures[0].material, Material::kGrass);
+  EXPECT_EQ(textures[1].material, Material::kRock);
+  EXPECT_TRUE(textures_shown(primitives, 2.5, 1).empty());
+}
+
 TEST(Merge, MeshesWithoutUvsGetNone) {
   for (const Primitive& p : merged({square(Material::kGrass), laid_out(Material::kAsphalt, true)}))
     EXPECT_EQ(p.uvs.size(), p.is_on_sheet ? p.positions.size() : 0);

@@ -51,6 +51,17 @@ TEST(JoinTiles, KeepsWhoseEverythingIs) {
   EXPECT_EQ(joined->instanced[0].features, (std::vector<std::uint32_t>{2, 1}));
 }
 
+TEST(JoinTiles, HasEachMaterialsTextureOnceInOrder) {
+  using materials::Material;
+  std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0)};
+  const Material one[] = {Material::kGrass, Material::kRock}, other[] = {Material::kMeadow, Material::kRock};
+  tiles[0].textures = materials::textures_of(one, 0.1, 1), tiles[1].textures = materials::textures_of(other, 0.1, 1);
+  const Result<bake::BakedTile> joined = join_tiles(tiles);
+  ASSERT_TRUE(joined);
+  const Material all[] = {Material::kGrass, Material::kMeadow, Material::kRock};
+  EXPECT_EQ(joined->textures, materials::textures_of(all, 0.1, 1));
+}
+
 TEST(JoinTiles, SharesMeshesThatAreTheSame) {
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
                        tile_at({2048, 0, 0}, way(4), 0)};

@@ -1,0 +1,56 @@
+#include "compiler/bake/border_shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/map/locate.h"
+
+namespace citykiln::bake {
+namespace {
+
+struct Corner {
+  std::uint32_t vertex, surface;
+  auto operator<=>(const Corner&) const = default;
+};
+
+bool is_on_cell_border(Vec3 p) {
+  const auto is_whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
+  return is_whole(p.x) || is_whole(p.y);
+}
+
+std::vector<Corner> soft_corners(const ground::GroundMesh& ground, const std::vector<ground::Surface>& surfaces) {
+  std::vector<Corner> corners;
+  for (std::size_t f = 0; f < ground.face_surface.size(); ++f) {
+    const std::uint32_t surface = ground.face_surface[f];
+    if (surface == ground::kNoSurface || !is_soft(surfaces[surface].surface)) continue;
+    for (const std::uint32_t v : ground.mesh.triangles[f])
+      if (!is_on_cell_border(ground.mesh.positions[v])) corners.push_back({v, surface});
+  }
+  std::ranges::sort(corners);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+}  // namespace
+
+BorderShades border_shades(const ground::GroundMesh& ground, const std::vector<ground::Surface>& surfaces,
+                           std::uint64_t seed) {
+  const std::size_t count = ground.mesh.positions.size();
+  BorderShades border{std::vector<Shade>(count), std::vector<bool>(count, false)};
+  const std::vector<Corner> corners = soft_corners(ground, surfaces);
+  for (auto first = corners.begin(); first != corners.end();) {
+    const auto end = std::find_if(first, corners.end(), [&](const Corner& c) { return c.vertex != first->vertex; });
+    Shade sum{0, 0, 0};
+    const double share = 1.0 / static_cast<double>(end - first);
+    for (auto c = first; c != end; ++c) {
+      const ground::Surface& surface = surfaces[c->surface];
+      const Shade shade = shade_of(surface, values_of(surface.surface).material, seed);
+      sum = {sum.red + share * shade.red, sum.green + share * shade.green, sum.blue + share * shade.blue};
+    }
+    border.shades[first->vertex] = sum, border.is_shared[first->vertex] = end - first > 1;
+    first = end;
+  }
+  return border;
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,52 @@
+#include "compiler/bake/ground_material.h"
+
+#include "compiler/materials/noise.h"
+
+namespace citykiln::bake {
+namespace {
+
+using map::SurfaceGroup;
+using materials::Material;
+
+bool is_town(SurfaceGroup group) {
+  return group == SurfaceGroup::kTown || group == SurfaceGroup::kIndustry || group == SurfaceGroup::kGarden;
+}
+
+// Two lengths of waves, so that the line neither runs level nor in bows of one size.
+bool is_above(Vec3 at, double snow_line_m, std::uint64_t seed) {
+  const double sway =
+      0.6 * materials::noise_at(in_plan(at), 260, seed) + 0.4 * materials::noise_at(in_plan(at), 70, seed);
+  return at.z >= snow_line_m + kSnowLineSway_m * sway;
+}
+
+}  // namespace
+
+bool is_land(SurfaceGroup group) {
+  switch (group) {
+    case SurfaceGroup::kUnknown:
+    case SurfaceGroup::kForest:
+    case SurfaceGroup::kGrassland:
+    case SurfaceGroup::kFarm:
+    case SurfaceGroup::kGarden:
+    case SurfaceGroup::kScrubland:
+    case SurfaceGroup::kWetland:
+    case SurfaceGroup::kBare:
+    case SurfaceGroup::kTown:
+    case SurfaceGroup::kIndustry:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed) {
+  const auto& values = values_of(face.surface);
+  if (!is_land(values.group)) return values.material;
+  if (face.is_upright) return Material::kStone;
+  const bool is_snowed = snow_line_m && face.normal.z >= kSnowCosine && is_above(face.centre, *snow_line_m, seed);
+  if (is_snowed) return Material::kSnow;
+  if (face.normal.z >= kSteepCosine) return values.material;
+  return is_town(values.group) || face.is_beside_road ? Material::kStone : Material::kRock;
+}
+
+}  // namespace citykiln::bake

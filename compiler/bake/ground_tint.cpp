@@ -1,0 +1,96 @@
+#include "compiler/bake/ground_tint.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "compiler/contract/draw.h"
+#include "compiler/materials/noise.h"
+
+namespace citykiln::bake {
+namespace {
+
+using ground::Surface;
+using map::SurfaceGroup;
+using materials::Material;
+
+// Against ripe straw, the table's farmland: stubble, ploughed, sown, green, turning, ripe.
+constexpr Shade kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
+                            {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
+
+bool is_green(Material material) {
+  switch (material) {
+    case Material::kUnknownGround:
+    case Material::kGrass:
+    case Material::kMeadow:
+    case Material::kFarmland:
+    case Material::kOrchard:
+    case Material::kForestFloor:
+    case Material::kScrub:
+    case Material::kHeath:
+    case Material::kWetland:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Shade times(Shade a, Shade b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
+
+// -1: lush and bluish; 1: dry and yellowish.
+Shade dried(double dryness) {
+  if (dryness > 0) return {1, 1 - 0.07 * dryness, 1 - 0.30 * dryness};
+  return {1 + 0.24 * dryness, 1 + 0.04 * dryness, 1 + 0.06 * dryness};
+}
+
+}  // namespace
+
+bool is_paved(map::SurfaceClass surface) {
+  const SurfaceGroup group = map::values_of(surface).group;
+  return group == SurfaceGroup::kRoad || group == SurfaceGroup::kPath || group == SurfaceGroup::kRail ||
+         group == SurfaceGroup::kPaved;
+}
+
+bool is_soft(map::SurfaceClass surface) {
+  const SurfaceGroup group = map::values_of(surface).group;
+  return group == SurfaceGroup::kForest || group == SurfaceGroup::kGrassland || group == SurfaceGroup::kScrubland ||
+         group == SurfaceGroup::kWetland || group == SurfaceGroup::kBare;
+}
+
+Shade shade_of(const Surface& surface, Material material, std::uint64_t seed) {
+  if (is_paved(surface.surface)) return {};
+  const Draw draw(seed, stable_id(surface.id), "ground tint");
+  const double level = 1 - values_of(material).variation * draw.unit(0);
+  const Shade plain{level, level, level};
+  if (material == Material::kFarmland) return times(plain, kCrops[draw.below(std::size(kCrops), 1)]);
+  return is_green(material) ? times(plain, dried(0.8 * (2 * draw.unit(1) - 1))) : plain;
+}
+
+Shade shade_at(Vec2 place_m, Material material, std::uint64_t seed) {
+  const double variation = values_of(material).variation;
+  if (variation == 0) return {};
+  struct Wave {
+    double length_m, share;
+  };
+  constexpr Wave kLight[] = {{300, 0.45}, {110, 0.33}, {35, 0.22}}, kDry[] = {{230, 0.6}, {70, 0.4}};
+  const auto sum = [&](const auto& waves, std::uint64_t key) {
+    double noise = 0;
+    for (const Wave& wave : waves) noise += wave.share * materials::noise_at(place_m, wave.length_m, key++);
+    return noise;
+  };
+  const bool grows = is_green(material);
+  const double depth = grows ? 0.10 + variation : variation;
+  const double level = 1 - depth * std::clamp(0.5 + 0.9 * sum(kLight, seed), 0.0, 1.0);
+  const Shade light{level, level, level};
+  // a field is sown as one
+  const double spread = material == Material::kFarmland ? 0.5 : 1.3;
+  return grows ? times(light, dried(std::clamp(spread * sum(kDry, seed + 100), -1.0, 1.0))) : light;
+}
+
+materials::Tint tint_of(Shade surface, Shade place) {
+  const auto byte = [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); };
+  const Shade both = times(surface, place);
+  return {byte(both.red), byte(both.green), byte(both.blue), 255};
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,162 @@
+#include "compiler/materials/texture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "compiler/contract/draw.h"
+#include "compiler/materials/texture_pattern.h"
+
+namespace citykiln::materials {
+namespace {
+
+using Rgb = std::array<double, 3>;
+
+constexpr int kColours = 16;
+// Steps of a slope either way: 15 by 15 normals fit a palette.
+constexpr int kSlopeSteps = 7, kMirroredSlopeSteps = 100;
+// From here on the ground's bumps are not told; water's waves are, of which nothing else tells.
+constexpr double kEven_m = 0.06;
+constexpr std::uint32_t kFewest_px = 16, kMostNormals_px = 128;
+
+struct Row {
+  Material material;
+  Pattern pattern;
+  double side_m;
+  std::uint32_t side_px;
+  double contrast, warmth, relief_m;
+};
+
+constexpr Row kTable[] = {
+#define TEXTURE(material, pattern, side_m, side_px, contrast, warmth, relief_m) \
+  {Material::material, Pattern::pattern, side_m, side_px, contrast, warmth, relief_m},
+#include "compiler/materials/texture_table.inc"
+#undef TEXTURE
+};
+
+const Row* row_of(Material material) {
+  const auto row = std::ranges::find(kTable, material, &Row::material);
+  return row == std::end(kTable) ? nullptr : &*row;
+}
+
+// The most texels a side, a power of two, that are as large as the tolerance.
+std::uint32_t texels_at(const Row& row, std::uint32_t most_px, double tolerance_m) {
+  std::uint32_t px = std::min(row.side_px, most_px);
+  while (px >= kFewest_px && row.side_m / px < tolerance_m) px /= 2;
+  return px >= kFewest_px ? px : 0;
+}
+
+// Dark to light. Lighter than the material by 3 %, for what rounding takes away.
+std::array<Rgb, kColours> palette_of(const Row& row) {
+  std::array<Rgb, kColours> palette;
+  const auto& base = values_of(row.material).base_colour;
+  for (int i = 0; i < kColours; ++i) {
+    const double tone = (i + 0.5) * 2 / kColours - 1, light = 1 + row.contrast * tone;
+    const Rgb hue = {1 + row.warmth * tone, 1, 1 - row.warmth * tone};
+    for (std::size_t c = 0; c < 3; ++c) palette[static_cast<std::size_t>(i)][c] = base[c] * light * hue[c];
+  }
+  return palette;
+}
+
+std::size_t colour_at(float tone) {
+  return static_cast<std::size_t>(std::clamp((tone + 1) / 2 * kColours, 0.0f, kColours - 1.0f));
+}
+
+Sheet coloured(const Row& row, const Field& tone) {
+  std::array<Rgb, kColours> palette = palette_of(row);
+  Rgb mean{};
+  for (const float t : tone.values)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += palette[colour_at(t)][c] / static_cast<double>(tone.values.size());
+  const auto& base = values_of(row.material).base_colour;
+  std::array<Sheet::Texel, kColours> texels;
+  for (std::size_t i = 0; i < kColours; ++i)
+    for (std::size_t c = 0; c < 3; ++c) texels[i][c] = srgb_of_linear(palette[i][c] * 1.03 * base[c] / mean[c]);
+  Sheet sheet{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
+  sheet.texels.reserve(tone.values.size());
+  for (const float t : tone.values) sheet.texels.push_back(texels[colour_at(t)]);
+  return sheet;
+}
+
+// The steps of a slope, of which `most` are 1.
+double stepped(double slope, double most, int steps) {
+  return std::floor(std::clamp(slope / most, -1.0, 1.0) * steps + 0.5) / steps * most;
+}
+
+Sheet::Texel texel_of(double slope_u, double slope_v) {
+  const double out = 1 / std::sqrt(1 + slope_u * slope_u + slope_v * slope_v);
+  const auto byte = [](double n) { return static_cast<std::uint8_t>((n + 1) / 2 * 255 + 0.5); };
+  return {byte(-slope_u * out), byte(slope_v * out), byte(out)};
+}
+
+Sheet shaped(const Row& row, const Field& relief) {
+  const std::uint32_t px = relief.side_px;
+  const double texel_m = row.side_m / px;
+  const auto slope = [&](float after, float before) { return (after - before) * row.relief_m / (2 * texel_m); };
+  const auto slope_u = [&](std::uint32_t c, std::uint32_t r) {
+    return slope(relief.at((c + 1) % px, r), relief.at((c + px - 1) % px, r));
+  };
+  const auto slope_v = [&](std::uint32_t c, std::uint32_t r) {
+    return slope(relief.at(c, (r + 1) % px), relief.at(c, (r + px - 1) % px));
+  };
+  double squares = 0;
+  for (std::uint32_t r = 0; r < px; ++r)
+    for (std::uint32_t c = 0; c < px; ++c) squares += slope_u(c, r) * slope_u(c, r) + slope_v(c, r) * slope_v(c, r);
+  // steeper ones than so many deviations are rare
+  const double most = 2.2 * std::sqrt(squares / (2.0 * px * px));
+  const int steps = row.pattern == Pattern::kWaves ? kMirroredSlopeSteps : kSlopeSteps;
+  Sheet sheet{texel_m, px, px, {}};
+  sheet.texels.reserve(relief.values.size());
+  for (std::uint32_t r = 0; r < px; ++r)
+    for (std::uint32_t c = 0; c < px; ++c)
+      sheet.texels.push_back(texel_of(stepped(slope_u(c, r), most, steps), stepped(slope_v(c, r), most, steps)));
+  return sheet;
+}
+
+std::uint64_t key_of(Material material, std::uint64_t seed) {
+  const StableId id{static_cast<std::uint64_t>(material)};
+  const Draw draw(seed, id, "texture");
+  return std::uint64_t{draw.below(0xffffffffu, 0)} << 32 | draw.below(0xffffffffu, 1);
+}
+
+}  // namespace
+
+double side_m(const Texture& texture) {
+  const Sheet& sheet = texture.colour.texels.empty() ? texture.normal : texture.colour;
+  return sheet.columns * sheet.texel_m;
+}
+
+bool has_texture(Material material, double tolerance_m) {
+  const Row* row = row_of(material);
+  return row != nullptr && tolerance_m < kPlainGround_m && texels_at(*row, row->side_px, tolerance_m) > 0;
+}
+
+Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
+  assert(has_texture(material, tolerance_m));
+  const Row& row = *row_of(material);
+  const Tones tones = tones_of(row.pattern, row.side_px, key_of(material, seed));
+  Texture texture{material, {}, {}};
+  if (row.contrast > 0) texture.colour = coloured(row, reduced(tones.tone, texels_at(row, row.side_px, tolerance_m)));
+  const bool is_shaped = row.relief_m > 0 && (tolerance_m < kEven_m || row.pattern == Pattern::kWaves);
+  if (is_shaped) texture.normal = shaped(row, reduced(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
+  return texture;
+}
+
+std::vector<Texture> textures_of(std::span<const Material> materials, double tolerance_m, std::uint64_t seed) {
+  std::vector<Texture> textures;
+  for (const Material material : materials)
+    if (has_texture(material, tolerance_m)) textures.push_back(texture_of(material, tolerance_m, seed));
+  return textures;
+}
+
+std::array<double, 3> colour_factor(const Texture& texture) {
+  const auto& base = values_of(texture.material).base_colour;
+  Rgb factor = {base[0], base[1], base[2]}, mean{};
+  const auto& texels = texture.colour.texels;
+  if (texels.empty()) return factor;
+  for (const Sheet::Texel& texel : texels)
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(texels.size());
+  for (std::size_t c = 0; c < 3; ++c) factor[c] = mean[c] > 0 ? std::min(1.0, factor[c] / mean[c]) : 1;
+  return factor;
+}
+
+}  // namespace citykiln::materials

@@ -1,0 +1,246 @@
+#include "compiler/materials/texture_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/geometry/trig.h"
+
+namespace citykiln::materials {
+namespace {
+
+Field flat(std::uint32_t side_px) { return {side_px, std::vector<float>(static_cast<std::size_t>(side_px) * side_px)}; }
+
+// The field with its mean at 0 and so many standard deviations at 1; what is flat stays flat.
+Field levelled(Field field, double deviations) {
+  double sum = 0, squares = 0;
+  for (const float v : field.values) sum += v;
+  const double mean = sum / static_cast<double>(field.values.size());
+  for (const float v : field.values) squares += (v - mean) * (v - mean);
+  const double deviation = std::sqrt(squares / static_cast<double>(field.values.size()));
+  const double scale = deviation > 1e-9 ? 1 / (deviations * deviation) : 0;
+  for (float& v : field.values) v = static_cast<float>((v - mean) * scale);
+  return field;
+}
+
+Field within_one(Field field) {
+  for (float& v : field.values) v = std::clamp(v, -1.0f, 1.0f);
+  return field;
+}
+
+// The mean of a row of values that comes round, over `width` of them, odd.
+void blur_row(std::vector<double>& row, std::uint32_t width) {
+  const auto count = static_cast<std::uint32_t>(row.size());
+  const std::uint32_t half = width / 2;
+  std::vector<double> blurred(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    double sum = 0;
+    for (std::uint32_t k = 0; k < width; ++k) sum += row[(i + count + k - half) % count];
+    blurred[i] = sum / width;
+  }
+  row = std::move(blurred);
+}
+
+// Means over squares, twice, so that their corners do not show.
+Field blurred(const Field& field, std::uint32_t width) {
+  Field out = field;
+  std::vector<double> line(field.side_px);
+  for (int pass = 0; pass < 4; ++pass)
+    for (std::uint32_t row = 0; row < field.side_px; ++row) {
+      const auto value = [&](std::uint32_t i) -> float& { return pass % 2 == 0 ? out.at(i, row) : out.at(row, i); };
+      for (std::uint32_t i = 0; i < field.side_px; ++i) line[i] = value(i);
+      blur_row(line, width);
+      for (std::uint32_t i = 0; i < field.side_px; ++i) value(i) = static_cast<float>(line[i]);
+    }
+  return out;
+}
+
+// What is wider than a tenth of the side would show from afar how it repeats: little of it is left.
+Field fine(const Field& field) {
+  constexpr float kLeft = 0.15f;
+  Field out = field;
+  const Field wide = blurred(field, std::max(3u, field.side_px / 10 | 1u));
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] -= (1 - kLeft) * wide.values[i];
+  return out;
+}
+
+Tones tones(const Field& tone, const Field& relief) { return {within_one(levelled(tone, 2)), levelled(relief, 1)}; }
+Tones fine_tones(const Field& both) { return tones(fine(both), both); }
+
+template <typename Of>
+Field combined(std::uint32_t side_px, Of of) {
+  Field field = flat(side_px);
+  for (std::uint32_t row = 0; row < side_px; ++row)
+    for (std::uint32_t column = 0; column < side_px; ++column)
+      field.at(column, row) = static_cast<float>(of(column, row));
+  return field;
+}
+
+Tones blades(std::uint32_t px, std::uint64_t key) {
+  const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 3, 1.0, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + detail.at(c, r); }));
+}
+
+Tones tufts(std::uint32_t px, std::uint64_t key) {
+  const Cells plants = cells(px, 34, key);
+  const Field detail = layered_noise(px, {22, 22}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    return detail.at(c, r) + 0.5 * plants.chance.at(c, r) + 0.55 * std::min(plants.to_edge.at(c, r), 0.7f);
+  }));
+}
+
+// Sixteen a side: half a metre apart on 8 m.
+Tones rows(std::uint32_t px, std::uint64_t key) {
+  constexpr double kRows = 16;
+  const Field clods = fine(layered_noise(px, {32, 16}, 3, 1.1, key)), sway = gradient_noise(px, {4, 2}, key + 10);
+  const auto ridge = [&](std::uint32_t c, std::uint32_t r) {
+    return direction_of((c + 0.5) / px * kRows + 0.10 * sway.at(c, r)).x;
+  };
+  const Field relief = combined(px, [&](auto c, auto r) { return ridge(c, r) + 0.5 * clods.at(c, r); });
+  return tones(combined(px, [&](auto c, auto r) { return 0.22 * ridge(c, r) + clods.at(c, r); }), relief);
+}
+
+Tones litter(std::uint32_t px, std::uint64_t key) {
+  const Cells leaves = cells(px, 40, key);
+  const Field detail = layered_noise(px, {18, 18}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.8 * detail.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
+}
+
+Tones mottled(std::uint32_t px, std::uint64_t key) {
+  const Field patches = layered_noise(px, {14, 14}, 4, 0.95, key);
+  const Cells pebbles = cells(px, 50, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return patches.at(c, r) + 0.35 * pebbles.chance.at(c, r); }));
+}
+
+Tones grains(std::uint32_t px, std::uint64_t key) {
+  const Field clouds = layered_noise(px, {4, 4}, 3, 0.8, key),
+              detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return 0.3 * clouds.at(c, r) + detail.at(c, r); }));
+}
+
+Tones stones(std::uint32_t px, std::uint64_t key) {
+  const Cells large = cells(px, 26, key);
+  const Field detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    return 0.7 * large.chance.at(c, r) + 1.1 * std::min(large.to_edge.at(c, r), 0.45f) + 0.25 * detail.at(c, r);
+  }));
+}
+
+// Ridges where noise passes through 0 (Musgrave, in Ebert et al., "Texturing and Modeling", 2003), broken by joints.
+Tones crags(std::uint32_t px, std::uint64_t key) {
+  Field ridges = flat(px);
+  double height = 1;
+  for (std::uint32_t waves = 5; waves <= px / 4; waves *= 2, height *= 0.68) {
+    const Field layer = gradient_noise(px, {waves, 2 * waves <= px / 4 ? waves + waves / 2 : waves}, key + waves);
+    for (std::size_t i = 0; i < ridges.values.size(); ++i)
+      ridges.values[i] += static_cast<float>(height * (0.35 - std::abs(layer.values[i])));
+  }
+  const Cells blocks = cells(px, 9, key);
+  const Field relief = combined(px, [&](auto c, auto r) {
+    return ridges.at(c, r) + 0.16 * blocks.chance.at(c, r) + 0.5 * std::min(blocks.to_edge.at(c, r), 0.12f);
+  });
+  return fine_tones(relief);
+}
+
+// How far inside its joint a place of a brick wall is, 0 … 1, and the brick's chance.
+struct Brick {
+  double inside, chance;
+};
+Brick brick_at(double u, double v, std::uint32_t across, std::uint32_t along, double joint, const Field& chances) {
+  const auto row = static_cast<std::uint32_t>(v * along);
+  const double shifted = u * across + (row % 2) * 0.5;
+  const auto column = static_cast<std::uint32_t>(shifted) % across;
+  const double x = shifted - std::floor(shifted), y = v * along - row;
+  const double edge = std::min({x, 1 - x, y, 1 - y}) / joint;
+  return {std::min(1.0, edge), chances.at(column * 3 % chances.side_px, row * 5 % chances.side_px)};
+}
+
+Tones slabs(std::uint32_t px, std::uint64_t key) {
+  constexpr std::uint32_t kSlabs = 8;
+  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 1, key), chances = cells(32, 32, key + 10).chance;
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    const Brick slab = brick_at((c + 0.5) / px, (r + 0.5) / px, kSlabs, kSlabs, 0.09, chances);
+    return 0.9 * slab.inside + 0.55 * slab.chance + 0.5 * detail.at(c, r);
+  }));
+}
+
+Tones masonry(std::uint32_t px, std::uint64_t key) {
+  const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
+  const auto brick = [&](std::uint32_t c, std::uint32_t r) {
+    return brick_at((c + 0.5) / px, (r + 0.5) / px, 7, 12, 0.12, chances);
+  };
+  const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * detail.at(c, r); });
+  return tones(
+      combined(px, [&](auto c,
+                       auto r) { return 0.8 * brick(c, r).inside + 0.5 * brick(c, r).chance + 0.6 * detail.at(c, r); }),
+      relief);
+}
+
+// Trains of waves that come round whole, most of them from one side; the shorter the lower (water.cpp has the sea's
+// spectrum; here its lengths are those that fit).
+Tones waves(std::uint32_t px, std::uint64_t) {
+  struct Train {
+    int across, along;
+    double phase, height;
+  };
+  constexpr std::array<Train, 10> kTrains = {{{2, 1, 0.00, 1.00},
+                                              {1, 3, 0.27, 0.75},
+                                              {4, 2, 0.65, 0.46},
+                                              {3, 5, 0.14, 0.36},
+                                              {7, 1, 0.84, 0.27},
+                                              {6, 7, 0.35, 0.21},
+                                              {2, 10, 0.52, 0.18},
+                                              {13, 5, 0.76, 0.14},
+                                              {10, 13, 0.08, 0.12},
+                                              {18, -3, 0.44, 0.10}}};
+  const Field relief = combined(px, [&](auto c, auto r) {
+    double height = 0;
+    for (const Train& t : kTrains)
+      height += t.height * direction_of((c + 0.5) / px * t.across + (r + 0.5) / px * t.along + t.phase).x;
+    return height;
+  });
+  return {flat(px), levelled(relief, 1)};
+}
+
+}  // namespace
+
+Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
+  switch (pattern) {
+    case Pattern::kBlades:
+      return blades(side_px, key);
+    case Pattern::kTufts:
+      return tufts(side_px, key);
+    case Pattern::kRows:
+      return rows(side_px, key);
+    case Pattern::kLitter:
+      return litter(side_px, key);
+    case Pattern::kMottled:
+      return mottled(side_px, key);
+    case Pattern::kGrains:
+      return grains(side_px, key);
+    case Pattern::kStones:
+      return stones(side_px, key);
+    case Pattern::kCrags:
+      return crags(side_px, key);
+    case Pattern::kSlabs:
+      return slabs(side_px, key);
+    case Pattern::kMasonry:
+      return masonry(side_px, key);
+    case Pattern::kWaves:
+      return waves(side_px, key);
+  }
+  return {flat(side_px), flat(side_px)};
+}
+
+Field reduced(const Field& field, std::uint32_t side_px) {
+  const std::uint32_t block = field.side_px / side_px;
+  if (block <= 1) return field;
+  return combined(side_px, [&](auto column, auto row) {
+    double sum = 0;
+    for (std::uint32_t j = 0; j < block; ++j)
+      for (std::uint32_t i = 0; i < block; ++i) sum += field.at(column * block + i, row * block + j);
+    return sum / (static_cast<double>(block) * block);
+  });
+}
+
+}  // namespace citykiln::materials

@@ -1,0 +1,35 @@
+// What the ground looks like from a step away, as light and dark and high and low, without colour.
+#pragma once
+
+#include "compiler/materials/noise.h"
+
+namespace citykiln::materials {
+
+enum class Pattern : std::uint8_t {
+  kBlades,   ///< Short grass.
+  kTufts,    ///< Long grass, shrubs.
+  kRows,     ///< Drilled or ploughed, along v.
+  kLitter,   ///< Leaves and twigs.
+  kMottled,  ///< Trodden earth.
+  kGrains,   ///< Sand, asphalt, concrete.
+  kStones,   ///< Gravel to scree.
+  kCrags,    ///< Rock.
+  kSlabs,    ///< Paving, half a metre square on 4 m.
+  kMasonry,  ///< Courses of stone along u.
+  kWaves     ///< Of water; tone is flat.
+};
+
+struct Tones {
+  Field tone;    ///< Mean 0, two standard deviations 1 (all 0 where there is nothing to see), within -1 … 1.
+  Field relief;  ///< Height, mean 0, standard deviation 1.
+};
+
+/// Guarantees: repeats without a seam; nothing in it is longer than half a side, so that repeating does not show from
+/// afar; a function of the arguments alone. O(texels).
+Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key);
+
+/// The field at fewer texels, of which each is the mean of those it takes the place of. @param side_px  Divides its
+/// own.
+Field reduced(const Field& field, std::uint32_t side_px);
+
+}  // namespace citykiln::materials
