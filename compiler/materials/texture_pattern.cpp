@@ -183,9 +183,9 @@ Tones waves(std::uint32_t px, std::uint64_t) {
     int across, along;
     double phase, height;
   };
-  constexpr std::array<Train, 10> kTrains = {{{2, 1, 0.00, 1.00},
-                                              {1, 3, 0.27, 0.75},
-                                              {4, 2, 0.65, 0.46},
+  constexpr std::array<Train, 10> kTrains = {{{2, 1, 0.00, 0.40},
+                                              {1, 3, 0.27, 0.30},
+                                              {4, 2, 0.65, 0.34},
                                               {3, 5, 0.14, 0.36},
                                               {7, 1, 0.84, 0.27},
                                               {6, 7, 0.35, 0.21},
