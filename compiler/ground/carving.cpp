@@ -15,14 +15,23 @@ constexpr double kBucket_m = 64;
 // How far apart the heights are that a normal is made of.
 constexpr double kNormalStep_m = 1;
 
-// The least and the most that the land may be.
+// Walls and rock stand as steep as this between a higher road and what lies below it.
+constexpr double kWallSlope = 1.5;
+
+// What the land may be: from the least to the most, where earth lies; never above the wall.
 struct Bounds {
-  double least_m = -std::numeric_limits<double>::infinity(), most_m = std::numeric_limits<double>::infinity();
+  static constexpr double kFar_m = std::numeric_limits<double>::infinity();
+  double least_m = -kFar_m, most_m = kFar_m, wall_m = kFar_m;
 };
 
-// What earth at a distance from an edge may differ from it in height: enough to meet the terrain within kCarve_m.
-double slope_m(double away_m, double to_terrain_m) {
-  return std::max(kEarthSlope * away_m, std::abs(to_terrain_m) * (away_m / kCarve_m));
+// What the land at a distance from an edge may differ from it in height: enough to meet the terrain within kCarve_m.
+double rise_m(double slope, double away_m, double to_terrain_m) {
+  return std::max(slope * away_m, std::abs(to_terrain_m) * (away_m / kCarve_m));
+}
+
+// A bank is raised to carry what is above, but no steeper than a wall may stand over what is below.
+double within(const Bounds& bounds, double terrain_m) {
+  return std::min(std::max(std::min(terrain_m, bounds.most_m), bounds.least_m), bounds.wall_m);
 }
 
 // By how much the place is nearer to what is paved than to the strips alone.
@@ -36,9 +45,10 @@ double corner_m(const Carving& carving, std::span<const Strand> strands, Vec2 p)
 
 // The land keeps between the slopes that start at a height, so far away.
 void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
-  const double slope = slope_m(away_m, terrain_m - z_m);
-  bounds.least_m = std::max(bounds.least_m, z_m - slope);
-  bounds.most_m = std::min(bounds.most_m, z_m + slope);
+  const double earth_m = rise_m(kEarthSlope, away_m, terrain_m - z_m);
+  bounds.least_m = std::max(bounds.least_m, z_m - earth_m);
+  bounds.most_m = std::min(bounds.most_m, z_m + earth_m);
+  bounds.wall_m = std::min(bounds.wall_m, z_m + rise_m(kWallSlope, away_m, terrain_m - z_m));
 }
 
 // Slopes start at the road's edge from what the roads agree on there, farther off from the height of the road alone.
@@ -117,8 +127,7 @@ Heights heights_at(const Carving& carving, Vec2 p) {
   if (strands.empty() && !water_m) return {terrain_m, terrain_m, terrain_m, terrain_m};
   const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
   const Bounds bounds = bounds_at(carving, strands, road, water_m, p, terrain_m);
-  // what is below wins: the higher road keeps its edge by a wall
-  const double land_m = std::min(std::max(terrain_m, bounds.least_m), bounds.most_m);
+  const double land_m = within(bounds, terrain_m);
   const double share = road_share(strands), road_m = land_m + (road.z_m - land_m) * share;
   return {land_m, road_m, road_m - road.kerb_m * share, water_m.value_or(land_m)};
 }

@@ -3,8 +3,9 @@
 //     terrain ─ ─ ─ ─ ─.                   the land is the terrain, clamped between two slopes that start at the edge
 //                   .    ╲ cut             of every road: it is never above the one nor below the other. They are as
 //     ▁▁▁▁▁▁▁▁▁▁▁▁▁▁      ╲▁▁▁▁▁▁ road     steep as earth stands, and steeper where they would not meet the terrain
-//      fill ╱                              within kCarve_m. What a lower road cuts away from a higher one's edge stays
-//          ╱                               as a step: a retaining wall
+//      fill ╱                              within kCarve_m, or between a higher road and what lies below: up to
+//      kWallSlope;
+//          ╱                               what is left then is a step at the higher edge: a retaining wall
 //
 // A pure function of roads, waters and terrain within kCarve_m and the roads' breadth, so tiles agree to the bit.
 #pragma once

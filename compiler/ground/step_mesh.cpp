@@ -1,9 +1,13 @@
 #include "compiler/ground/step_mesh.h"
 
+#include <algorithm>
 #include <array>
 
 namespace citykiln::ground {
 namespace {
+
+// What is higher is no kerb of the surface above it but a wall.
+constexpr double kHighestKerb_m = 0.3;
 
 constexpr std::uint32_t kNoVertex = 0xffffffffu;
 using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightLayer::kCount)>;
@@ -43,7 +47,9 @@ struct Builder {
 
   // An upright quad from the lower edge a → b to the upper one, the upper face to the left of it; one triangle where
   // the edges meet at an end.
-  void add_upright(Vec3 a, Vec3 b, double upper_a, double upper_b, std::uint32_t surface) {
+  void add_upright(Vec3 a, Vec3 b, double upper_a, double upper_b, std::uint32_t upper_surface) {
+    const bool is_wall = std::max(upper_a - a.z, upper_b - b.z) > kHighestKerb_m;
+    const std::uint32_t surface = is_wall ? kNoSurface : upper_surface;
     const Vec2 along = unit(in_plan(b) - in_plan(a));
     const Vec3 out = at_height(left_of(along) * -1.0, 0);
     const auto va = add_vertex(a, out), vb = add_vertex(b, out);

@@ -1,7 +1,7 @@
 // From a triangulation whose vertices have a height a layer to a mesh: faces at their layers' heights, and upright
 // faces where two layers part.
 //
-//      pavement ───┐ ← upright, of the upper face's surface, seen from the lower side
+//      pavement ───┐ ← upright, of the upper face's surface; higher than a kerb, a wall of none
 //                  └─── carriageway
 #pragma once
 
