@@ -203,7 +203,7 @@ TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
     return bytes;
   };
   EXPECT_LE(bytes_at(0.02), 300'000u);
-  EXPECT_LE(bytes_at(0.1), 60'000u);
+  EXPECT_LE(bytes_at(0.1), 64'000u);
   EXPECT_EQ(bytes_at(0.5), 0u);
 }
 
