@@ -17,8 +17,10 @@
 #include "compiler/roads/plan.h"
 #include "compiler/scene/assemble.h"
 #include "compiler/sky/plan.h"
+#include "compiler/source/join_rasters.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
 
 namespace citykiln {
@@ -132,14 +134,18 @@ source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
   return box;
 }
 
-/// The samples that the window needs, voids filled.
+/// The samples that the window needs, of one grid together, spikes and voids mended.
 Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs,
                                                  const source::LonLatBox& window, Report& report) {
   std::vector<source::Raster> rasters;
   for (const source::RasterSpec& spec : specs) {
     Result<source::Raster> raster = source::read_raster(spec, &window);
     if (!raster) return raster.error();
-    rasters.push_back(source::fill_voids(std::move(*raster), report));
+    rasters.push_back(std::move(*raster));
+  }
+  rasters = source::join_rasters(std::move(rasters));
+  for (source::Raster& raster : rasters) {
+    raster = source::fill_voids(source::spikes_to_voids(std::move(raster), report), report);
   }
   return rasters;
 }
@@ -150,7 +156,7 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   const source::LonLatBox window = degrees_of(region, plane);
   const Result<std::vector<source::Raster>> rasters = read_rasters(spec.rasters, window, report);
   if (!rasters) return rasters.error();
-  for (const source::Raster& raster : *rasters) credits.push_back(raster.credit);
+  for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
 
   Report here;
   Result<map::Heightfield> heights = map::resample(*rasters, plane, region, here);

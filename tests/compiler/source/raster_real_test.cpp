@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "compiler/source/read_raster.h"
+#include "compiler/source/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"
 
 namespace citykiln::source {
@@ -233,6 +234,33 @@ TEST_F(RasterReal, PictureWithoutPlaceOrEncodingIsAnError) {
   EXPECT_EQ(error_of("dem-formats/fuji-mapbox-terrain-rgb.png,bounds=0/0/1/1"),
             "a coloured picture needs encoding=terrarium or encoding=mapbox");
   EXPECT_EQ(error_of("portland/portland-ned.tif,encoding=terrarium"), "encoding=terrarium needs three bands of 8 bits");
+}
+
+// Each of these was judged by eye in its surroundings; all other samples are nature's, cliffs and sea stacks among
+// them.
+TEST_F(RasterReal, SpikesAreFoundAndNoNaturalPlaceIs) {
+  const auto spikes = [](const std::string& spec) {
+    Report report;
+    std::vector<std::pair<int, int>> places;
+    const Raster raster = read_real(spec), mended = spikes_to_voids(raster, report);
+    for (int row = 0; row < raster.rows; ++row) {
+      for (int column = 0; column < raster.columns; ++column) {
+        if (std::isnan(mended.at(column, row)) && !std::isnan(raster.at(column, row))) places.emplace_back(column, row);
+      }
+    }
+    return places;
+  };
+  using Places = std::vector<std::pair<int, int>>;
+  // pits of 55 m, and of 260 m in two samples
+  EXPECT_EQ(spikes("andorra/N42E001.hgt"), (Places{{84, 261}, {845, 913}, {846, 913}}));
+  // 0 m in the middle of 22 m
+  EXPECT_EQ(spikes("portland/portland-ned.tif"), (Places{{469, 222}}));
+  for (const std::string clean :
+       {"monaco/N43E007.hgt", "berlin/N52E013.hgt", "dem-formats/N57E011.hgt", "dem-formats/N48W125-srtm1.hgt.zip",
+        "porto-alegre/poa_elevation.tif", "dem-formats/capetown-LO19_050M_3318CD.tif",
+        "dem-formats/fuji-mapbox-terrain-rgb.png,encoding=mapbox,tile=10/906/404"}) {
+    EXPECT_TRUE(spikes(clean).empty()) << clean;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "compiler/source/join_rasters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "compiler/source/raster_system.h"
+
+namespace citykiln::source {
+namespace {
+
+constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
+// of a sample: far below what heights notice, far above what is lost when a file writes its place as decimals
+constexpr double kSamePlace = 1e-4;
+
+/// Columns [west, east) and rows [north, south) of a grid.
+struct Extent {
+  int west = 0, north = 0, east = 0, south = 0;
+  bool operator==(const Extent&) const = default;
+};
+
+Extent around(const Extent& a, const Extent& b) {
+  return {std::min(a.west, b.west), std::min(a.north, b.north), std::max(a.east, b.east), std::max(a.south, b.south)};
+}
+
+bool is_empty(const Raster& raster) { return raster.columns == 0 || raster.rows == 0; }
+
+bool has_same_steps(const Raster& a, const Raster& b) {
+  const auto& p = a.from_grid;
+  const auto& q = b.from_grid;
+  // over all columns and rows of both
+  const double samples = std::max({a.columns, a.rows, b.columns, b.rows});
+  const double allowed = kSamePlace / samples * (std::abs(p[1]) + std::abs(p[5]));
+  for (const int i : {1, 2, 4, 5}) {
+    if (!(std::abs(p[i] - q[i]) <= allowed)) return false;
+  }
+  return true;
+}
+
+/// Where b lies in the grid of a; nothing if on none of its samples.
+std::optional<Extent> extent_in(const Raster& a, const Raster& b) {
+  if (a.system_wkt != b.system_wkt || !has_same_steps(a, b)) return std::nullopt;
+  const auto& g = a.from_grid;
+  const double determinant = g[1] * g[5] - g[2] * g[4], x = b.from_grid[0] - g[0], y = b.from_grid[3] - g[3];
+  const double column = (x * g[5] - y * g[2]) / determinant, row = (y * g[1] - x * g[4]) / determinant;
+  const double c = std::round(column), r = std::round(row);
+  const bool is_near = std::abs(c) < 1e8 && std::abs(r) < 1e8;
+  if (!is_near || std::abs(column - c) > kSamePlace || std::abs(row - r) > kSamePlace) return std::nullopt;
+  const int west = static_cast<int>(c), north = static_cast<int>(r);
+  return Extent{west, north, west + b.columns, north + b.rows};
+}
+
+/// Whether the two, side by side or one over the other, leave no place of the rectangle around them empty.
+bool fill_a_rectangle(const Extent& a, const Extent& b) {
+  const bool is_beside = a.north == b.north && a.south == b.south && a.west <= b.east && b.west <= a.east;
+  const bool is_above = a.west == b.west && a.east == b.east && a.north <= b.south && b.north <= a.south;
+  const Extent both = around(a, b);
+  return is_beside || is_above || both == a || both == b;
+}
+
+/// `extent` of the grid whose sample (0, 0) is the source's first.
+void copy_into(const Raster& source, const Extent& extent, const Extent& whole, Raster& joined) {
+  for (int row = 0; row < source.rows; ++row) {
+    for (int column = 0; column < source.columns; ++column) {
+      const std::size_t at = static_cast<std::size_t>(extent.north - whole.north + row) * joined.columns +
+                             (extent.west - whole.west + column);
+      float& height_m = joined.heights_m[at];
+      if (std::isnan(height_m)) height_m = source.at(column, row);
+    }
+  }
+}
+
+/// Where the north-western sample lies: as the part says that begins there, so that nothing is rounded; else reckoned.
+void place(const Raster& a, const Raster& b, const Extent& of_b, const Extent& whole, Raster& joined) {
+  const bool is_a_first = whole.west == 0 && whole.north == 0;
+  const bool is_b_first = whole.west == of_b.west && whole.north == of_b.north;
+  joined.from_grid = is_a_first || !is_b_first ? a.from_grid : b.from_grid;
+  if (is_a_first || is_b_first) return;
+  const auto& g = a.from_grid;
+  joined.from_grid[0] += g[1] * whole.west + g[2] * whole.north;
+  joined.from_grid[3] += g[4] * whole.west + g[5] * whole.north;
+}
+
+std::optional<Raster> joined(const Raster& a, const Raster& b) {
+  if (is_empty(a) || is_empty(b)) return std::nullopt;
+  const std::optional<Extent> of_b = extent_in(a, b);
+  const Extent of_a{0, 0, a.columns, a.rows};
+  if (!of_b || !fill_a_rectangle(of_a, *of_b)) return std::nullopt;
+  const Extent whole = around(of_a, *of_b);
+  Raster both{a.file_name, a.credit, whole.east - whole.west, whole.south - whole.north, {}, {}, a.system_wkt, 0};
+  place(a, b, *of_b, whole, both);
+  both.heights_m.assign(static_cast<std::size_t>(both.columns) * both.rows, kVoid);
+  copy_into(a, of_a, whole, both);
+  copy_into(b, *of_b, whole, both);
+  both.spacing_m = spacing_m_of(both);
+  return both;
+}
+
+/// Joins the first two of the run from `first` that can be; false if none can.
+bool join_one(std::vector<Raster>& rasters, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    for (std::size_t j = i + 1; j < last; ++j) {
+      std::optional<Raster> both = joined(rasters[i], rasters[j]);
+      if (!both) continue;
+      rasters[i] = std::move(*both);
+      rasters.erase(rasters.begin() + static_cast<std::ptrdiff_t>(j));
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Behind the last of those from `first` on that share its grid: what another grid parts keeps its order.
+std::size_t end_of_run(const std::vector<Raster>& rasters, std::size_t first) {
+  std::size_t last = first + 1;
+  const auto is_on_grid = [&](const Raster& raster) {
+    return is_empty(raster) || is_empty(rasters[first]) || extent_in(rasters[first], raster);
+  };
+  while (last < rasters.size() && is_on_grid(rasters[last])) ++last;
+  return last;
+}
+
+}  // namespace
+
+std::vector<Raster> join_rasters(std::vector<Raster> rasters) {
+  for (std::size_t first = 0; first < rasters.size(); first = end_of_run(rasters, first)) {
+    while (join_one(rasters, first, end_of_run(rasters, first))) {
+    }
+  }
+  return rasters;
+}
+
+}  // namespace citykiln::source
