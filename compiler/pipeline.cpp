@@ -75,6 +75,8 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("profiles");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
                                                     recipes.streams, recipes.surfaces, recipes.heights, report);
+  const ground::ProfileMeasures measured =
+      ground::measure_profiles(features, profiles, recipes.streams, recipes.surfaces, recipes.heights);
   recipes.roads = std::move(profiles.roads);
 
   // what leaves it, and what stands on it
@@ -93,7 +95,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
       describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
-  return Compiled{std::move(scene), std::move(report), watch.finish()};
+  return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
 
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,

@@ -9,6 +9,7 @@
 #include "compiler/bake/baked.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
+#include "compiler/ground/measure_profiles.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_watch.h"
@@ -18,6 +19,7 @@ namespace citykiln {
 struct Compiled {
   scene::Scene scene;
   Report report;
+  ground::ProfileMeasures profiles;  ///< What they keep of what they promise.
   std::vector<StageCost> costs;
 };
 

@@ -66,7 +66,8 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
   const Result<Written> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json = report_json(scene->header, *scene, report, *written, outputs);
+  const std::string json =
+      report_json(scene->header, *scene, report, *written, outputs, {measure_heights(*scene, request.spec.threads)});
   if (const Result<Done> done = folder->commit(json); !done) return done.error();
 
   console.say(fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));

@@ -9,7 +9,12 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/fire_ground.h"
+#include "compiler/commands/ground_index.h"
+#include "compiler/commands/measure_footing.h"
 #include "compiler/commands/measure_ground.h"
+#include "compiler/commands/measure_lakes.h"
+#include "compiler/commands/measure_lines.h"
+#include "compiler/commands/measure_road_faces.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/geometry/snap.h"
@@ -26,6 +31,9 @@ namespace {
 /// A million places a tile.
 constexpr int kSamplesASide = 1024;
 
+/// A step that nobody sees.
+constexpr double kNoJump_m = 0.01;
+
 /// One promise, how often it was put to the test, and where it broke.
 struct Finding {
   std::string promise;
@@ -36,6 +44,11 @@ struct Finding {
     ++tests;
     if (!holds) breaches.push_back(breach);
   }
+
+  void test_all(std::uint64_t count, bool hold, const std::string& breach) {
+    tests += count;
+    if (!hold) breaches.push_back(breach);
+  }
 };
 
 struct Findings {
@@ -44,8 +57,16 @@ struct Findings {
   Finding area{"the plan area of the ground's faces is the plan area of the tile", 0, {}};
   Finding height{"the ground is nowhere farther from its heights than error_m", 0, {}};
   Finding seams{"neighbouring tiles have the same border edges", 0, {}};
+  Finding jumps{"roads, bridges and tunnels meet at the same height, to 1 cm", 0, {}};
+  Finding roads{"the ground is nowhere farther from a road's profile than error_m", 0, {}};
+  Finding rivers{"no river rises", 0, {}};
+  Finding lakes{"standing water is level", 0, {}};
+  Finding footing{"under no corner of a building is a gap over 5 cm, or over error_m where that is more", 0, {}};
+  Grades grades;  ///< Stated, not judged.
 
-  std::vector<const Finding*> all() const { return {&ledger, &forms, &area, &height, &seams}; }
+  std::vector<const Finding*> all() const {
+    return {&ledger, &forms, &area, &height, &seams, &jumps, &roads, &rivers, &lakes, &footing};
+  }
 };
 
 /// What a run left, in memory but for the tiles.
@@ -140,6 +161,49 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
     findings.height.breaches.push_back(fmt::format("{}: {} places without ground", name, samples.uncovered));
 }
 
+RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
+  return measure_road_faces(chunk, box, tolerance_m < scene::kPlainRoads_m, [&](const roads::Road& road, Vec2 p) {
+    const std::optional<GroundPlace> place = lowest_ground_at(ground, p);
+    const bool is_its_own = place && place->feature == road.id.osm;
+    return is_its_own ? std::vector{place->z_m} : std::vector<double>{};
+  });
+}
+
+/// What stands and lies on the ground of one file, by its own triangles.
+void check_heights(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
+                   const std::string& name, Findings& findings) {
+  const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
+  const GroundIndex ground = index_ground(tile, subject.leaving);
+
+  const RoadFaces roads = road_faces_of(chunk, box, tile.tolerance_m, ground);
+  findings.roads.test_all(roads.places, roads.largest_gap_m <= tile.error_m + kQuantum_m,
+                          fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x, roads.at.y,
+                                      to_string(roads.worst)));
+  const Lakes lakes = measure_lakes(chunk, ground);
+  findings.lakes.test_all(lakes.waters, lakes.not_level == 0,
+                          fmt::format("{}: {} by {} m", name, to_string(lakes.worst), lakes.largest_m));
+  const double allowed_m = std::max(kNoGap_m, tile.error_m);
+  const Footing footing = measure_footing(chunk, box, allowed_m, tile, ground);
+  findings.footing.test_all(footing.corners, footing.floating == 0,
+                            fmt::format("{}: {} buildings, {} by {} m", name, footing.floating,
+                                        to_string(footing.worst), footing.largest_gap_m));
+}
+
+/// What the manifest alone says.
+void check_recipes(const scene::Scene& scene, Findings& findings) {
+  const Jumps jumps = measure_jumps(scene);
+  findings.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
+                          fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const Rises rises = measure_rises(chunk);
+    findings.rivers.test_all(
+        rises.streams, rises.rising == 0,
+        fmt::format("{}: {} streams, by {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
+    const Grades grades = measure_grades(scene.header, chunk);
+    findings.grades.length_m += grades.length_m, findings.grades.over_m += grades.over_m;
+  }
+}
+
 /// One file against the manifest and against itself.
 Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& written, Findings& findings) {
   const std::string path = subject.folder + "/" + written.file.name;
@@ -156,6 +220,7 @@ Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& wr
       subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
   findings.forms.test(exporters::encode_glb(baked, subject.scene.header, instancing) == *bytes, written.file.name);
   check_ground(subject, *chunk, *tile, written.file.name, findings);
+  check_heights(subject, *chunk, *tile, written.file.name, findings);
   return tile;
 }
 
@@ -189,6 +254,7 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
   Findings findings;
   findings.ledger.tests = 1;
   findings.ledger.breaches = subject.record.unbalanced;
+  check_recipes(subject.scene, findings);
 
   BordersByTile borders;
   for (std::size_t i = 0; i < subject.record.tiles.size(); ++i) {
@@ -212,6 +278,12 @@ void tell(const Findings& findings, const Console& console) {
         fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding->promise,
                     holds ? fmt::format("not falsified by {} tests", finding->tests) : finding->breaches.front()));
   }
+  const Grades& grades = findings.grades;
+  json.push_back({{"stated", "length of graded roads over their class's limit"},
+                  {"length_m", grades.length_m},
+                  {"over_m", grades.over_m}});
+  console.say(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
+                          grades.over_m / 1000, grades.length_m / 1000));
   console.answer(json.dump(1));
 }
 

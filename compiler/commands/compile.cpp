@@ -66,11 +66,13 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   const Result<Written> written =
       write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
   if (!written) return written.error();
+  watch.enter("measure heights");
+  const HeightsRecord heights{measure_heights(compiled->scene, spec.threads), compiled->profiles};
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
 
   const std::string report =
-      report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs);
+      report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs, heights);
   const std::string timing = timing_json(costs, spec.threads);
   if (const Result<Done> done = folder->write("timing.json", bytes_of(timing)); !done) return done.error();
   if (const Result<Done> done = folder->commit(report); !done) return done.error();

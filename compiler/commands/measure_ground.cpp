@@ -20,19 +20,21 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
-/// Calls visit(corners) for every triangle of a ground material whose feature stays on the ground, in plane metres.
+/// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
+/// metres.
 template <typename Visit>
 void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId> leaving, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_of_ground(primitive.material)) continue;
     for (const auto& triangle : primitive.triangles) {
-      if (std::ranges::binary_search(leaving, tile.features[primitive.features[triangle[0]]])) continue;
+      const OsmId feature = tile.features[primitive.features[triangle[0]]];
+      if (std::ranges::binary_search(leaving, feature)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];
         corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
       }
-      visit(corners);
+      visit(corners, feature);
     }
   }
 }
@@ -93,7 +95,7 @@ template <typename Coordinate>
 std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at,
                                      Coordinate coordinate) {
   std::vector<BorderEdge> edges;
-  for_each_ground_triangle(tile, leaving, [&](const Corners& t) {
+  for_each_ground_triangle(tile, leaving, [&](const Corners& t, OsmId) {
     if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
@@ -114,10 +116,18 @@ double off_m(const ground::Heights& heights, double z) {
 
 }  // namespace
 
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<const OsmId> leaving) {
+  std::vector<GroundFace> faces;
+  for_each_ground_triangle(tile, leaving, [&](const Corners& corners, OsmId feature) {
+    faces.push_back({corners, feature});
+  });
+  return faces;
+}
+
 GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
                             const Box2& box, int a_side) {
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, leaving, [&](const Corners& corners) { lower(lattice, corners); });
+  for_each_ground_triangle(tile, leaving, [&](const Corners& corners, OsmId) { lower(lattice, corners); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();

@@ -14,6 +14,16 @@
 
 namespace citykiln::commands {
 
+/// A triangle of the ground, in plane metres.
+struct GroundFace {
+  std::array<Vec3, 3> corners;
+  OsmId feature;
+};
+
+/// All triangles of a ground material, upright ones too.
+/// @param leaving  As below.
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<const OsmId> leaving);
+
 /// What looking straight down at a lattice of places found.
 struct GroundSamples {
   std::uint64_t count = 0;

@@ -111,6 +111,33 @@ Json levels_of(const Written& written, const Outputs& outputs) {
   return levels;
 }
 
+double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+Json clearances_of(const ground::ProfileMeasures& planned) {
+  return {{"crossings", planned.crossings},
+          {"lacking", planned.lacking},
+          {"lacking_over_1_m", planned.lacking_over_1_m},
+          {"lacking_over_3_m", planned.lacking_over_3_m},
+          {"largest_lack_m", planned.largest_lack_m}};
+}
+
+/// Aims are 0 but for what is shared out over the length of roads, and for clearances.
+Json heights_of(const HeightsRecord& heights) {
+  const HeightMeasures& m = heights.recipes;
+  Json json = {{"graded_length_m", m.grades.length_m},
+               {"over_grade_limit_m", m.grades.over_m},
+               {"share_over_grade_limit", share(m.grades.over_m, m.grades.length_m)},
+               {"largest_jump_m", m.jumps.largest_m},
+               {"largest_gap_road_to_ground_m", m.road_faces.largest_gap_m},
+               {"streams_that_rise", m.rises.rising},
+               {"largest_rise_m", m.rises.largest_m},
+               {"standing_waters_not_level", m.lakes.not_level},
+               {"buildings_with_a_gap", m.footing.floating},
+               {"largest_gap_under_a_building_m", std::max(0.0, m.footing.largest_gap_m)}};
+  if (heights.planned) json["clearances"] = clearances_of(*heights.planned);
+  return json;
+}
+
 Json files_of(const Written& written) {
   Json files = Json::array();
   for (const WrittenFile& file : written.files) files.push_back({{"file", file.name}, {"bytes", file.bytes}});
@@ -170,7 +197,7 @@ std::uint64_t Written::bytes() const {
 }
 
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
-                        const Written& written, const Outputs& outputs) {
+                        const Written& written, const Outputs& outputs, const HeightsRecord& heights) {
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
@@ -184,6 +211,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["counts"] = counts_of(scene);
   add_planned_counts(report, json["counts"]);
   json["levels"] = levels_of(written, outputs);
+  json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();
   json["balances"] = report.balances();
   json["ledger"] = ledger_of(report);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/commands/measure_heights.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
@@ -38,9 +39,15 @@ struct Written {
   std::uint64_t bytes() const;
 };
 
+/// How well heights agree: what the recipes say, and what only a run that had the map can say.
+struct HeightsRecord {
+  HeightMeasures recipes;
+  std::optional<ground::ProfileMeasures> planned{};
+};
+
 /// The report as JSON. Same inputs, same bytes: no times, no folders, no thread counts in it.
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
-                        const Written& written, const Outputs& outputs);
+                        const Written& written, const Outputs& outputs, const HeightsRecord& heights);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// True where something was mended or dropped: what --strict objects to.

@@ -22,6 +22,8 @@ Vec3 point_of(const Place& place, HeightLayer layer) {
 }
 
 WorstPoint worst_of(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers) {
+  // all layers are the terrain's
+  if (reference.terrain != nullptr) layers = layers.first(1);
   WorstPoint worst;
   for (const HeightLayer layer : layers) {
     const WorstPoint here = worst_on_edge(reference, point_of(a, layer), point_of(b, layer), layer);

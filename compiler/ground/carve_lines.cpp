@@ -105,4 +105,12 @@ std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
   return lines;
 }
 
+std::vector<Line> lines_near_border(std::vector<Line> lines, const Box2& cell) {
+  const Box2 inner = cell.widened(-1);
+  std::erase_if(lines, [&](const Line& line) {
+    return inner.contains(plane_point(line.first)) && inner.contains(plane_point(line.second));
+  });
+  return lines;
+}
+
 }  // namespace citykiln::ground

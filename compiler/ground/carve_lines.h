@@ -17,4 +17,9 @@ inline constexpr double kStation_m = 16;
 /// the cell. O(roads near the cell + squares of the terrain's grid in it).
 std::vector<std::pair<GridPoint, GridPoint>> carve_lines(const Carving& carving, const Box2& cell);
 
+/// Of these, those that come near the cell's border: where nothing is carved the others may be left out, and the border
+/// is the same to the bit.
+std::vector<std::pair<GridPoint, GridPoint>> lines_near_border(std::vector<std::pair<GridPoint, GridPoint>> lines,
+                                                               const Box2& cell);
+
 }  // namespace citykiln::ground

@@ -72,9 +72,32 @@ Reference reference_on(Delaunay&& triangulation, const Carving& carving, const B
   return reference_of(std::move(triangulation), std::move(heights), cell);
 }
 
+// What a cell is made of before any tolerance: the borders that are seen, and what heights are measured against.
+struct Known {
+  std::vector<Border> borders;
+  Reference reference;
+};
+
+// Where nothing is carved the terrain is the reference, and its lines matter on the border alone.
+Known known_of_bare(const Layers& layers, const Carving& carving, const Box2& cell) {
+  Reference reference = reference_of(carving.terrain, cell);
+  if (layers.order.empty()) return {bare_borders(cell), std::move(reference)};
+  const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), cell);
+  return {seen_borders(all, joints_of(layers, cell)), std::move(reference)};
+}
+
+Known known_of(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
+  const Layers layers = layers_near(surfaces, cell);
+  if (!is_carved(carving, cell)) return known_of_bare(layers, carving, cell);
+  Partition all = partition_all(layers, carve_lines(carving, cell), cell);
+  std::vector<Border> borders = seen_borders(all, joints_of(layers, cell));
+  return {std::move(borders), reference_on(std::move(all.triangulation), carving, cell)};
+}
+
 }  // namespace
 
 Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
+  if (!is_carved(carving, cell)) return reference_of(carving.terrain, cell);
   Partition all = partition_all(layers_near(surfaces, cell), carve_lines(carving, cell), cell);
   return reference_on(std::move(all.triangulation), carving, cell);
 }
@@ -82,9 +105,9 @@ Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& ca
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
   const std::vector<HeightLayer> layers = layers_of(surfaces);
-  Partition all = partition_all(layers_near(surfaces, cell), carve_lines(carving, cell), cell);
-  const Simpler simpler = simpler_borders(seen_borders(all), tolerance_m);
-  const Reference reference = reference_on(std::move(all.triangulation), carving, cell);
+  const Known known = known_of(surfaces, carving, cell);
+  const Simpler simpler = simpler_borders(known.borders, tolerance_m);
+  const Reference& reference = known.reference;
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
   // vertex: then the borders are split more finely. The cell's own border is not: its vertices are the neighbour's too.

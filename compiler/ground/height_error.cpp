@@ -43,6 +43,29 @@ WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
   return worst;
 }
 
+WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
+  if (in_plan(b) < in_plan(a)) std::swap(a, b);
+  const bool by_x = a.x != b.x;
+  const double low = by_x ? a.x : a.y, high = by_x ? b.x : b.y, across = by_x ? a.y - field.min.y : a.x - field.min.x;
+  const double start = by_x ? field.min.x : field.min.y;
+  // how far beyond a line of the grid the nearest diagonal crosses
+  const double beyond = across - std::floor(across / field.step_m) * field.step_m;
+  WorstPoint worst;
+  const auto look_at = [&](double along) {
+    if (along <= low || along >= high) return;
+    const Vec2 p = by_x ? Vec2{along, a.y} : Vec2{a.x, along};
+    if (!field.box().contains(p)) return;
+    const double share = (along - low) / (high - low);
+    consider(worst, std::abs(a.z + (b.z - a.z) * share - map::height_m_at(field, p)), p);
+  };
+  for (double line = start + std::floor((low - start) / field.step_m) * field.step_m; line < high;
+       line += field.step_m) {
+    look_at(line);
+    if (beyond > 0) look_at(line + beyond);
+  }
+  return worst;
+}
+
 WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners) {
   WorstPoint worst;
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});

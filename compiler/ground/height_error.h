@@ -17,6 +17,10 @@ struct WorstPoint {
 /// Along an edge from a to b, ends left out. O(field lines crossed).
 WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
+/// The same along an edge that is parallel to an axis, in a line of whole metres, ends on the 2^-10 m grid: to the bit
+/// what a triangulation with the field's lines as edges finds (reference.h). The same from b to a.
+WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
+
 /// At the field's vertices inside a triangle (in plan, counter-clockwise), its edges left out. O(field vertices in its
 /// box).
 WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners);

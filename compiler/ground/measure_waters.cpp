@@ -20,7 +20,7 @@ struct Seen {
 };
 
 std::vector<Seen> places_of(const roads::Strip& stream, const map::Heightfield& heights) {
-  const std::vector<double> along = roads::distances_along(stream.axis, 0);
+  const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
   std::vector<Seen> places;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const double long_m = along[i + 1] - along[i];
@@ -100,7 +100,7 @@ WaterMeasures measure_waters(std::span<const Surface> surfaces, std::span<const 
   for (std::uint32_t s = 0; s < streams.size(); ++s) {
     const std::vector<Seen> places = places_of(streams[s], heights);
     rises[s] = rise_along_m(places, streams[s].profile);
-    const std::vector<double> along = roads::distances_along(streams[s].axis, 0);
+    const std::vector<double> along = roads::distances_along(streams[s].axis, streams[s].passed_m);
     for (std::size_t v = 0; v < along.size(); ++v)
       passings.push_back(
           {streams[s].axis[v], water_at_station_m(streams[s], along[v], streams[s].axis[v], heights), s});

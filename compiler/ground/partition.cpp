@@ -78,6 +78,53 @@ std::uint32_t corner_surface(std::span<const Border> borders, GridPoint corner) 
   return found == borders.end() ? kNoSurface : found->left;
 }
 
+// Rounding may carry what meets the border so many grid steps along it.
+constexpr std::int64_t kNearSteps = 4;
+
+bool is_near(std::span<const GridPoint> joints, GridPoint p) {
+  return std::ranges::any_of(joints, [&](GridPoint joint) {
+    return std::abs(joint.x - p.x) <= kNearSteps && std::abs(joint.y - p.y) <= kNearSteps;
+  });
+}
+
+bool is_on_border(GridPoint p, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
+  return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
+}
+
+// Boxes that touch the border, or come within some grid steps of it.
+bool comes_near_border(GridPoint a, GridPoint b, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
+  const auto [low_x, high_x] = std::minmax(a.x, b.x);
+  const auto [low_y, high_y] = std::minmax(a.y, b.y);
+  return low_x < min.x + kNearSteps || high_x > max.x - kNearSteps || low_y < min.y + kNearSteps ||
+         high_y > max.y - kNearSteps;
+}
+
+std::vector<GridPoint> ends_of(std::span<const Border> borders) {
+  std::vector<GridPoint> ends;
+  for (const Border& border : borders) ends.insert(ends.end(), {border.a, border.b});
+  std::ranges::sort(ends);
+  return ends;
+}
+
+// Pieces of the cell's border as one wherever nothing stays between them.
+template <typename Stays>
+std::vector<Border> joined_rim(std::vector<Border> rim, Stays stays) {
+  const auto line = [](const Border& b) { return b.a.x == b.b.x ? std::pair(0, b.a.x) : std::pair(1, b.a.y); };
+  std::ranges::sort(rim, {}, [&](const Border& b) { return std::pair(line(b), b.a); });
+  std::vector<Border> joined;
+  for (const Border& piece : rim) {
+    const bool goes_on = !joined.empty() && line(joined.back()) == line(piece) && joined.back().b == piece.a &&
+                         joined.back().left == piece.left && !stays(piece.a);
+    if (goes_on)
+      joined.back().b = piece.b;
+    else
+      joined.push_back(piece);
+  }
+  return joined;
+}
+
 }  // namespace
 
 Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
@@ -107,8 +154,22 @@ Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoin
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
-std::vector<Border> seen_borders(const Partition& all) {
-  std::vector<Border> borders;
+std::vector<GridPoint> joints_of(const Layers& layers, const Box2& cell) {
+  std::vector<OwnedSegment> segments = segments_of(layers);
+  std::erase_if(segments, [&](const OwnedSegment& s) { return !comes_near_border(s.a, s.b, cell); });
+  std::vector<GridPoint> joints = arrange(segments, {}, cell).vertices;
+  std::erase_if(joints, [&](GridPoint p) { return !is_on_border(p, cell); });
+  return joints;
+}
+
+std::vector<Border> bare_borders(const Box2& cell) {
+  const GridPoint sw = grid_point(cell.min), ne = grid_point(cell.max), se{ne.x, sw.y}, nw{sw.x, ne.y};
+  const auto side = [](GridPoint a, GridPoint b) { return Border{a, b, kNoSurface, kNoSurface, true}; };
+  return {side(sw, se), side(sw, nw), side(se, ne), side(nw, ne)};
+}
+
+std::vector<Border> seen_borders(const Partition& all, std::span<const GridPoint> joints) {
+  std::vector<Border> borders, rim;
   const auto& faces = all.triangulation.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (int i = 0; i < 3; ++i) {
@@ -117,11 +178,15 @@ std::vector<Border> seen_borders(const Partition& all) {
       const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]],
                       b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
       const std::uint32_t left = all.face_surface[f];
-      if (beyond == kNoFace) borders.push_back({std::min(a, b), std::max(a, b), left, left, true});
+      if (beyond == kNoFace) rim.push_back({std::min(a, b), std::max(a, b), left, left, true});
       // an inner edge is met from both sides; the one that sees it from its lower end counts
       else if (a < b && left != all.face_surface[beyond])
         borders.push_back({a, b, left, all.face_surface[beyond], false});
     }
+  const std::vector<GridPoint> kept = ends_of(borders);
+  const auto stays = [&](GridPoint p) { return std::ranges::binary_search(kept, p) || is_near(joints, p); };
+  const std::vector<Border> joined = joined_rim(std::move(rim), stays);
+  borders.insert(borders.end(), joined.begin(), joined.end());
   return borders;
 }
 

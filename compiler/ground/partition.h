@@ -32,8 +32,15 @@ Layers layers_near(std::span<const Surface> surfaces, const Box2& cell);
 /// @param lines  From the lower end to the upper; they bound nothing.
 Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines, const Box2& cell);
 
-/// The edges between faces of different surfaces, and the cell's border. O(faces).
-std::vector<Border> seen_borders(const Partition& partition);
+/// Where rings meet the cell's border, sorted: hidden ones too, so that both cells of a border have the same.
+std::vector<GridPoint> joints_of(const Layers& layers, const Box2& cell);
+
+/// The edges between faces of different surfaces, and the cell's border from corner to corner and joint to joint:
+/// vertices that only lines have put there are left out. O(faces + joints times vertices on the border).
+std::vector<Border> seen_borders(const Partition& partition, std::span<const GridPoint> joints);
+
+/// The border of a cell in which nothing lies.
+std::vector<Border> bare_borders(const Box2& cell);
 
 /// The same cell, of other borders: those given between surfaces, and the points given on the cell's border.
 /// @param borders  The cell's own border among them: what covers its south-western corner is told there.

@@ -115,6 +115,11 @@ void consider_crossing(WorstPoint& worst, const Reference& reference, const Mesh
            in_plan(edge.a + (edge.b - edge.a) * along_edge));
 }
 
+bool is_on_border(const Box2& cell, Vec3 a, Vec3 b) {
+  return (a.x == b.x && (a.x == cell.min.x || a.x == cell.max.x)) ||
+         (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
+}
+
 StraightWalk walk_along(const Reference& reference, const MeshEdge& edge) {
   const FinePoint from = fine_point(edge.from);
   return walk_from_face(walk_ground(reference), face_at(reference, from, edge.from), from, fine_point(edge.to));
@@ -143,12 +148,18 @@ struct Plane {
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell) {
   PointBuckets buckets = bucket_points(triangulation.vertices(), grid_point(cell.min), grid_point(cell.max));
   std::vector<std::uint32_t> first = first_faces(triangulation);
-  Reference reference{std::move(triangulation), std::move(heights), cell, std::move(buckets), std::move(first), {}};
+  Reference reference{
+      std::move(triangulation), std::move(heights), cell, std::move(buckets), std::move(first), {}, nullptr};
   reference.centre_faces = faces_at_centres(reference);
   return reference;
 }
 
+Reference reference_of(const map::Heightfield& terrain, const Box2& cell) {
+  return {Delaunay({}, {}), {}, cell, {}, {}, {}, &terrain};
+}
+
 double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {
+  if (reference.terrain != nullptr) return map::height_m_at(*reference.terrain, p);
   const Vec2 inside{std::clamp(p.x, reference.cell.min.x, reference.cell.max.x),
                     std::clamp(p.y, reference.cell.min.y, reference.cell.max.y)};
   const FinePoint fine = fine_point(inside);
@@ -163,6 +174,9 @@ double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {
 }
 
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer) {
+  if (reference.terrain != nullptr)
+    return is_on_border(reference.cell, a, b) ? worst_on_straight_edge(*reference.terrain, a, b)
+                                              : worst_on_edge(*reference.terrain, a, b);
   // from the lower end, so that both faces of an edge find the same
   if (in_plan(b) < in_plan(a)) std::swap(a, b);
   const MeshEdge edge{a, b, grid_point(in_plan(a)), grid_point(in_plan(b))};
@@ -178,6 +192,7 @@ WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer
 }
 
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer) {
+  if (reference.terrain != nullptr) return worst_inside(*reference.terrain, corners);
   Plane plane{{}, corners};
   for (int i = 0; i < 3; ++i) plane.corners[i] = grid_point(in_plan(corners[i]));
   const auto& vertices = reference.triangulation.vertices();
@@ -192,6 +207,7 @@ WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& c
 }
 
 Vec2 nearest_vertex(const Reference& reference, Vec2 p) {
+  if (reference.terrain != nullptr) return map::nearest_vertex(*reference.terrain, p);
   const auto& vertices = reference.triangulation.vertices();
   return plane_point(vertices[nearest_point(reference.buckets, vertices, grid_point(p))]);
 }

@@ -11,22 +11,29 @@
 #include "compiler/geometry/point_buckets.h"
 #include "compiler/ground/height_error.h"
 #include "compiler/ground/height_layer.h"
+#include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {
 
+/// Where nothing is carved that is the terrain, on all layers alike: then it is asked itself, and the rest is empty.
 struct Reference {
   Delaunay triangulation;
-  std::vector<Heights> heights;             ///< One a vertex.
-  Box2 cell;                                ///< What the triangulation covers.
-  PointBuckets buckets;                     ///< Of the vertices.
-  std::vector<std::uint32_t> first_faces;   ///< One a vertex (geometry/straight_walk.h).
-  std::vector<std::uint32_t> centre_faces;  ///< One a bucket: what holds its centre. Walks to a place start there.
+  std::vector<Heights> heights;               ///< One a vertex.
+  Box2 cell;                                  ///< What the triangulation covers.
+  PointBuckets buckets;                       ///< Of the vertices.
+  std::vector<std::uint32_t> first_faces;     ///< One a vertex (geometry/straight_walk.h).
+  std::vector<std::uint32_t> centre_faces;    ///< One a bucket: what holds its centre. Walks to a place start there.
+  const map::Heightfield* terrain = nullptr;  ///< Not owned.
 };
 
 /// @param triangulation  Covers the cell exactly. Only its faces count: a face may be Delaunay or not.
 /// @param heights        One a vertex.
 /// O(n).
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell);
+
+/// @param terrain  Must outlive the reference. Along the cell's border it gives to the bit what a triangulation gives
+///                 that has the terrain's lines as edges, so cells with and without carving meet. O(1).
+Reference reference_of(const map::Heightfield& terrain, const Box2& cell);
 
 /// At a point of the closed cell; those outside are moved to its border. At a vertex exactly its height, on an edge a
 /// function of the edge alone, so the same from both sides and in both cells of a border. O(1) expected.

@@ -127,6 +127,10 @@ void grow(Growing& growing, double tolerance_m) {
 
 Heights snapped_heights(const Reference& reference, Vec2 p) {
   Heights heights;
+  if (reference.terrain != nullptr) {
+    heights.fill(snapped(height_m_at(reference, p, HeightLayer::kLand)));
+    return heights;
+  }
   for (std::size_t layer = 0; layer < heights.size(); ++layer)
     heights[layer] = snapped(height_m_at(reference, p, static_cast<HeightLayer>(layer)));
   return heights;

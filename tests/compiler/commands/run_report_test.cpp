@@ -32,7 +32,7 @@ Written two_tiles() {
   return written;
 }
 
-std::string report_of(Report& report, const Written& written) { return report_json({}, {}, report, written, {}); }
+std::string report_of(Report& report, const Written& written) { return report_json({}, {}, report, written, {}, {}); }
 
 TEST(RunReport, ReadsBackTheTilesItWrote) {
   Report report;

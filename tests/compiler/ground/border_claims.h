@@ -19,7 +19,8 @@
 namespace citykiln::ground {
 
 inline std::vector<Border> borders_of(std::span<const Surface> surfaces, const Box2& cell) {
-  return seen_borders(partition_all(layers_near(surfaces, cell), {}, cell));
+  const Layers layers = layers_near(surfaces, cell);
+  return seen_borders(partition_all(layers, {}, cell), joints_of(layers, cell));
 }
 
 /// What lies at a place, by the border straight above it. The cell's own must be among them.

@@ -156,6 +156,43 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
   }
 }
 
+// A road up there, as high as the ground never is, out of reach of the cell to the west.
+Carving carved_in_the_east(const Heightfield& field) {
+  roads::Road road;
+  road.id = {{OsmType::kWay, 99}, 0};
+  road.axis = {{170, -40}, {175, 60}, {168, 170}};
+  road.surface = SurfaceClass::kResidentialRoad;
+  road.section.lanes = {{}};
+  road.profile = {{0, 30, 0}, {100, 35, 0}, {212, 25, 0}};
+  return carve(Heightfield(field), {std::vector{road}, {}, {}, Box2{{0, 0}, {256, 128}}.widened(kCarve_m)});
+}
+
+// One is measured against a triangulation, the other against the terrain itself.
+TEST(Ground, CarvedAndBareCellsMeetVertexForVertex) {
+  constexpr Box2 kEast{{128, 0}, {256, 128}};
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Report report;
+    const Heightfield field = rough_field(seed % 2 == 0 ? 16 : 64, 20);
+    const Carving carving = carved_in_the_east(field);
+    ASSERT_FALSE(is_carved(carving, kCell));
+    ASSERT_TRUE(is_carved(carving, kEast));
+    const auto surfaces = crossing_surfaces(seed, static_cast<int>(seed % 4) * 4);
+    for (const double tolerance_m : {0.02, 0.5, 12.5}) {
+      const GroundMesh west = expand_cell(surfaces, carving, kCell, tolerance_m, report);
+      const GroundMesh east = expand_cell(surfaces, carving, kEast, tolerance_m, report);
+      EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed << ", " << tolerance_m << " m";
+    }
+  }
+}
+
+TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
+  Report report;
+  EXPECT_EQ(expand_cell({}, Carving(rough_field(16, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
+  const Heightfield field = rough_field(16, 0.25);
+  const GroundMesh g = expand_cell({}, carved_in_the_east(field), {{128, 0}, {256, 128}}, 30, report);
+  EXPECT_EQ(on_line_x(g, 128).size(), 2u);
+}
+
 TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   Report report;
   const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/carve_lines.h"
+#include "compiler/ground/partition.h"
 #include "tests/compiler/ground/made_references.h"
 
 namespace citykiln::ground {
@@ -175,6 +177,33 @@ TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
     EXPECT_EQ(one.at, other.at);
     EXPECT_EQ(height_m_at(left, in_plan(a), kLayer), height_m_at(right, in_plan(a), kLayer));
     EXPECT_TRUE(one.error_m == 0 || one.at.x == 0);
+  }
+}
+
+// Bit for bit: a cell with carving and one without share their border.
+TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
+  const Draw draw(8, StableId{15}, "edges");
+  map::Heightfield field{{-64, -64}, 16, 17, 17, {}, 0};
+  for (std::uint32_t i = 0; i < 17 * 17; ++i)
+    field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
+  const Box2 cell{{-37, -20}, {91, 108}};
+  const Carving carving{map::Heightfield(field)};
+  Partition all = partition_all({}, carve_lines(carving, cell), cell);
+  std::vector<Heights> heights;
+  for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
+  const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);
+  const Reference bare = reference_of(field, cell);
+  for (std::uint32_t i = 0; i < 4000; i += 4) {
+    const double from = snapped(draw.between(0, 128, i)), to = snapped(draw.between(0, 128, i + 1));
+    if (from == to) continue;
+    const double across = i % 8 == 0 ? 0 : 128, z = draw.between(0, 40, i + 2);
+    const auto end = [&](double along, double z_m) {
+      return at_height(cell.min + (i % 16 < 8 ? Vec2{across, along} : Vec2{along, across}), z_m);
+    };
+    const WorstPoint one = worst_on_edge(triangulated, end(from, z), end(to, 7), kLayer);
+    const WorstPoint other = worst_on_edge(bare, end(from, z), end(to, 7), kLayer);
+    EXPECT_EQ(one.error_m, other.error_m);
+    EXPECT_EQ(one.at, other.at);
   }
 }
 

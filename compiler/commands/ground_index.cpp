@@ -1,0 +1,48 @@
+#include "compiler/commands/ground_index.h"
+
+#include <algorithm>
+#include <array>
+
+namespace citykiln::commands {
+namespace {
+
+/// Faces along roads are some metres long.
+constexpr double kBucket_m = 4;
+
+double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
+
+double plan_area_m2(const GroundFace& face) {
+  return twice_area_m2(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
+}
+
+std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
+  const auto& [a, b, c] = face.corners;
+  const double area = twice_area_m2(in_plan(a), in_plan(b), in_plan(c));
+  const double of_a = twice_area_m2(p, in_plan(b), in_plan(c)), of_b = twice_area_m2(in_plan(a), p, in_plan(c));
+  const double of_c = area - of_a - of_b;
+  if (of_a < 0 || of_b < 0 || of_c < 0) return std::nullopt;
+  return (of_a * a.z + of_b * b.z + of_c * c.z) / area;
+}
+
+}  // namespace
+
+GroundIndex index_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving) {
+  GroundIndex index{ground_faces(tile, leaving), {}};
+  std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
+  std::vector<Box2> boxes;
+  for (const GroundFace& face : index.faces)
+    boxes.push_back(box_of(std::array{in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])}));
+  index.grid = grid_of(boxes, kBucket_m);
+  return index;
+}
+
+std::optional<GroundPlace> lowest_ground_at(const GroundIndex& index, Vec2 p) {
+  std::optional<GroundPlace> lowest;
+  for (const std::uint32_t i : boxes_about(index.grid, p)) {
+    const std::optional<double> z_m = height_m_at(index.faces[i], p);
+    if (z_m && (!lowest || *z_m < lowest->z_m)) lowest = {*z_m, index.faces[i].feature};
+  }
+  return lowest;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,26 @@
+// How well a scene's recipes agree about heights: what report.json says. `check` measures the baked tiles as well.
+#pragma once
+
+#include <optional>
+
+#include "compiler/commands/measure_footing.h"
+#include "compiler/commands/measure_lakes.h"
+#include "compiler/commands/measure_lines.h"
+#include "compiler/commands/measure_road_faces.h"
+#include "compiler/ground/measure_profiles.h"
+
+namespace citykiln::commands {
+
+struct HeightMeasures {
+  Grades grades;
+  Jumps jumps;
+  RoadFaces road_faces;  ///< Profiles against the carved ground.
+  Rises rises;
+  Lakes lakes;      ///< Levels against the carved ground, along shores.
+  Footing footing;  ///< Buildings' lower ends against the carved ground.
+};
+
+/// Of all chunks; what crosses their borders counts in each. O(n log n), each chunk by itself.
+HeightMeasures measure_heights(const scene::Scene& scene, int threads);
+
+}  // namespace citykiln::commands
