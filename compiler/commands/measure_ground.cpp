@@ -83,7 +83,9 @@ void lower(Lattice& lattice, const Corners& t) {
       const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
                    b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
       const double c = area - a - b;
-      if (a < 0 || b < 0 || c < 0) continue;
+      // what lies on an edge belongs to both sides, however it is rounded
+      const double slack = -1e-9 * area;
+      if (a < slack || b < slack || c < slack) continue;
       double& lowest = lattice.lowest_m[lattice.number(i, j)];
       lowest = std::min(lowest, (a * t[0].z + b * t[1].z + c * t[2].z) / area);
     }
