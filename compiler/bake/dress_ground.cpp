@@ -52,12 +52,15 @@ const Column* column_of(const Markings& markings, const roads::Piece* piece) {
   return column.left_m < 0 ? nullptr : &column;
 }
 
+Vec2 on_sheet(const Column& column, Vec2 uv) {
+  if (column.is_turned) uv = {column.width_m - uv.x, column.length_m - uv.y};
+  return {column.left_m + uv.x, uv.y};
+}
+
 // On the sheet, or across and along the road where the piece is not marked.
 Vec2 uv_of(const roads::Piece& piece, const Column* column, Vec2 p) {
-  Vec2 uv = roads::uv_at(piece.frame, p);
-  if (!column) return uv;
-  if (column->is_turned) uv = {column->width_m - uv.x, column->length_m - uv.y};
-  return {column->left_m + uv.x, uv.y};
+  const Vec2 uv = roads::uv_at(piece.frame, p);
+  return column ? on_sheet(*column, uv) : uv;
 }
 
 DressedMesh dressed_as(const scene::GroundCover& cover, const Markings& markings, std::uint32_t number,
@@ -118,6 +121,12 @@ Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m) {
                                 roads::length_m(d.pattern)});
   }
   return markings;
+}
+
+void put_on_sheet(const Column& column, DressedMesh& mesh) {
+  if (column.left_m < 0) return;
+  mesh.is_on_sheet = true;
+  for (Vec2& uv : mesh.uvs) uv = on_sheet(column, uv);
 }
 
 std::vector<DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,

@@ -26,6 +26,9 @@ struct Markings {
 /// Patterns that look alike share a column. Same bytes for the same patterns in any order.
 Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m);
 
+/// Moves a mesh from its pattern's coordinates onto the sheet; where the pattern has no column it stays plain.
+void put_on_sheet(const Column& column, materials::DressedMesh& mesh);
+
 /// A cell's ground: a mesh a surface, and for roads one a run of pieces, with texture coordinates; tinted by (seed,
 /// surface). On the sheet where a piece is marked.
 std::vector<materials::DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,
