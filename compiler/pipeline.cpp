@@ -16,12 +16,14 @@
 #include "compiler/roads/narrow.h"
 #include "compiler/roads/plan.h"
 #include "compiler/scene/assemble.h"
+#include "compiler/scene/ground_cover.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/join_rasters.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
+#include "compiler/structures/plan_piers.h"
 
 namespace citykiln {
 namespace {
@@ -34,6 +36,9 @@ Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane,
 
 /// The land as what stands on it sees it: without the rounded corners of streets.
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
+
+/// What piers must not stand on, and what else covers the ground.
+std::vector<ground::Surface> standing_surfaces(const scene::Recipes& recipes, const map::Features& features);
 
 }  // namespace
 
@@ -81,9 +86,12 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 
   // what leaves it, and what stands on it
   watch.enter("structures");
-  recipes.structures = structures::plan(features, profiles.off_ground, report);
+  recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
+  const ground::Carving carving = carved_land(recipes, features.region);
+  recipes.structures.bridges = structures::place_piers(std::move(recipes.structures.bridges), carving,
+                                                       standing_surfaces(recipes, features), report);
   watch.enter("buildings");
-  recipes.buildings = buildings::plan(features, carved_land(recipes, features.region), report);
+  recipes.buildings = buildings::plan(features, carving, report);
   watch.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, report);
   watch.enter("props");
@@ -175,7 +183,30 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region) {
   std::vector<ground::Surface> wet = recipes.surfaces;
   for (const roads::Strip& stream : recipes.streams) wet.push_back(ground::surface_of(stream));
-  return ground::carve(recipes.heights, {recipes.roads, recipes.streams, wet, region, false});
+  const std::vector<structures::Span>&bridges = recipes.structures.bridges, &tunnels = recipes.structures.tunnels;
+  const std::vector<roads::Road> decks(bridges.begin(), bridges.end());
+  std::vector<roads::Road> bores;
+  for (const structures::Span& tunnel : tunnels)
+    if (tunnel.is_bored) bores.push_back(tunnel);
+  return ground::carve(recipes.heights, {recipes.roads, recipes.streams, wet, region, false, decks, bores});
+}
+
+std::vector<ground::Surface> standing_surfaces(const scene::Recipes& recipes, const map::Features& features) {
+  std::vector<ground::Surface> standing = recipes.surfaces;
+  for (const roads::Strip& stream : recipes.streams) standing.push_back(ground::surface_of(stream));
+  const std::vector<roads::Ends> ends = roads::ends_of(recipes.roads);
+  for (std::size_t i = 0; i < recipes.roads.size(); ++i) {
+    standing.push_back(ground::surface_of(recipes.roads[i], ends[i]));
+    standing.push_back(ground::pavement_of(recipes.roads[i], ends[i]));
+  }
+  const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
+  for (std::size_t j = 0; j < recipes.junctions.size(); ++j)
+    standing.push_back(scene::junction_surface(recipes.junctions[j], recipes.roads, arms[j]));
+  for (const map::Footprint& footprint : features.footprints) {
+    standing.push_back({footprint.id, map::SurfaceClass::kBuilding, 0, {footprint.polygon.outer}});
+    for (const Ring& hole : footprint.polygon.holes) standing.back().rings.push_back(hole);
+  }
+  return standing;
 }
 
 /// Tiles that are asked for must be tiles of the map.

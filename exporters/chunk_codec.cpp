@@ -38,10 +38,10 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "road surface",
                                         "bridges",
                                         "tunnels",
-                                        "span points",
-                                        "span z",
-                                        "span class",
-                                        "span width",
+                                        "span ends",
+                                        "end cut",
+                                        "piers",
+                                        "pier step",
                                         "buildings",
                                         "footprint points",
                                         "footprint holes",
@@ -94,7 +94,9 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "knot tilt",
                                         "levelled",
                                         "water level",
-                                        "water reach"};
+                                        "water reach",
+                                        "pier foot",
+                                        "bored"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -396,6 +398,31 @@ void road(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32
   profile(io, r.profile);
 }
 
+// The kinds of all roads of a chunk, bridges and tunnels among them, and which of them is whose, as they come.
+struct KindsOfChunk {
+  RoadKinds kinds;
+  std::size_t next = 0;
+
+  template <typename Io>
+  void road(Io& io, roads::Road& r) {
+    if constexpr (Io::kReads) kinds.of_road.push_back(0);
+    exporters::road(io, r, kinds.kinds, kinds.of_road[next++]);
+  }
+};
+
+template <typename Io>
+KindsOfChunk kinds_of_chunk(Io& io, const Chunk& c) {
+  KindsOfChunk all;
+  if constexpr (!Io::kReads) {
+    std::vector<roads::Road> roads = c.roads;
+    roads.insert(roads.end(), c.bridges.begin(), c.bridges.end());
+    roads.insert(roads.end(), c.tunnels.begin(), c.tunnels.end());
+    all.kinds = kinds_of(roads);
+  }
+  list(io, "road kinds", all.kinds.kinds, 0, [&](RoadKind& k) { road_kind(io, k); });
+  return all;
+}
+
 // How far from the pinch before on its side, in quarters of a metre, and whether the limit runs straight from there.
 void pinch(auto& io, roads::Pinch& p, const roads::Pinch* before) {
   const double from_m = before ? before->at_m : 0;
@@ -439,15 +466,8 @@ void narrowings(Io& io, std::vector<roads::Road>& roads) {
 }
 
 template <typename Io>
-void roads_of(Io& io, std::vector<roads::Road>& roads) {
-  RoadKinds kinds;
-  if constexpr (!Io::kReads) kinds = kinds_of(roads);
-  list(io, "road kinds", kinds.kinds, 0, [&](RoadKind& k) { road_kind(io, k); });
-  std::size_t i = 0;
-  list(io, "roads", roads, 0, [&](roads::Road& r) {
-    if constexpr (Io::kReads) kinds.of_road.push_back(0);
-    road(io, r, kinds.kinds, kinds.of_road[i++]);
-  });
+void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
+  list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
   narrowings(io, roads);
 }
 
@@ -477,15 +497,32 @@ void junction(auto& io, roads::Junction& j) {
   });
 }
 
-void span(auto& io, structures::Span& s) {
-  id(io, s.id);
-  list(io, "span points", s.axis, 2, [&](Vec3& p) {
-    Vec2 plan = in_plan(p);
-    io.point(plan), io.metres("span z", p.z);
-    p = at_height(plan, p.z);
+void span_end(auto& io, structures::SpanEnd& end) {
+  enumerator(io, "span ends", end.kind, structures::EndKind::kCount);
+  if (end.kind == structures::EndKind::kGround || end.kind == structures::EndKind::kJoint) io.point(end.beyond);
+  if (end.kind == structures::EndKind::kAcross) quarters(io, "end cut", end.cut_m);
+}
+
+// How far from the pier before, or from the way's beginning, in quarters of a metre.
+void pier(auto& io, structures::Pier& p, const structures::Pier* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4);
+  io.number("pier step", steps);
+  p.at_m = from_m + static_cast<double>(steps) / 4;
+  quanta(io, "pier foot", p.foot_m, 0.25);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if ((before && steps == 0) || p.at_m > kFarthest_m) io.fail("pier step");
+}
+
+void span(auto& io, structures::Span& s, KindsOfChunk& kinds) {
+  kinds.road(io, s);
+  span_end(io, s.from), span_end(io, s.to);
+  flag(io, "bored", s.is_bored);
+  std::size_t i = 0;
+  list(io, "piers", s.piers, 0, [&](structures::Pier& p) {
+    pier(io, p, i > 0 ? &s.piers[i - 1] : nullptr);
+    ++i;
   });
-  enumerator(io, "span class", s.surface, map::SurfaceClass::kCount);
-  io.metres("span width", s.width_m);
 }
 
 void colour(auto& io, std::optional<map::Srgb>& value) {
@@ -597,11 +634,12 @@ void describe(Io& io, Chunk& c) {
   io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
   heights(io, c.heights);
   list(io, "surfaces", c.surfaces, 0, [&](auto& o) { surface(io, o); });
-  roads_of(io, c.roads);
+  KindsOfChunk kinds = kinds_of_chunk(io, c);
+  roads_of(io, c.roads, kinds);
   list(io, "junctions", c.junctions, 0, [&](auto& o) { junction(io, o); });
   list(io, "streams", c.streams, 0, [&](auto& o) { stream(io, o); });
-  list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o); });
-  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o); });
+  list(io, "bridges", c.bridges, 0, [&](auto& o) { span(io, o, kinds); });
+  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { span(io, o, kinds); });
   list(io, "buildings", c.buildings, 0, [&](auto& o) { building(io, o); });
   list(io, "trees", c.trees, 0, [&](auto& o) { tree(io, o); });
   list(io, "woods", c.woods, 0, [&](auto& o) { wood(io, o); });

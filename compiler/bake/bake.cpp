@@ -11,6 +11,7 @@
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
 #include "compiler/scene/ground_carving.h"
+#include "compiler/structures/bore.h"
 #include "compiler/structures/expand.h"
 
 namespace citykiln::bake {
@@ -54,14 +55,61 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
-void fire_ground(Firing& firing, const ground::Carving& carving, const Box2& box, int threads, Report& report) {
-  const scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
+// Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
+template <typename Expand>
+void expand_spans(const Firing& firing, const std::vector<structures::Span>& spans, const char* kind, Report& report,
+                  std::vector<structures::Expanded>& all, Expand expand) {
+  Account account;
+  for (const structures::Span& span : spans) {
+    if (!scene::is_anchored(firing.header, firing.chunk.tile, span.axis.front())) continue;
+    ++account.in;
+    structures::Expanded expanded = expand(span, firing.tolerance_m);
+    if (expanded.meshes.empty() && expanded.marked.empty()) {
+      report.drop(account, Code::kBelowTolerance, span.id.osm, 0);
+      continue;
+    }
+    ++account.out;
+    all.push_back(std::move(expanded));
+  }
+  report.account("bake", kind) = account;
+}
+
+// What is not bored was diagnosed when the map was compiled.
+std::vector<structures::Expanded> expand_structures(const Firing& firing, Report& report) {
+  std::vector<structures::Expanded> all;
+  std::vector<structures::Span> bored = firing.chunk.tunnels;
+  std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
+  expand_spans(firing, firing.chunk.bridges, "bridge", report, all, structures::expand);
+  expand_spans(firing, bored, "tunnel", report, all, structures::expand_bore);
+  return all;
+}
+
+// What is painted on bridges and in tunnels goes onto the same sheet, after what is painted on the ground.
+void fire_structures(Firing& firing, std::vector<structures::Expanded>& structures, const Markings& markings,
+                     std::size_t first_column) {
+  for (structures::Expanded& built : structures) {
+    firing.certify(built.error_m);
+    for (structures::MarkedMesh& marked : built.marked) {
+      put_on_sheet(markings.columns[first_column++], marked.mesh);
+      built.meshes.push_back(std::move(marked.mesh));
+    }
+    firing.take(std::move(built.meshes));
+  }
+}
+
+void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<structures::Expanded> structures,
+                 const Box2& box, int threads, Report& report) {
+  scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
+  const std::size_t first_of_structures = cover.patterns.size();
+  for (const structures::Expanded& built : structures)
+    for (const structures::MarkedMesh& marked : built.marked) cover.patterns.push_back(marked.pattern);
   Markings markings = lay_out_markings(cover, firing.tolerance_m);
   for (const ground::GroundMesh& ground :
        expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
     firing.take(dress(ground, cover, markings, firing.header, firing.tolerance_m));
   }
+  fire_structures(firing, structures, markings, first_of_structures);
   firing.tile.sheet = std::move(markings.sheet);
 }
 
@@ -186,9 +234,7 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
 
   const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
-  fire_ground(firing, carving, box, threads, report);
-  fire_each(firing, chunk.bridges, "bridge", report,
-            [&](const auto& bridge) { return structures::expand(bridge, tolerance_m); });
+  fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
   fire_each(firing, chunk.buildings, "building", report,
             [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
   fire_each(firing, chunk.barriers, "barrier", report,

@@ -57,8 +57,7 @@ const Column* column_of(const Markings& markings, const roads::Piece* piece) {
   return column.left_m < 0 ? nullptr : &column;
 }
 
-Vec2 on_sheet(const roads::Piece& piece, const Column& column, Vec2 p) {
-  Vec2 uv = roads::uv_at(piece.frame, p);
+Vec2 on_sheet(const Column& column, Vec2 uv) {
   if (column.is_turned) uv = {column.width_m - uv.x, column.length_m - uv.y};
   return {column.left_m + uv.x, uv.y};
 }
@@ -132,7 +131,7 @@ std::optional<Places> places_of(const Dressing& d, std::uint32_t face, Material 
   const std::uint32_t surface = d.ground.face_surface[face];
   const roads::Piece* piece = piece_of(d.cover, surface);
   if (const Column* column = column_of(d.markings, piece))
-    return places(d, face, [&](Vec3 p) { return on_sheet(*piece, *column, in_plan(p)); });
+    return places(d, face, [&](Vec3 p) { return on_sheet(*column, roads::uv_at(piece->frame, in_plan(p))); });
   if (piece) {
     const Places along = places(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
     return less(along, periods_below(along));
@@ -214,6 +213,12 @@ Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m) {
                                 roads::length_m(d.pattern)});
   }
   return markings;
+}
+
+void put_on_sheet(const Column& column, DressedMesh& mesh) {
+  if (column.left_m < 0) return;
+  mesh.is_on_sheet = true;
+  for (Vec2& uv : mesh.uvs) uv = on_sheet(column, uv);
 }
 
 std::vector<DressedMesh> dress(const ground::GroundMesh& ground, const scene::GroundCover& cover,

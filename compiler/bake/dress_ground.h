@@ -26,6 +26,9 @@ struct Markings {
 /// Patterns that look alike share a column. Same bytes for the same patterns in any order.
 Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m);
 
+/// Moves a mesh from its pattern's coordinates onto the sheet; where the pattern has no column it stays plain.
+void put_on_sheet(const Column& column, materials::DressedMesh& mesh);
+
 /// A cell's ground: a mesh a surface, or one a run of a road's pieces, and for each material that slope and snow make
 /// of it (ground_material.h). Vertices have tints (ground_tint.h, border_shade.h), and places on the sheet where a
 /// piece is marked, else on their material's texture where the tolerance has any; on pieces of roads always.

@@ -74,16 +74,17 @@ struct Subject {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  std::vector<OsmId> leaving;  ///< Bridges, sorted.
+  std::vector<OsmId> leaving;  ///< Bridges and tunnels, sorted.
 };
 
-std::vector<OsmId> bridges_of(const scene::Scene& scene) {
-  std::vector<OsmId> bridges;
+std::vector<OsmId> leaving_of(const scene::Scene& scene) {
+  std::vector<OsmId> leaving;
   for (const scene::Chunk& chunk : scene.chunks) {
-    for (const structures::Span& bridge : chunk.bridges) bridges.push_back(bridge.id.osm);
+    for (const structures::Span& bridge : chunk.bridges) leaving.push_back(bridge.id.osm);
+    for (const structures::Span& tunnel : chunk.tunnels) leaving.push_back(tunnel.id.osm);
   }
-  std::ranges::sort(bridges);
-  return bridges;
+  std::ranges::sort(leaving);
+  return leaving;
 }
 
 Result<Subject> open_subject(const std::string& folder) {
@@ -91,7 +92,7 @@ Result<Subject> open_subject(const std::string& folder) {
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  std::vector<OsmId> leaving = bridges_of(*scene);
+  std::vector<OsmId> leaving = leaving_of(*scene);
   return Subject{folder, std::move(*record), std::move(*scene), std::move(leaving)};
 }
 

@@ -51,13 +51,23 @@ void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
   bounds.wall_m = std::min(bounds.wall_m, z_m + rise_m(kWallSlope, away_m, terrain_m - z_m));
 }
 
+// A road that goes into a bore does not cut away the land over it.
+double higher_m(const OverBores& over, double road_m) {
+  // roads that pass over the bore start above its roof
+  constexpr double kShared_m = 2;
+  return over.higher_m * std::clamp((over.roof_m - road_m) / kShared_m, 0.0, 1.0);
+}
+
 // Slopes start at the road's edge from what the roads agree on there, farther off from the height of the road alone.
-void keep_near_roads(Bounds& bounds, std::span<const Strand> strands, double nearer_m, double road_m,
-                     double terrain_m) {
+void keep_near_roads(Bounds& bounds, std::span<const Strand> strands, double nearer_m, double road_m, double terrain_m,
+                     const OverBores& over) {
   for (const Strand& s : strands) {
     if (!s.is_graded) continue;
     const double away_m = std::max(0.0, s.beyond_m - nearer_m);
-    keep_near(bounds, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+    Bounds here;
+    keep_near(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+    bounds.least_m = std::max(bounds.least_m, here.least_m);
+    bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
   }
 }
 
@@ -71,7 +81,10 @@ double road_share(std::span<const Strand> strands) {
 Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const RoadHeight& road,
                  std::optional<double> water_m, Vec2 p, double terrain_m) {
   Bounds bounds;
-  keep_near_roads(bounds, strands, corner_m(carving, strands, p), road.z_m, terrain_m);
+  const OverBores over = over_bores(carving.bores, p);
+  keep_near_roads(bounds, strands, corner_m(carving, strands, p), road.z_m, terrain_m, over);
+  bounds.least_m = std::max(bounds.least_m, over.least_m);
+  bounds.most_m = std::min(bounds.most_m, most_under_decks_m(carving.decks, p));
   if (!water_m) return bounds;
   const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
   if (shore_m < kCarve_m) keep_near(bounds, *water_m, shore_m, terrain_m);
@@ -81,6 +94,10 @@ Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const 
 std::optional<double> water_at(const Carving& carving, Vec2 p) {
   if (boxes_about(carving.shores, p).empty() || !carving.wet_map.box.contains(p)) return std::nullopt;
   return water_m(carving.waters, p);
+}
+
+bool is_near_span(const Carving& carving, Vec2 p) {
+  return !boxes_about(carving.decks.field.grid, p).empty() || !boxes_about(carving.bores.field.grid, p).empty();
 }
 
 // Banks are carved as far from the shore as from roads.
@@ -112,6 +129,7 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   constexpr HeightLayer kPaved[] = {HeightLayer::kRoad, HeightLayer::kCarriageway}, kWet[] = {HeightLayer::kWater};
   Carving carving(std::move(terrain));
   carving.roads = field_of(parts.roads, parts.has_kerbs);
+  carving.decks = span_field_of(parts.decks), carving.bores = span_field_of(parts.bores);
   carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
   carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
   carving.paved_map = map_surfaces(carving.paved, parts.box);
@@ -124,7 +142,7 @@ Heights heights_at(const Carving& carving, Vec2 p) {
   const double terrain_m = map::height_m_at(carving.terrain, p);
   const std::vector<Strand> strands = strands_at(carving.roads, p, terrain_m);
   const std::optional<double> water_m = water_at(carving, p);
-  if (strands.empty() && !water_m) return {terrain_m, terrain_m, terrain_m, terrain_m};
+  if (strands.empty() && !water_m && !is_near_span(carving, p)) return {terrain_m, terrain_m, terrain_m, terrain_m};
   const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
   const Bounds bounds = bounds_at(carving, strands, road, water_m, p, terrain_m);
   const double land_m = within(bounds, terrain_m);
@@ -146,7 +164,10 @@ Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
 }
 
 bool is_carved(const Carving& carving, const Box2& box) {
-  return !boxes_about(carving.roads.grid, box).empty() || !boxes_about(carving.shores, box).empty();
+  for (const BoxGrid* grid :
+       {&carving.roads.grid, &carving.shores, &carving.decks.field.grid, &carving.bores.field.grid})
+    if (!boxes_about(*grid, box).empty()) return true;
+  return false;
 }
 
 bool is_level(const map::Heightfield& terrain, const Box2& box) {

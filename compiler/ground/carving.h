@@ -7,6 +7,7 @@
 //      kWallSlope;
 //          ╱                               what is left then is a step at the higher edge: a retaining wall
 //
+// Under decks the land keeps away from them, over bores it covers them (span_field.h).
 // A pure function of roads, waters and terrain within kCarve_m and the roads' breadth, so tiles agree to the bit.
 #pragma once
 
@@ -17,6 +18,7 @@
 #include "compiler/ground/height_layer.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/road_field.h"
+#include "compiler/ground/span_field.h"
 #include "compiler/ground/surface_map.h"
 #include "compiler/ground/water_height.h"
 #include "compiler/map/heightfield.h"
@@ -34,6 +36,7 @@ struct Carving {
 
   map::Heightfield terrain;
   RoadField roads;
+  SpanField decks, bores;
   WaterIndex waters;
   std::vector<Surface> paved, wet;  ///< What roads and junctions cover; what water covers.
   SurfaceMap paved_map;             ///< Tells how far from a rounded corner a place is.
@@ -48,6 +51,8 @@ struct CarvingParts {
   std::span<const Surface> surfaces;      ///< All within kCarve_m; those neither paved nor wet do not matter.
   Box2 box;                               ///< Where heights will be asked for.
   bool has_kerbs = true;                  ///< False where the tolerance sees none.
+  std::span<const roads::Road> decks{};   ///< Bridges within kCarve_m of the box, whole.
+  std::span<const roads::Road> bores{};   ///< Tunnels likewise.
 };
 Carving carve(map::Heightfield terrain, const CarvingParts& parts);
 

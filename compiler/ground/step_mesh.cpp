@@ -63,6 +63,13 @@ struct Builder {
     if (ua != va) push(va, ub, ua);
   }
 
+  // A step across the mouth of a bore begins at its ceiling.
+  Vec3 over_mouth(Vec3 a, Vec3 b, double upper_m) const {
+    constexpr double kWithin_m = 0.25;
+    const double ceiling_m = ceiling_in_mouth_m(carving.bores, in_plan(a), in_plan(b), kWithin_m);
+    return {a.x, a.y, std::clamp(ceiling_m, a.z, std::max(a.z, upper_m))};
+  }
+
   // The step between a face and its neighbour beyond edge i, seen once.
   void add_step(std::uint32_t f, int i) {
     const DelaunayFace& face = refined.triangulation.faces()[f];
@@ -73,9 +80,11 @@ struct Builder {
     const Vec3 other_a = place(from, refined.face_layer[beyond]), other_b = place(to, refined.face_layer[beyond]);
     if (own_a == other_a && own_b == other_b) return;
     if (own_a.z + own_b.z >= other_a.z + other_b.z)
-      add_upright(other_a, other_b, own_a.z, own_b.z, refined.face_surface[f]);
+      add_upright(over_mouth(other_a, other_b, own_a.z), over_mouth(other_b, other_a, own_b.z), own_a.z, own_b.z,
+                  refined.face_surface[f]);
     else
-      add_upright(own_b, own_a, other_b.z, other_a.z, refined.face_surface[beyond]);
+      add_upright(over_mouth(own_b, own_a, other_b.z), over_mouth(own_a, own_b, other_a.z), other_b.z, other_a.z,
+                  refined.face_surface[beyond]);
   }
 };
 

@@ -86,10 +86,23 @@ Box2 box_of_strip(const roads::Strip& strip) {
   return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kCarve_m);
 }
 
+// Where they carve the ground, and in the tile that they are part of, even if that is far off.
+ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span> spans) {
+  ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
+    return citykiln::box_of(s.axis).widened(breadth_m(s) + ground::kCarve_m);
+  });
+  const ByTile anchored = by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); });
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    tiles[t].insert(tiles[t].end(), anchored[t].begin(), anchored[t].end());
+    std::ranges::sort(tiles[t]);
+    tiles[t].erase(std::unique(tiles[t].begin(), tiles[t].end()), tiles[t].end());
+  }
+  return tiles;
+}
+
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::Surface> junctions) {
-  const auto span_anchor = [](const structures::Span& span) { return in_plan(span.axis.front()); };
   const auto stands = [](const auto& object) { return object.at; };
   const auto starts = [](const auto& object) { return object.axis.front(); };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
@@ -99,8 +112,8 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
           by_touch(grid, std::span(recipes.buildings),
                    [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
           by_anchor(grid, std::span(recipes.buildings), anchor_of),
-          by_anchor(grid, std::span(recipes.structures.bridges), span_anchor),
-          by_anchor(grid, std::span(recipes.structures.tunnels), span_anchor),
+          by_touch_or_anchor(grid, recipes.structures.bridges),
+          by_touch_or_anchor(grid, recipes.structures.tunnels),
           by_anchor(grid, std::span(recipes.plants.trees), stands),
           by_anchor(grid, std::span(recipes.props.barriers), starts),
           by_anchor(grid, std::span(recipes.props.lamps), stands)};

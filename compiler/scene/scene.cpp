@@ -19,6 +19,15 @@ std::vector<TileKey> tiles_of(const Header& header) {
   return tiles;
 }
 
+bool is_anchored(const Header& header, TileKey tile, Vec2 anchor) {
+  const auto number = [&](double v, double least, double most) {
+    return std::clamp(std::floor(v / header.tile_m), std::floor(least / header.tile_m),
+                      std::ceil(most / header.tile_m) - 1);
+  };
+  return number(anchor.x, header.region.min.x, header.region.max.x) == tile.x &&
+         number(anchor.y, header.region.min.y, header.region.max.y) == tile.y;
+}
+
 std::vector<roads::Junction> anchored_junctions(const Header& header, const Chunk& chunk) {
   std::vector<roads::Junction> anchored;
   for (const roads::Junction& junction : chunk.junctions) {

@@ -44,7 +44,8 @@ struct Header {
 
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
-/// junctions in every chunk within 32 m; everything else is in the chunk of its anchor alone.
+/// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
+/// which they are part (is_anchored); everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
@@ -71,6 +72,8 @@ struct Scene {
 
 /// The part of the region that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);
+/// Whether what is anchored at a place belongs to a tile; from outside the region, to the nearest one.
+bool is_anchored(const Header& header, TileKey tile, Vec2 anchor);
 /// Keys of all tiles that the region touches, sorted.
 std::vector<TileKey> tiles_of(const Header& header);
 /// The chunk's junctions whose first place lies in its tile: each of a scene's junctions that its roads can tell is in

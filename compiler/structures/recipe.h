@@ -1,20 +1,41 @@
 // What leaves the ground: bridges, and tunnels below it.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "compiler/contract/stable_id.h"
-#include "compiler/geometry/vec.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/roads/recipe.h"
 
 namespace citykiln::structures {
 
-/// A deck or a bore along an axis. z is decided when the map is compiled.
-struct Span {
-  ObjectId id;
-  std::vector<Vec3> axis;  ///< Plane metres, snapped; z is the top of the road.
-  map::SurfaceClass surface{};
-  double width_m = 0;  ///< A multiple of 2^-10, > 0.
+/// How a span's axis ends.
+enum class EndKind : std::uint8_t {
+  kLoose,   ///< Meets nothing: cut square.
+  kGround,  ///< On the ground, at the end of the road that goes on there: square to that road.
+  kAcross,  ///< On the ground, beside a road that passes: cut square where that road ends.
+  kJoint,   ///< Another span of its kind goes on: both are mitred to the middle of the bend.
+  kCount
+};
+
+struct SpanEnd {
+  EndKind kind{};
+  Vec2 beyond{};     ///< Of kGround and kJoint: the next point of what goes on. Plane metres, snapped.
+  double cut_m = 0;  ///< Of kAcross: of the axis, what lies on the road that passes; a multiple of 1/4 m, below 64.
+  bool operator==(const SpanEnd&) const = default;
+};
+
+/// Columns or a wall under a deck, square to its axis.
+struct Pier {
+  double at_m = 0;    ///< Along the way from its beginning; a multiple of 1/4 m.
+  double foot_m = 0;  ///< Plane height of where it ends, below the ground; a multiple of 1/4 m.
+  bool operator==(const Pier&) const = default;
+};
+
+/// A road on a deck or in a bore, whole: never trimmed. Its profile is the top of its road.
+struct Span : roads::Road {
+  SpanEnd from, to;         ///< At the first and the last point of the axis.
+  std::vector<Pier> piers;  ///< Of bridges. Sorted along the axis, strictly.
+  bool is_bored = false;    ///< Of tunnels: false where there is no land above it to bore through.
   bool operator==(const Span&) const = default;
 };
 

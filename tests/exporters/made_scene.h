@@ -25,8 +25,8 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
     for (auto i = below(2); i > 0; --i)
       c.streams.push_back({id(), line(), surface(), metres(20), metres(20), profile(), metres(99), below(9) * 16.0});
-    for (auto i = below(3); i > 0; --i) c.bridges.push_back({id(), space_line(), surface(), metres(20)});
-    for (auto i = below(2); i > 0; --i) c.tunnels.push_back({id(), space_line(), surface(), metres(20)});
+    for (auto i = below(3); i > 0; --i) c.bridges.push_back(span());
+    for (auto i = below(2); i > 0; --i) c.tunnels.push_back(span());
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
     for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), pick(plants::Archetype::kCount)});
     for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), 1.0 + below(9), below(256) / 255.0, 5.3 + below(20)});
@@ -84,10 +84,20 @@ class SceneMaker {
     r.push_back(point());
     return r;
   }
-  std::vector<Vec3> space_line() {
-    std::vector<Vec3> points;
-    for (const Vec2 p : line()) points.push_back(at_height(p, coordinate()));
-    return points;
+  structures::SpanEnd span_end() {
+    using structures::EndKind;
+    structures::SpanEnd end{pick(EndKind::kCount), {}, 0};
+    if (end.kind == EndKind::kGround || end.kind == EndKind::kJoint) end.beyond = point();
+    if (end.kind == EndKind::kAcross) end.cut_m = below(256) / 4.0;
+    return end;
+  }
+  structures::Span span() {
+    structures::Span s{road(), span_end(), span_end(), {}, below(2) == 0};
+    s.narrowing = {};
+    double at_m = 0;
+    for (auto i = below(4); i > 0; --i)
+      s.piers.push_back({at_m += (1 + below(999)) / 4.0, (static_cast<double>(below(9000)) - 400) / 4});
+    return s;
   }
   ground::Surface ground_surface() {
     ground::Surface s{id(), surface(), number(90000), {ring(), ring()}};

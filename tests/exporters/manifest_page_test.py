@@ -222,8 +222,14 @@ class Chunk:
                 self.all("junction arms", lambda: (self.plain("cut lengths") / 4, self.plain("corner radii") / 4)))
 
     def span(self):
-        axis = self.id(), self.all("span points", lambda: (self.point(), self.metres("span z")))
-        return *axis, self.plain("span class"), self.metres("span width")
+        return (*self.road(), self.span_end(), self.span_end(), self.plain("bored"), self.all("piers", self.pier))
+
+    def span_end(self):
+        kind = self.plain("span ends")
+        return kind, self.point() if kind in (1, 3) else None, self.plain("end cut") / 4 if kind == 2 else 0
+
+    def pier(self):
+        return self.plain("pier step") / 4, self.streams["pier foot"].step() / 4
 
     def colour(self):
         return [self.plain("colour values") for _ in range(3)] if self.plain("colours") else None

@@ -19,42 +19,44 @@ map::Track track(std::int64_t id, Passage passage, Polyline axis) {
   return t;
 }
 
-TEST(Plan, SpansLieOnTheirProfiles) {
+map::Heightfield level_at(std::int32_t z_m) {
+  map::Heightfield field{{-512, -512}, 512, 3, 3, {}, 0};
+  field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
+  return field;
+}
+
+TEST(Plan, SpansAreTheirTracksWithTheirProfiles) {
   map::Features f;
   f.tracks = {track(1, Passage::kGround, {{-50, 0}, {0, 0}}), track(2, Passage::kBridge, {{0, 0}, {30, 0}, {30, 40}}),
               track(3, Passage::kTunnel, {{30, 40}, {60, 40}})};
   const std::vector<Profile> off_ground = {{{0, 10, 0}, {50, 12, 0}, {70, 11, 0}}, {{0, 11, 0}, {30, 8, 0}}};
   Report report;
-  const Structures s = plan(f, off_ground, report);
+  const Structures s = plan(f, off_ground, level_at(0), report);
   ASSERT_EQ(s.bridges.size(), 1u);
-  EXPECT_EQ(s.bridges[0].axis, (std::vector<Vec3>{{0, 0, 10}, {30, 0, 11.2001953125}, {30, 20, 12}, {30, 40, 11}}));
-  EXPECT_EQ(s.bridges[0].width_m, 6);
+  EXPECT_EQ(s.bridges[0].axis, f.tracks[1].axis);
+  EXPECT_EQ(s.bridges[0].profile, off_ground[0]);
+  EXPECT_EQ(s.bridges[0].section, f.tracks[1].section);
   ASSERT_EQ(s.tunnels.size(), 1u);
-  EXPECT_EQ(s.tunnels[0].axis, (std::vector<Vec3>{{30, 40, 11}, {60, 40, 8}}));
-  EXPECT_EQ(report.counts()[Code::kTunnelNotMeshed], 1u);
+  EXPECT_EQ(s.tunnels[0].profile, off_ground[1]);
   EXPECT_TRUE(report.balances());
 }
 
-TEST(Plan, AKnotAtABendIsThatBend) {
+TEST(Plan, TunnelsWithoutLandAboveAreNotBoredAndDiagnosed) {
   map::Features f;
-  f.tracks = {track(2, Passage::kBridge, {{0, 0}, {30, 0}, {30, 40}})};
-  const std::vector<Profile> off_ground = {{{0, 10, 0}, {30, 12, 0}, {70, 11, 0}}};
-  Report report;
-  EXPECT_EQ(plan(f, off_ground, report).bridges[0].axis, (std::vector<Vec3>{{0, 0, 10}, {30, 0, 12}, {30, 40, 11}}));
-}
-
-TEST(Plan, WithoutAProfileASpanLiesAtZero) {
-  map::Features f;
-  f.tracks = {track(2, Passage::kBridge, {{0, 0}, {30, 0}})};
-  Report report;
-  EXPECT_EQ(plan(f, std::vector<Profile>(1), report).bridges[0].axis, (std::vector<Vec3>{{0, 0, 0}, {30, 0, 0}}));
+  f.tracks = {track(3, Passage::kTunnel, {{0, 0}, {60, 0}})};
+  const std::vector<Profile> off_ground = {{{0, 10, 0}}};
+  Report flat, high;
+  EXPECT_FALSE(plan(f, off_ground, level_at(12), flat).tunnels[0].is_bored);
+  EXPECT_EQ(flat.counts()[Code::kTunnelNotMeshed], 1u);
+  EXPECT_TRUE(plan(f, off_ground, level_at(40), high).tunnels[0].is_bored);
+  EXPECT_EQ(high.counts()[Code::kTunnelNotMeshed], 0u);
 }
 
 TEST(Plan, SortsById) {
   map::Features f;
   for (const std::int64_t id : {5, 3, 9, 1}) f.tracks.push_back(track(id, Passage::kBridge, {{0, 0}, {30, 0}}));
   Report report;
-  const Structures s = plan(f, std::vector<Profile>(4), report);
+  const Structures s = plan(f, std::vector<Profile>(4), level_at(0), report);
   EXPECT_TRUE(std::ranges::is_sorted(s.bridges, {}, &Span::id));
   EXPECT_EQ(s.bridges.size(), 4u);
 }

@@ -1,0 +1,128 @@
+#include "compiler/structures/deck.h"
+
+#include <algorithm>
+
+#include "compiler/ground/road_field.h"
+#include "compiler/roads/lane_strips.h"
+#include "compiler/roads/markings.h"
+
+namespace citykiln::structures {
+namespace {
+
+using materials::DressedMesh;
+using roads::LaneStrip;
+
+// Slabs are at their full thickness from this share of the half width inwards.
+constexpr double kFullThickness = 0.65;
+
+bool is_raised(const LaneStrip& strip) {
+  return strip.lanes.empty() ? strip.surface == map::SurfaceClass::kKerb : strip.lanes.front().is_raised;
+}
+
+// Of each strip, above the road's edges: carriageways lie a kerb below what is raised beside them.
+std::vector<double> rises_of(const Span& bridge, const std::vector<LaneStrip>& strips, bool has_kerbs) {
+  const bool is_low = has_kerbs && (roads::raised_left_m(bridge) > 0 || roads::raised_right_m(bridge) > 0);
+  std::vector<double> rises;
+  for (const LaneStrip& strip : strips) rises.push_back(is_low && !is_raised(strip) ? -ground::kKerbRise_m : 0);
+  return rises;
+}
+
+roads::Pattern pattern_of(const Span& bridge, const LaneStrip& strip) {
+  roads::Pattern pattern{strip.surface, strip.lanes, roads::Stretch::kAlong, roads::Control::kNone, bridge.side};
+  pattern.has_kerb_left = strip.has_kerb_left, pattern.has_kerb_right = strip.has_kerb_right;
+  return pattern;
+}
+
+// u across from the strip's left edge, v along.
+std::vector<Vec2> uvs_of(std::span<const Rib> ribs, double width_m) {
+  std::vector<Vec2> uvs;
+  for (const Rib& rib : ribs) uvs.insert(uvs.end(), {Vec2{0, rib.along_m}, Vec2{width_m, rib.along_m}});
+  return uvs;
+}
+
+void add_strip(const Span& bridge, std::span<const Rib> ribs, const LaneStrip& strip, double rise_m, bool may_be_marked,
+               Expanded& expanded) {
+  DressedMesh dressed{{}, values_of(strip.surface).material, materials::kNoTint, bridge.id.osm};
+  add_band(ribs, {strip.left_m, rise_m}, {strip.right_m, rise_m}, dressed.mesh);
+  if (may_be_marked && !strip.lanes.empty()) {
+    roads::Pattern pattern = pattern_of(bridge, strip);
+    if (roads::is_marked(pattern)) {
+      dressed.uvs = uvs_of(ribs, strip.left_m - strip.right_m);
+      expanded.marked.push_back({std::move(dressed), std::move(pattern)});
+      return;
+    }
+  }
+  expanded.meshes.push_back(std::move(dressed));
+}
+
+// The top of the road from left to right, kerbs' faces and all.
+Section top_of(const std::vector<LaneStrip>& strips, const std::vector<double>& rises) {
+  Section top;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    top.push_back({strips[i].left_m, rises[i]});
+    top.push_back({strips[i].right_m, rises[i]});
+  }
+  return top;
+}
+
+// All of the slab but its top, from the top's right end round below to its left end.
+Section below_of(const DeckShape& shape, bool has_parapets) {
+  const double out_left = shape.left_m + kParapet_m, out_right = -shape.right_m - kParapet_m;
+  const double top = has_parapets ? shape.parapet_m : 0;
+  Section below = {{-shape.right_m, top}, {out_right, top}, {out_right, -shape.edge_m}};
+  if (shape.thickness_m > shape.edge_m) {
+    below.push_back({-shape.right_m * kFullThickness, -shape.thickness_m});
+    below.push_back({shape.left_m * kFullThickness, -shape.thickness_m});
+  }
+  for (const Corner c : {Corner{out_left, -shape.edge_m}, Corner{out_left, top}, Corner{shape.left_m, top}})
+    below.push_back(c);
+  return below;
+}
+
+Mesh slab_of(std::span<const Rib> ribs, const Section& top, const Section& below) {
+  Mesh mesh;
+  add_steps(ribs, top, mesh);
+  Section round = below;
+  round.insert(round.begin(), top.back());
+  round.push_back(top.front());
+  for (std::size_t i = 0; i + 1 < round.size(); ++i)
+    if (round[i] != round[i + 1]) add_band(ribs, round[i], round[i + 1], mesh);
+
+  const Section whole = outline_of(top, below);
+  add_cap(ribs.front(), whole, true, mesh);
+  add_cap(ribs.back(), whole, false, mesh);
+  return mesh;
+}
+
+}  // namespace
+
+Section add_road(const Span& span, std::span<const Rib> ribs, bool has_kerbs, double lane_tolerance_m,
+                 Expanded& expanded) {
+  const std::vector<LaneStrip> strips = roads::strips_of(span, lane_tolerance_m);
+  const std::vector<double> rises = rises_of(span, strips, has_kerbs);
+  for (std::size_t i = 0; i < strips.size(); ++i) add_strip(span, ribs, strips[i], rises[i], has_kerbs, expanded);
+  return top_of(strips, rises);
+}
+
+void add_steps(std::span<const Rib> ribs, const Section& road, Mesh& mesh) {
+  for (std::size_t i = 1; i + 1 < road.size(); i += 2)
+    if (road[i] != road[i + 1]) add_band(ribs, road[i], road[i + 1], mesh);
+}
+
+Section outline_of(const Section& road, const Section& round) {
+  Section outline = road;
+  outline.insert(outline.end(), round.begin(), round.end());
+  outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+  if (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
+  return outline;
+}
+
+void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, const DeckDetail& detail,
+              double lane_tolerance_m, Expanded& expanded) {
+  const Section top = add_road(bridge, ribs, detail.has_kerbs, lane_tolerance_m, expanded);
+  if (!detail.has_slab) return;
+  expanded.meshes.push_back({slab_of(ribs, top, below_of(shape, detail.has_parapets)), materials::Material::kConcrete,
+                             materials::kNoTint, bridge.id.osm});
+}
+
+}  // namespace citykiln::structures

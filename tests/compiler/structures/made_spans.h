@@ -1,0 +1,68 @@
+// Spans and what tests ask of meshes.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "compiler/structures/expand.h"
+
+namespace citykiln::structures {
+
+/// A road of two lanes, 6 m from kerb to kerb; with pavements, 2 m each, where asked for.
+inline Span made_span(Polyline axis, Profile profile, bool has_pavements = false) {
+  using map::LaneKind;
+  using map::LaneWay;
+  Span span;
+  span.id = {{OsmType::kWay, 5}, 0};
+  span.axis = std::move(axis), span.profile = std::move(profile);
+  span.surface = map::SurfaceClass::kPrimaryRoad;
+  const map::Lane walk{LaneKind::kSidewalk, LaneWay::kBoth, 2, 0, true};
+  span.section = {{{LaneKind::kDriving, LaneWay::kBackward, 3}, {LaneKind::kDriving, LaneWay::kForward, 3}}, 3};
+  if (has_pavements) {
+    span.section.lanes.insert(span.section.lanes.begin(), walk);
+    span.section.lanes.push_back(walk);
+  }
+  return span;
+}
+
+inline std::vector<materials::DressedMesh> all_meshes(const Expanded& expanded) {
+  std::vector<materials::DressedMesh> meshes = expanded.meshes;
+  for (const MarkedMesh& marked : expanded.marked) meshes.push_back(marked.mesh);
+  return meshes;
+}
+
+/// How often each edge is walked from the one position to the other, less how often back; closed meshes have none.
+inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materials::DressedMesh>& meshes) {
+  std::map<std::pair<Vec3, Vec3>, int> edges;
+  for (const auto& dressed : meshes)
+    for (const Triangle& t : dressed.mesh.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 a = dressed.mesh.positions[t[i]], b = dressed.mesh.positions[t[(i + 1) % 3]];
+        if (a < b)
+          ++edges[{a, b}];
+        else
+          --edges[{b, a}];
+      }
+  std::erase_if(edges, [](const auto& edge) { return edge.second == 0; });
+  return edges;
+}
+
+inline double volume_m3(const std::vector<materials::DressedMesh>& meshes) {
+  double six = 0;
+  for (const auto& dressed : meshes)
+    for (const auto& [a, b, c] : dressed.mesh.triangles) {
+      const auto& p = dressed.mesh.positions;
+      six += dot(p[a], cross(p[b], p[c]));
+    }
+  return six / 6;
+}
+
+inline bool has_point(const std::vector<materials::DressedMesh>& meshes, Vec3 at) {
+  for (const auto& dressed : meshes)
+    for (const Vec3 p : dressed.mesh.positions)
+      if (p == at) return true;
+  return false;
+}
+
+}  // namespace citykiln::structures

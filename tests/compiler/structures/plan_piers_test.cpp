@@ -1,0 +1,78 @@
+#include "compiler/structures/plan_piers.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/compiler/structures/made_spans.h"
+
+namespace citykiln::structures {
+namespace {
+
+map::Heightfield level() {
+  map::Heightfield field{{-512, -512}, 512, 3, 3, {}, 0};
+  field.heights.assign(9, 0);
+  return field;
+}
+
+ground::Carving carving() { return ground::carve(level(), {{}, {}, {}, {{-512, -512}, {512, 512}}}); }
+
+ground::Surface band(map::SurfaceClass surface, double from_m, double to_m) {
+  return {{{OsmType::kWay, 9}, 0}, surface, 1, {{{from_m, -50}, {to_m, -50}, {to_m, 50}, {from_m, 50}}}};
+}
+
+std::vector<Span> place(std::vector<Span> bridges, std::vector<ground::Surface> standing) {
+  Report report;
+  bridges = place_piers(std::move(bridges), carving(), standing, report);
+  EXPECT_TRUE(report.balances());
+  return bridges;
+}
+
+Span viaduct() { return made_span({{0, 0}, {120, 0}}, {{0, 10, 0}}); }
+
+TEST(PlanPiers, ShareOutLongBridges) {
+  const std::vector<Pier> piers = place({viaduct()}, {})[0].piers;
+  EXPECT_EQ(piers, (std::vector<Pier>{{40, -0.5}, {80, -0.5}}));
+  EXPECT_TRUE(place({made_span({{0, 0}, {28, 0}}, {{0, 10, 0}})}, {})[0].piers.empty());
+}
+
+TEST(PlanPiers, KeepClearOfRoads) {
+  const ground::Surface road = band(map::SurfaceClass::kPrimaryRoad, 36, 43);
+  const std::vector<Pier> piers = place({viaduct()}, {road})[0].piers;
+  ASSERT_EQ(piers.size(), 2u);
+  // half the wall's thickness, and more
+  EXPECT_LE(piers[0].at_m, 36 - kPierClear_m - 0.4);
+  EXPECT_GE(piers[0].at_m, 30);
+}
+
+TEST(PlanPiers, AreLeftOutWhereNothingIsFree) {
+  Report report;
+  const auto bridges =
+      place_piers({viaduct()}, carving(), std::vector{band(map::SurfaceClass::kRailway, 20, 100)}, report);
+  EXPECT_TRUE(bridges[0].piers.empty());
+  EXPECT_EQ(report.counts()[Code::kNoPlaceForPier], 2u);
+}
+
+TEST(PlanPiers, StandInWaterOnlyWhereThereIsNoShore) {
+  EXPECT_GE(place({viaduct()}, {band(map::SurfaceClass::kRiver, 32, 44)})[0].piers[0].at_m, 28);
+  EXPECT_LE(place({viaduct()}, {band(map::SurfaceClass::kRiver, 32, 48)})[0].piers[0].at_m, 32);
+  EXPECT_EQ(place({viaduct()}, {band(map::SurfaceClass::kRiver, 10, 110)})[0].piers[0].at_m, 40);
+}
+
+TEST(PlanPiers, DoNotPierceLowerDecks) {
+  Span lower = made_span({{40, -50}, {40, 50}}, {{0, 5, 0}});
+  lower.id.osm.id = 6;
+  for (const Pier& pier : place({viaduct(), lower}, {})[0].piers) EXPECT_GT(std::abs(pier.at_m - 40), 3.25);
+}
+
+TEST(PlanPiers, StandOnceWhereBridgesMeet) {
+  Span a = made_span({{0, 0}, {25, 0}}, {{0, 10, 0}}), b = made_span({{25, 0}, {50, 0}}, {{0, 10, 0}});
+  a.to = {EndKind::kJoint, {50, 0}, 0}, b.from = {EndKind::kJoint, {0, 0}, 0}, b.id.osm.id = 6;
+  const auto bridges = place({a, b}, {});
+  EXPECT_EQ(bridges[0].piers.size() + bridges[1].piers.size(), 1u);
+}
+
+TEST(PlanPiers, LowBridgesHaveNone) {
+  EXPECT_TRUE(place({made_span({{0, 0}, {120, 0}}, {{0, 1.5, 0}})}, {})[0].piers.empty());
+}
+
+}  // namespace
+}  // namespace citykiln::structures
