@@ -39,7 +39,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of the junctions and roads charts.
+  std::vector<std::string> maps;     ///< Of the junctions, roads and ground charts.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
@@ -58,6 +58,10 @@ Result<std::vector<Chart>> chart_junctions(const ChartRequest& request);
 /// to all of each map's ways that are nearest to its middle; the exponent of the power law through them in the series'
 /// names.
 Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
+
+/// Certified error, border error, triangles, time and memory of a map's ground over the ladder; its triangles
+/// beside 1.3 times those of its heights without borders and two for each vertex of its borders without heights.
+Result<std::vector<Chart>> chart_ground(const ChartRequest& request);
 
 /// p of the power law y = c x^p that fits the points, all positive, by least squares of logarithms. 0 for fewer than
 /// two different x.

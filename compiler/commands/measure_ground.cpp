@@ -14,6 +14,8 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 bool is_of_ground(materials::Material material) {
+  // what holds steep land in towns and beside roads; walls of stone stand higher than the ground under them
+  if (material == materials::Material::kStone) return true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(map::SurfaceClass::kCount); ++i) {
     if (map::values_of(static_cast<map::SurfaceClass>(i)).material == material) return true;
   }

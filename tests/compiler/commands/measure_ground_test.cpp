@@ -43,6 +43,12 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
 }
 
+TEST(SampleGround, TakesMasonryForGround) {
+  bake::BakedTile tile = square(0, true);
+  tile.primitives[0].material = materials::Material::kStone;
+  EXPECT_EQ(sample_ground(tile, std::vector{kBridge}, flat, kBox, 16).uncovered, 0u);
+}
+
 TEST(SampleGround, FindsGroundThatIsOff) {
   const GroundSamples samples = sample_ground(square(2, true), std::vector{kBridge}, flat, kBox, 16);
   EXPECT_GT(samples.error_m, 1.8);
