@@ -53,9 +53,10 @@ void add_road(Grades& grades, const roads::Road& road, const Box2& box) {
 
 void add_span(Grades& grades, const Span& span) {
   if (!ground::is_graded(span.surface)) return;
-  for (std::size_t i = 1; i < span.axis.size(); ++i)
-    add_stretch(grades, span.surface, distance(in_plan(span.axis[i - 1]), in_plan(span.axis[i])),
-                span.axis[i].z - span.axis[i - 1].z);
+  for (std::size_t i = 1; i < span.profile.size(); ++i) {
+    const Knot a = span.profile[i - 1], b = span.profile[i];
+    add_stretch(grades, span.surface, b.at_m - a.at_m, b.z_m - a.z_m);
+  }
 }
 
 /// A line's height at a vertex of it.
@@ -74,7 +75,10 @@ void add_passings(const roads::Road& road, std::vector<Passing>& passings) {
 
 void add_passings(const Span& span, std::vector<Passing>& passings) {
   if (!ground::is_graded(span.surface)) return;
-  for (const Vec3& end : {span.axis.front(), span.axis.back()}) passings.push_back({in_plan(end), true, end.z});
+  const std::vector<double> along = roads::distances_along(span);
+  const auto height_m = [&](double at_m) { return span.profile.empty() ? 0 : knot_at(span.profile, at_m).z_m; };
+  passings.push_back({span.axis.front(), true, height_m(along.front())});
+  passings.push_back({span.axis.back(), true, height_m(along.back())});
 }
 
 std::vector<Passing> passings_of(const scene::Scene& scene) {
