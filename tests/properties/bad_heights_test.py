@@ -13,9 +13,8 @@ METRES_A_DEGREE = 111_200.0
 EAST_M, NORTH_M = 700, 500  # half the map
 STEP_DEG = 1 / 3600
 VOID = -9999
-# No cutting and no bank is higher, on land that the heightmap was spoilt in by two hundred metres. A deck over a river, or a road over
-# a tunnel, asks for 5.5 m and more.
-MOST_CUT_OR_FILL_M = 12
+# No cutting and no bank is higher (4.0 m is), where the heightmap is off by two hundred metres.
+MOST_CUT_OR_FILL_M = 8
 
 
 def land_m(x, y):
