@@ -18,6 +18,8 @@ namespace {
 constexpr int kRounds = 1;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
+// Smoothing alone moves tunnels by about as much.
+constexpr double kDugMargin_m = 2;
 
 void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
   for (const GradedWay& way : graph.ways) {
@@ -43,6 +45,18 @@ void tell_low(const ProfileGraph& graph, std::span<const Crossing> crossings, st
   }
 }
 
+// How far below the line between its mouths a tunnel had to go.
+void tell_dug(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    if (way.track->passage != map::Passage::kTunnel) continue;
+    double deepest_m = 0;
+    for (const Station& station : graph.stations_of(way)) {
+      deepest_m = std::max(deepest_m, lines_m[station.node] - z_m[station.node]);
+    }
+    if (deepest_m > kDugMargin_m) report.add(Code::kTunnelDug, way.track->id.osm, deepest_m);
+  }
+}
+
 void tell_loose_ends(const ProfileGraph& graph, Report& report) {
   for (const GradedWay& way : graph.ways) {
     if (way.track->passage != map::Passage::kBridge) continue;
@@ -61,8 +75,9 @@ bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates
   });
 }
 
-Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights) {
-  Plates plates = level_junctions(graph, smooth_heights(graph, line_heights(graph, heights), heights.step_m));
+Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
+             std::span<const double> lines_m) {
+  Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.step_m));
   plates.z_m = limit_grades(graph, plates.z_m);
   for (int round = 0; round < kRounds; ++round) {
     plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
@@ -78,7 +93,8 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
                        std::span<const Surface> waters, const map::Heightfield& heights, Report& report) {
   const ProfileGraph graph = graph_of(features, roads, junctions);
   const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, heights});
-  const Plates plates = solve(graph, crossings, heights);
+  const std::vector<double> lines_m = line_heights(graph, heights);
+  const Plates plates = solve(graph, crossings, heights, lines_m);
 
   Profiles profiles{std::move(roads), {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
@@ -91,6 +107,7 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
   }
   tell_steep(graph, plates.z_m, report);
   tell_low(graph, crossings, plates.z_m, report);
+  tell_dug(graph, lines_m, plates.z_m, report);
   tell_loose_ends(graph, report);
   return profiles;
 }

@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdlib>
 
 #include "compiler/map/driving_side.h"
 #include "compiler/map/each_line.h"
@@ -40,6 +41,12 @@ DrivingSide side_of(const Reading& reading, const source::Way& way) {
   return driving_side_at({at.lon_deg(), at.lat_deg()});
 }
 
+void tell_layer(const Track& track, Report& report) {
+  if (track.passage == Passage::kBridge && track.layer == 0) report.add(Code::kBridgeWithoutLayer, track.id.osm);
+  if (track.passage == Passage::kGround && track.layer != 0)
+    report.add(Code::kLayerWithoutBridge, track.id.osm, std::abs(track.layer));
+}
+
 Track track_of(const Reading& reading, DrivingSide side, const source::Way& way, const TrackRow& row,
                LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
@@ -58,6 +65,7 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
   const std::string_view junction = reading.tag(way.tags, "junction");
   track.is_roundabout = junction == "roundabout" || junction == "circular";
   track.is_link = row.value.ends_with("_link");
+  tell_layer(track, reading.report);
   return track;
 }
 

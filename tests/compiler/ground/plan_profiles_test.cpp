@@ -285,6 +285,16 @@ TEST(Profiles, ATunnelGoesBelowWhatItCrossesWithItsApproaches) {
   EXPECT_EQ(p.measures.over_m, 0);
 }
 
+TEST(Profiles, ATunnelThatGoesDownIsDiagnosed) {
+  const Planned flat = planned(crossing(Passage::kTunnel, 0), field_of([](double, double) { return 40; }));
+  const auto found = std::ranges::find(flat.report.diagnoses(), Code::kTunnelDug, &Diagnosis::code);
+  ASSERT_NE(found, flat.report.diagnoses().end());
+  EXPECT_EQ(found->object, (OsmId{OsmType::kWay, 2}));
+  EXPECT_NEAR(found->size, kOverRoad_m, 0.5);
+  const Planned bridge = planned(crossing(Passage::kBridge, 1), field_of([](double, double) { return 40; }));
+  EXPECT_EQ(bridge.report.counts().count(Code::kTunnelDug), 0u);
+}
+
 TEST(Profiles, ALongTunnelGoesDownBetweenItsMouthsAlone) {
   map::Features f = crossing(Passage::kTunnel, -1);
   f.tracks[0] = track(1, {{-800, 0}, {-300, 0}});

@@ -60,6 +60,23 @@ TEST(LocateTracks, PassageAndLayerComeFromTags) {
   EXPECT_TRUE(track_of("highway=residential lit=yes").is_lit);
 }
 
+TEST(LocateTracks, LayersAndBridgesThatDisagreeAreDiagnosed) {
+  const auto told = [](const std::string& tags) {
+    Report report;
+    features_of("w1 0:0 50:0 50:40 " + tags, report);
+    std::vector<Code> codes;
+    for (const Diagnosis& diagnosis : report.diagnoses()) codes.push_back(diagnosis.code);
+    return codes;
+  };
+  using Codes = std::vector<Code>;
+  EXPECT_EQ(told("highway=primary bridge=yes"), Codes{Code::kBridgeWithoutLayer});
+  EXPECT_EQ(told("highway=primary layer=1"), Codes{Code::kLayerWithoutBridge});
+  EXPECT_EQ(told("highway=primary layer=-2"), Codes{Code::kLayerWithoutBridge});
+  EXPECT_EQ(told("highway=primary bridge=yes layer=1"), Codes{});
+  EXPECT_EQ(told("highway=primary tunnel=yes"), Codes{});
+  EXPECT_EQ(told("highway=primary"), Codes{});
+}
+
 TEST(LocateTracks, RoundaboutsAndLinksAreKnown) {
   EXPECT_TRUE(track_of("highway=primary junction=roundabout").is_roundabout);
   EXPECT_TRUE(track_of("highway=residential junction=circular").is_roundabout);
