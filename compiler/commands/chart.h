@@ -39,7 +39,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of the junctions, roads and ground charts.
+  std::vector<std::string> maps;     ///< Of the junctions, roads, ground and profile charts.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
@@ -62,6 +62,10 @@ Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
 /// Certified error, border error, triangles, time and memory of a map's ground over the ladder; its triangles
 /// beside 1.3 times those of its heights without borders and two for each vertex of its borders without heights.
 Result<std::vector<Chart>> chart_ground(const ChartRequest& request);
+
+/// Earth moved, distance from the heightmap and share over the limit of a map's roads, over the scale of their grade
+/// limits.
+Result<std::vector<Chart>> chart_profile(const ChartRequest& request);
 
 /// p of the power law y = c x^p that fits the points, all positive, by least squares of logarithms. 0 for fewer than
 /// two different x.

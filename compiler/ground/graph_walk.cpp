@@ -10,7 +10,7 @@ std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint3
 }
 
 double limit_of(const ProfileGraph& graph, const Leg& leg) {
-  return grade_rule_of(graph.ways[leg.way].track->surface).limit;
+  return graph.limit_scale * grade_rule_of(graph.ways[leg.way].track->surface).limit;
 }
 
 }  // namespace citykiln::ground

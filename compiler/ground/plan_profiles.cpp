@@ -23,7 +23,7 @@ constexpr double kDugMargin_m = 2;
 
 void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
   for (const GradedWay& way : graph.ways) {
-    const double limit = grade_rule_of(way.track->surface).limit;
+    const double limit = graph.limit_scale * grade_rule_of(way.track->surface).limit;
     const std::span<const Station> stations = graph.stations_of(way);
     double steepest = 0;
     for (std::size_t s = 1; s < stations.size(); ++s) {
@@ -90,8 +90,10 @@ Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, con
 
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
-                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report) {
-  const ProfileGraph graph = graph_of(features, roads, junctions);
+                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report,
+                       double limit_scale) {
+  ProfileGraph graph = graph_of(features, roads, junctions);
+  graph.limit_scale = limit_scale;
   const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, heights});
   const std::vector<double> lines_m = line_heights(graph, heights);
   const Plates plates = solve(graph, crossings, heights, lines_m);

@@ -35,6 +35,7 @@ struct Profiles {
 
 /// @param streams  With profiles; without one a stream lies on the heightmap.
 /// @param waters   Those without a level are not looked at.
+/// @param limit_scale  Of all grade limits; for charts.
 ///
 /// Guarantees: where ways share a node their heights there are the same, to kKnotError_m; nodes of one junction lie on
 /// one plane; a bridge that crosses nothing, or has room, lies on the smooth line between its ends; spikes of the
@@ -43,6 +44,7 @@ struct Profiles {
 /// kClearanceNotMet, kBridgeWithoutGround. Total. Reach: kProfileReach_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
-                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report);
+                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report,
+                       double limit_scale = 1);
 
 }  // namespace citykiln::ground

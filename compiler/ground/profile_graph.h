@@ -55,6 +55,7 @@ struct ProfileGraph {
   std::vector<Station> stations;  ///< Way by way, along them.
   std::vector<GraphNode> nodes;   ///< Those of the map by place, then those between, way by way.
   std::vector<Leg> legs;          ///< Node by node.
+  double limit_scale = 1;         ///< Of all grade limits.
 
   std::span<const Station> stations_of(const GradedWay& way) const {
     return std::span(stations).subspan(way.first, way.count);
