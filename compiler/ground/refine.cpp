@@ -17,6 +17,8 @@ namespace {
 struct FaceError {
   double error_m = 0;
   WorstPoint mendable;
+  std::array<WorstPoint, 3> edges{};  // opposite to each corner
+  bool is_known = false;
 };
 
 // A triangulation that grows: heights of its vertices, surfaces, layers and errors of its faces.
@@ -35,15 +37,25 @@ struct Growing {
     return {at(face.vertices[0], layer), at(face.vertices[1], layer), at(face.vertices[2], layer)};
   }
 
+  // An edge within a region is the neighbour's too, who may have measured it.
+  WorstPoint worst_on(std::uint32_t f, int i, const std::array<Vec3, 3>& corners) const {
+    const auto& faces = refined.triangulation.faces();
+    const std::uint32_t beyond = faces[f].neighbours[i];
+    if (beyond != kNoFace && errors[beyond].is_known && refined.face_layer[beyond] == refined.face_layer[f])
+      for (int k = 0; k < 3; ++k)
+        if (faces[beyond].neighbours[k] == f) return errors[beyond].edges[k];
+    return worst_on_edge(reference, corners[(i + 1) % 3], corners[(i + 2) % 3], refined.face_layer[f]);
+  }
+
   void measure(std::uint32_t f) {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::array<Vec3, 3> corners = corners_of(f);
     const HeightLayer layer = refined.face_layer[f];
     FaceError& error = errors[f];
     // corners are rounded to the grid's heights, half a step to either side
-    error = {kQuantum_m / 2, worst_inside(reference, corners, layer)};
+    error = {kQuantum_m / 2, worst_inside(reference, corners, layer), {}, true};
     for (int i = 0; i < 3; ++i) {
-      const WorstPoint worst = worst_on_edge(reference, corners[(i + 1) % 3], corners[(i + 2) % 3], layer);
+      const WorstPoint worst = error.edges[i] = worst_on(f, i, corners);
       error.error_m = std::max(error.error_m, worst.error_m);
       if (!face.is_constrained[i] && worst.error_m > error.mendable.error_m) error.mendable = worst;
     }
@@ -92,7 +104,8 @@ struct Growing {
     // region
     const std::size_t count = refined.triangulation.faces().size();
     refined.face_surface.resize(count, surface), refined.face_layer.resize(count, layer), errors.resize(count);
-    for (const std::uint32_t c : changed) refined.face_surface[c] = surface, refined.face_layer[c] = layer;
+    for (const std::uint32_t c : changed)
+      refined.face_surface[c] = surface, refined.face_layer[c] = layer, errors[c].is_known = false;
     return changed;
   }
 };
