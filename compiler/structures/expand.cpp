@@ -32,7 +32,8 @@ void add_concrete(Mesh&& mesh, const Span& bridge, Expanded& expanded) {
 void add_railings(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, Budget& budget,
                   Expanded& expanded) {
   if (shape.railing_m == 0) return;
-  const RailingDetail detail = railing_detail(shape.railing_m - shape.parapet_m, budget.tolerance_m);
+  // from the road up: what it stands on may be left out too
+  const RailingDetail detail = railing_detail(shape.railing_m, budget.tolerance_m);
   budget.error_m = std::max(budget.error_m, detail.error_m);
   Mesh mesh;
   for (const EdgeRun& run : edge_runs(bridge, ribs)) {
