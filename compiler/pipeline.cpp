@@ -23,6 +23,7 @@
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
+#include "compiler/structures/plan_openings.h"
 #include "compiler/structures/plan_piers.h"
 
 namespace citykiln {
@@ -87,6 +88,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   // what leaves it, and what stands on it
   watch.enter("structures");
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
+  recipes.structures.bridges = structures::find_openings(std::move(recipes.structures.bridges));
   const ground::Carving carving = carved_land(recipes, features.region);
   recipes.structures.bridges = structures::place_piers(std::move(recipes.structures.bridges), carving,
                                                        standing_surfaces(recipes, features), report);

@@ -96,7 +96,9 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "water level",
                                         "water reach",
                                         "pier foot",
-                                        "bored"};
+                                        "bored",
+                                        "openings",
+                                        "opening step"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -514,10 +516,25 @@ void pier(auto& io, structures::Pier& p, const structures::Pier* before) {
     if ((before && steps == 0) || p.at_m > kFarthest_m) io.fail("pier step");
 }
 
+// As steps from the end of the opening before, in quarters of a metre.
+void openings(auto& io, std::vector<structures::Opening>& side) {
+  double last_m = 0;
+  list(io, "openings", side, 0, [&](structures::Opening& o) {
+    for (double* at_m : {&o.from_m, &o.to_m}) {
+      auto steps = static_cast<std::uint64_t>((*at_m - last_m) * 4);
+      io.number("opening step", steps);
+      last_m = *at_m = last_m + static_cast<double>(steps) / 4;
+    }
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (o.to_m <= o.from_m || o.to_m > kFarthest_m) io.fail("opening step");
+  });
+}
+
 void span(auto& io, structures::Span& s, KindsOfChunk& kinds) {
   kinds.road(io, s);
   span_end(io, s.from), span_end(io, s.to);
   flag(io, "bored", s.is_bored);
+  openings(io, s.left_open), openings(io, s.right_open);
   std::size_t i = 0;
   list(io, "piers", s.piers, 0, [&](structures::Pier& p) {
     pier(io, p, i > 0 ? &s.piers[i - 1] : nullptr);

@@ -98,8 +98,10 @@ Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
   Grades grades;
   for (const roads::Road& road : chunk.roads) add_road(grades, road, box);
-  for (const Span& bridge : chunk.bridges) add_span(grades, bridge);
-  for (const Span& tunnel : chunk.tunnels) add_span(grades, tunnel);
+  // each is whole, and in every chunk that it touches
+  for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
+    for (const Span& span : *spans)
+      if (scene::is_anchored(header, chunk.tile, span.axis.front())) add_span(grades, span);
   return grades;
 }
 

@@ -14,6 +14,12 @@ using roads::LaneStrip;
 
 // Slabs are at their full thickness from this share of the half width inwards.
 constexpr double kFullThickness = 0.65;
+// Where a deck's edge lies on another deck it stays below that one's road.
+constexpr double kOpenRise_m = -0.03125;
+
+bool is_open(const std::vector<Opening>& openings, double at_m) {
+  return std::ranges::any_of(openings, [&](const Opening& o) { return o.from_m < at_m && at_m < o.to_m; });
+}
 
 bool is_raised(const LaneStrip& strip) {
   return strip.lanes.empty() ? strip.surface == map::SurfaceClass::kKerb : strip.lanes.front().is_raised;
@@ -66,15 +72,14 @@ Section top_of(const std::vector<LaneStrip>& strips, const std::vector<double>& 
 }
 
 // All of the slab but its top, from the top's right end round below to its left end.
-Section below_of(const DeckShape& shape, bool has_parapets) {
+Section below_of(const DeckShape& shape, double left_top, double right_top) {
   const double out_left = shape.left_m + kParapet_m, out_right = -shape.right_m - kParapet_m;
-  const double top = has_parapets ? shape.parapet_m : 0;
-  Section below = {{-shape.right_m, top}, {out_right, top}, {out_right, -shape.edge_m}};
+  Section below = {{-shape.right_m, right_top}, {out_right, right_top}, {out_right, -shape.edge_m}};
   if (shape.thickness_m > shape.edge_m) {
     below.push_back({-shape.right_m * kFullThickness, -shape.thickness_m});
     below.push_back({shape.left_m * kFullThickness, -shape.thickness_m});
   }
-  for (const Corner c : {Corner{out_left, -shape.edge_m}, Corner{out_left, top}, Corner{shape.left_m, top}})
+  for (const Corner c : {Corner{out_left, -shape.edge_m}, Corner{out_left, left_top}, Corner{shape.left_m, left_top}})
     below.push_back(c);
   return below;
 }
@@ -109,6 +114,30 @@ void add_steps(std::span<const Rib> ribs, const Section& road, Mesh& mesh) {
     if (road[i] != road[i + 1]) add_band(ribs, road[i], road[i + 1], mesh);
 }
 
+std::vector<Rib> with_openings(const Span& bridge, std::span<const Rib> ribs) {
+  std::vector<Rib> all(ribs.begin(), ribs.end());
+  for (const auto* side : {&bridge.left_open, &bridge.right_open})
+    for (const Opening& o : *side)
+      for (const double at_m : {o.from_m, o.to_m})
+        if (ribs.front().along_m < at_m && at_m < ribs.back().along_m) all.push_back(rib_at(ribs, at_m));
+  std::ranges::stable_sort(all, {}, &Rib::along_m);
+  const auto repeated = std::ranges::unique(all, {}, &Rib::along_m);
+  all.erase(repeated.begin(), repeated.end());
+  return all;
+}
+
+std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs) {
+  std::vector<EdgeRun> runs;
+  for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
+    const double middle_m = (ribs[i].along_m + ribs[i + 1].along_m) / 2;
+    const bool left = is_open(bridge.left_open, middle_m), right = is_open(bridge.right_open, middle_m);
+    if (runs.empty() || runs.back().is_left_open != left || runs.back().is_right_open != right)
+      runs.push_back({{ribs[i]}, left, right});
+    runs.back().ribs.push_back(ribs[i + 1]);
+  }
+  return runs;
+}
+
 Section outline_of(const Section& road, const Section& round) {
   Section outline = road;
   outline.insert(outline.end(), round.begin(), round.end());
@@ -121,8 +150,12 @@ void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckShape& sh
               double lane_tolerance_m, Expanded& expanded) {
   const Section top = add_road(bridge, ribs, detail.has_kerbs, lane_tolerance_m, expanded);
   if (!detail.has_slab) return;
-  expanded.meshes.push_back({slab_of(ribs, top, below_of(shape, detail.has_parapets)), materials::Material::kConcrete,
-                             materials::kNoTint, bridge.id.osm});
+  for (const EdgeRun& run : edge_runs(bridge, ribs)) {
+    const auto edge = [&](bool is_open) { return !detail.has_parapets ? 0 : is_open ? kOpenRise_m : shape.parapet_m; };
+    const Section below = below_of(shape, edge(run.is_left_open), edge(run.is_right_open));
+    expanded.meshes.push_back(
+        {slab_of(run.ribs, top, below), materials::Material::kConcrete, materials::kNoTint, bridge.id.osm});
+  }
 }
 
 }  // namespace citykiln::structures

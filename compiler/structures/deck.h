@@ -23,6 +23,17 @@ void add_steps(std::span<const Rib> ribs, const Section& road, Mesh& mesh);
 /// A road's section and what goes round from its right end to its left one, as one ring without repeats.
 Section outline_of(const Section& road, const Section& round);
 
+/// A run of ribs along which the same edges have parapets.
+struct EdgeRun {
+  std::vector<Rib> ribs;
+  bool is_left_open = false, is_right_open = false;
+};
+/// All of a deck, cut where an opening begins or ends. Neighbours share their rib.
+std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs);
+
+/// The ribs, and those where an opening begins or ends.
+std::vector<Rib> with_openings(const Span& bridge, std::span<const Rib> ribs);
+
 /// Adds the road's strips, and, where there is a slab, what closes them: parapets, edges, underside, both ends.
 /// @param lane_tolerance_m  Strips that are narrower are part of their neighbours.
 void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, const DeckDetail& detail,

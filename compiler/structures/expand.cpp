@@ -32,11 +32,16 @@ void add_concrete(Mesh&& mesh, const Span& bridge, Expanded& expanded) {
 void add_railings(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, Budget& budget,
                   Expanded& expanded) {
   if (shape.railing_m == 0) return;
-  const RailingDetail detail = railing_detail(shape.railing_m - shape.parapet_m, budget.tolerance_m);
+  // from the road up: what it stands on may be left out too
+  const RailingDetail detail = railing_detail(shape.railing_m, budget.tolerance_m);
   budget.error_m = std::max(budget.error_m, detail.error_m);
   Mesh mesh;
-  for (const double left_m : {shape.left_m + kParapet_m / 2, -shape.right_m - kParapet_m / 2})
-    add_railing(ribs, left_m, shape.parapet_m, shape.railing_m, detail.form, mesh);
+  for (const EdgeRun& run : edge_runs(bridge, ribs)) {
+    if (!run.is_left_open)
+      add_railing(run.ribs, shape.left_m + kParapet_m / 2, shape.parapet_m, shape.railing_m, detail.form, mesh);
+    if (!run.is_right_open)
+      add_railing(run.ribs, -shape.right_m - kParapet_m / 2, shape.parapet_m, shape.railing_m, detail.form, mesh);
+  }
   if (!mesh.triangles.empty())
     expanded.meshes.push_back({std::move(mesh), materials::Material::kPaintedMetal, materials::kNoTint, bridge.id.osm});
 }
@@ -71,9 +76,11 @@ Expanded expand(const Span& bridge, double tolerance_m) {
   const std::vector<Rib> all = ribs_of(bridge);
   if (all.empty()) return expanded;
   const DeckShape shape = deck_shape(bridge, longest_between_m(bridge));
-  const FewRibs few = few_ribs(all, shape.left_m + kParapet_m, shape.right_m + kParapet_m, kRibShare * tolerance_m);
+  FewRibs few = few_ribs(all, shape.left_m + kParapet_m, shape.right_m + kParapet_m, kRibShare * tolerance_m);
   Budget budget{kPartShare * tolerance_m};
-  add_deck(bridge, few.ribs, shape, detail_of(shape, tolerance_m, budget), tolerance_m, expanded);
+  const DeckDetail detail = detail_of(shape, tolerance_m, budget);
+  if (detail.has_parapets) few.ribs = with_openings(bridge, few.ribs);
+  add_deck(bridge, few.ribs, shape, detail, tolerance_m, expanded);
   add_railings(bridge, few.ribs, shape, budget, expanded);
   add_supports(bridge, few.ribs, shape, budget, expanded);
   expanded.error_m = few.error_m + budget.error_m;

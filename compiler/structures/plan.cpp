@@ -10,7 +10,7 @@ namespace citykiln::structures {
 namespace {
 
 Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& ends) {
-  Span span{roads::road_of(track), ends.from, ends.to, {}, false};
+  Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}, false};
   span.profile = profile;
   // what nodes say of crossings and signals is of the ground
   span.points.clear();

@@ -52,15 +52,20 @@ struct Placed {
 // What is in the way, all over the map.
 struct Site {
   const ground::Carving& carving;
-  std::span<const ground::Surface> standing;
+  std::vector<const ground::Surface*> standing;  // what somebody would miss
   BoxGrid near_standing, near_decks;
   std::vector<DeckPiece> decks;
 };
 
 Site site_of(std::span<const Span> bridges, const ground::Carving& carving, std::span<const ground::Surface> standing) {
-  Site site{carving, standing, {}, {}, {}};
+  Site site{carving, {}, {}, {}, {}};
   std::vector<Box2> boxes;
-  for (const ground::Surface& s : standing) boxes.push_back(box_of_surface(s));
+  for (const ground::Surface& s : standing) {
+    const Box2 box = box_of_surface(s);
+    if (box.is_empty() || map::values_of(s.surface).priority < kWaterPriority) continue;
+    site.standing.push_back(&s);
+    boxes.push_back(box);
+  }
   site.near_standing = grid_of(boxes, kBucket_m);
   boxes.clear();
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
@@ -142,8 +147,7 @@ Placing placing_of(const Site& site, std::uint32_t number, const Span& bridge) {
   Placing placing{site, number, bridge, ribs_of(bridge), deck_shape(bridge, bay_m), {}, {}, {}};
   placing.box = box_of(bridge.axis).widened(kSee_m);
   for (const std::uint32_t i : boxes_about(site.near_standing, placing.box)) {
-    if (map::values_of(site.standing[i].surface).priority < kWaterPriority) continue;
-    ground::Surface trimmed = ground::trimmed_to(site.standing[i], placing.box.widened(1));
+    ground::Surface trimmed = ground::trimmed_to(*site.standing[i], placing.box.widened(1));
     if (!trimmed.rings.empty()) placing.near.push_back(std::move(trimmed));
   }
   if (!placing.near.empty()) placing.map = ground::map_surfaces(placing.near, placing.box);

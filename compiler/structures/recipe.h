@@ -31,11 +31,18 @@ struct Pier {
   bool operator==(const Pier&) const = default;
 };
 
+/// Where one of a deck's edges lies on another deck: no parapet stands there.
+struct Opening {
+  double from_m = 0, to_m = 0;  ///< Along the way from its beginning; multiples of 1/4 m, from_m < to_m.
+  bool operator==(const Opening&) const = default;
+};
+
 /// A road on a deck or in a bore, whole: never trimmed. Its profile is the top of its road.
 struct Span : roads::Road {
-  SpanEnd from, to;         ///< At the first and the last point of the axis.
-  std::vector<Pier> piers;  ///< Of bridges. Sorted along the axis, strictly.
-  bool is_bored = false;    ///< Of tunnels: false where there is no land above it to bore through.
+  SpanEnd from, to;                            ///< At the first and the last point of the axis.
+  std::vector<Pier> piers;                     ///< Of bridges. Sorted along the axis, strictly.
+  std::vector<Opening> left_open, right_open;  ///< Of bridges. Sorted, apart.
+  bool is_bored = false;                       ///< Of tunnels: false where there is no land above it to bore through.
   bool operator==(const Span&) const = default;
 };
 

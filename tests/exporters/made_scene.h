@@ -91,8 +91,17 @@ class SceneMaker {
     if (end.kind == EndKind::kAcross) end.cut_m = below(256) / 4.0;
     return end;
   }
+  std::vector<structures::Opening> openings() {
+    std::vector<structures::Opening> made;
+    double at_m = 0;
+    for (auto i = below(3); i > 0; --i) {
+      const double from_m = at_m + below(999) / 4.0;
+      made.push_back({from_m, at_m = from_m + (1 + below(99)) / 4.0});
+    }
+    return made;
+  }
   structures::Span span() {
-    structures::Span s{road(), span_end(), span_end(), {}, below(2) == 0};
+    structures::Span s{road(), span_end(), span_end(), {}, openings(), openings(), below(2) == 0};
     s.narrowing = {};
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)

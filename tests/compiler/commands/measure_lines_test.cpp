@@ -52,14 +52,14 @@ TEST(MeasureJumps, FindsRoadsThatMeetAtDifferentHeights) {
 TEST(MeasureJumps, FindsBridgesThatEndInTheAir) {
   scene::Chunk chunk;
   chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
-  chunk.bridges = {{{{OsmType::kWay, 2}, 0}, {{100, 0, 10.25}, {200, 0, 10}}, kStreet, 8}};
+  chunk.bridges = {{road(2, {{100, 0}, {200, 0}}, 10.25, 10), {}, {}, {}, {}, {}}};
   EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0.25);
 }
 
 TEST(MeasureJumps, LetsBridgesPassOverVertices) {
   scene::Chunk chunk;
   chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
-  chunk.bridges = {{{{OsmType::kWay, 2}, 0}, {{100, -50, 20}, {100, 0, 20}, {100, 50, 20}}, kStreet, 8}};
+  chunk.bridges = {{road(2, {{100, -50}, {100, 0}, {100, 50}}, 20, 20), {}, {}, {}, {}, {}}};
   EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
 }
 
