@@ -230,10 +230,9 @@ struct Borders {
   std::vector<BorderEdge> west, east, south, north;
 };
 
-// Decks are not cut at borders: none has an edge along one, and ground may bear a bridge's id too.
-Borders borders_of(const bake::BakedTile& tile, const Box2& box) {
-  return {border_edges_along_x(tile, {}, box.min.x), border_edges_along_x(tile, {}, box.max.x),
-          border_edges_along_y(tile, {}, box.min.y), border_edges_along_y(tile, {}, box.max.y)};
+Borders borders_of(const bake::BakedTile& tile, std::span<const OsmId> leaving, const Box2& box) {
+  return {border_edges_along_x(tile, leaving, box.min.x), border_edges_along_x(tile, leaving, box.max.x),
+          border_edges_along_y(tile, leaving, box.min.y), border_edges_along_y(tile, leaving, box.max.y)};
 }
 
 using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
@@ -264,7 +263,8 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
     const WrittenTile& written = subject.record.tiles[i];
     const Result<bake::BakedTile> tile = check_tile(subject, written, findings);
     if (!tile) return tile.error();
-    borders[{written.level, written.tile}] = borders_of(*tile, scene::box_of(subject.scene.header, written.tile));
+    borders[{written.level, written.tile}] =
+        borders_of(*tile, subject.leaving, scene::box_of(subject.scene.header, written.tile));
   }
   check_seams(borders, findings);
   return findings;

@@ -84,7 +84,8 @@ Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const 
   const OverBores over = over_bores(carving.bores, p);
   keep_near_roads(bounds, strands, corner_m(carving, strands, p), road.z_m, terrain_m, over);
   bounds.least_m = std::max(bounds.least_m, over.least_m);
-  bounds.most_m = std::min(bounds.most_m, most_under_decks_m(carving.decks, p));
+  // no bank reaches under a deck, not even the one that carries the road before it
+  bounds.wall_m = std::min(bounds.wall_m, most_under_decks_m(carving.decks, p));
   if (!water_m) return bounds;
   const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
   if (shore_m < kCarve_m) keep_near(bounds, *water_m, shore_m, terrain_m);
