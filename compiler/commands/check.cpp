@@ -155,8 +155,8 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {
-    findings.height.breaches.push_back(
-        fmt::format("{}: {} m where {} m is stated", name, samples.error_m, tile.error_m));
+    findings.height.breaches.push_back(fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
+                                                   tile.error_m, samples.at.x, samples.at.y));
   }
   if (samples.uncovered > 0)
     findings.height.breaches.push_back(fmt::format("{}: {} places without ground", name, samples.uncovered));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/bake/ground_material.h"
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/surface_class.h"
@@ -14,12 +15,18 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 bool is_of_ground(materials::Material material) {
-  // what holds steep land in towns and beside roads; walls of stone stand higher than the ground under them
+  // what holds steep land in towns and beside roads
   if (material == materials::Material::kStone) return true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(map::SurfaceClass::kCount); ++i) {
     if (map::values_of(static_cast<map::SurfaceClass>(i)).material == material) return true;
   }
   return false;
+}
+
+/// Masonry holds steep land; what lies flatter is the top of a wall that stands on the ground.
+bool is_wall_top(materials::Material material, const Corners& t) {
+  const Vec3 normal = unit(cross(t[1] - t[0], t[2] - t[0]));
+  return material == materials::Material::kStone && normal.z > bake::kSteepCosine + 0.01;
 }
 
 /// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
@@ -36,7 +43,7 @@ void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId
         const bake::Float3& p = primitive.positions[triangle[i]];
         corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
       }
-      visit(corners, feature);
+      if (!is_wall_top(primitive.material, corners)) visit(corners, feature);
     }
   }
 }
@@ -128,6 +135,14 @@ std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<cons
   return faces;
 }
 
+namespace {
+
+void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
+  if (error_m > samples.error_m) samples.error_m = error_m, samples.at = at;
+}
+
+}  // namespace
+
 GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
                             const Box2& box, int a_side) {
   Lattice lattice = lattice_of(box, a_side);
@@ -139,7 +154,7 @@ GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> 
     if (std::isinf(lattice.lowest_m[i]))
       ++samples.uncovered;
     else
-      samples.error_m = std::max(samples.error_m, off_m(heights_at(lattice.places[i]), lattice.lowest_m[i]));
+      keep_worst(samples, off_m(heights_at(lattice.places[i]), lattice.lowest_m[i]), lattice.places[i]);
   }
   return samples;
 }

@@ -29,6 +29,7 @@ struct GroundSamples {
   std::uint64_t count = 0;
   std::uint64_t uncovered = 0;  ///< Places with no ground at all.
   double error_m = 0;           ///< Largest vertical distance between ground and heights.
+  Vec2 at;                      ///< Where that is.
 };
 
 /// What the heights of the ground should be at a place of the plane.
