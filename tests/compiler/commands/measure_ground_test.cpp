@@ -43,10 +43,10 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
 }
 
-TEST(SampleGround, TakesMasonryForGround) {
+TEST(SampleGround, TakesLevelStoneForTopsOfWalls) {
   bake::BakedTile tile = square(0, true);
   tile.primitives[0].material = materials::Material::kStone;
-  EXPECT_EQ(sample_ground(tile, std::vector{kBridge}, flat, kBox, 16).uncovered, 0u);
+  EXPECT_EQ(sample_ground(tile, std::vector{kBridge}, flat, kBox, 16).uncovered, 256u);
 }
 
 TEST(SampleGround, FindsGroundThatIsOff) {
