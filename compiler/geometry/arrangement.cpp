@@ -83,7 +83,9 @@ void keep_between(Stretch& stretch, Int start, Int step, Int low, Int high) {
   }
 }
 
-// Does the segment pass the half-open square of side 1 about p, the points that round to p?
+}  // namespace
+
+// The half-open square of side 1 about p are the points that round to p.
 bool passes(const OwnedSegment& s, GridPoint p) {
   const GridPoint along = s.b - s.a;
   // most are too far off the line for any point of the square to lie on it
@@ -93,6 +95,8 @@ bool passes(const OwnedSegment& s, GridPoint p) {
   keep_between(stretch, 2 * s.a.y, 2 * (s.b.y - s.a.y), 2 * p.y - 1, 2 * p.y + 1);
   return !stretch.is_empty();
 }
+
+namespace {
 
 // Square buckets over the cell. Things within a grid step outside of it fall into the rim.
 struct Buckets {

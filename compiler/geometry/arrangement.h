@@ -51,6 +51,9 @@ struct Arrangement {
   std::vector<WindingStep> steps;  ///< Per edge sorted by owner.
 };
 
+/// True where the segment passes p so closely that arrange() bends it through p if p is hot. Exact.
+bool passes(const OwnedSegment& segment, GridPoint p);
+
 /// The part in a closed cell of the snap-rounded arrangement of all segments and of all cells' border lines.
 ///
 /// @param segments  Any that may touch the cell; none is clipped before.

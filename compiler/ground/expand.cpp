@@ -83,14 +83,14 @@ Known known_of_bare(const Layers& layers, const Carving& carving, const Box2& ce
   Reference reference = reference_of(carving.terrain, cell);
   if (layers.order.empty()) return {bare_borders(cell), std::move(reference)};
   const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), cell);
-  return {seen_borders(all, joints_of(layers, cell)), std::move(reference)};
+  return {seen_borders(all, joints_of(layers, all.arrangement, cell)), std::move(reference)};
 }
 
 Known known_of(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
   const Layers layers = layers_near(surfaces, cell);
   if (!is_carved(carving, cell)) return known_of_bare(layers, carving, cell);
   Partition all = partition_all(layers, carve_lines(carving, cell), cell);
-  std::vector<Border> borders = seen_borders(all, joints_of(layers, cell));
+  std::vector<Border> borders = seen_borders(all, joints_of(layers, all.arrangement, cell));
   return {std::move(borders), reference_on(std::move(all.triangulation), carving, cell)};
 }
 

@@ -154,11 +154,18 @@ Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoin
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
-std::vector<GridPoint> joints_of(const Layers& layers, const Box2& cell) {
+std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, const Box2& cell) {
   std::vector<OwnedSegment> segments = segments_of(layers);
   std::erase_if(segments, [&](const OwnedSegment& s) { return !comes_near_border(s.a, s.b, cell); });
   std::vector<GridPoint> joints = arrange(segments, {}, cell).vertices;
+  const auto is_passed = [&](GridPoint p) {
+    return std::ranges::any_of(segments, [&](const OwnedSegment& s) { return passes(s, p); });
+  };
+  for (const GridPoint p : all.vertices)
+    if (is_on_border(p, cell) && is_passed(p)) joints.push_back(p);
   std::erase_if(joints, [&](GridPoint p) { return !is_on_border(p, cell); });
+  std::ranges::sort(joints);
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
   return joints;
 }
 

@@ -33,7 +33,10 @@ Layers layers_near(std::span<const Surface> surfaces, const Box2& cell);
 Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines, const Box2& cell);
 
 /// Where rings meet the cell's border, sorted: hidden ones too, so that both cells of a border have the same.
-std::vector<GridPoint> joints_of(const Layers& layers, const Box2& cell);
+/// @param all  Of the same layers, with lines: a ring that is bent through one of their vertices on the border may
+/// leave
+///             the border there.
+std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, const Box2& cell);
 
 /// The edges between faces of different surfaces, and the cell's border from corner to corner and joint to joint:
 /// vertices that only lines have put there are left out. O(faces + joints times vertices on the border).

@@ -88,11 +88,6 @@ class SameBytesOfTown(SameBytes, ProgramTest):
             self.skipTest("examples/town is not there")
         return TOWN / "town.osm", town_dem()
 
-    # open in issue 4: at (-448, -512) one of two tiles keeps a vertex that the other does not, 6 mm off the line
-    @unittest.expectedFailure
-    def test_outputs_keep_their_promises(self):
-        super().test_outputs_keep_their_promises()
-
 
 class SameBytesOfAVillageReal(SameBytes, ProgramTest):
     def inputs(self):

@@ -20,7 +20,8 @@ namespace citykiln::ground {
 
 inline std::vector<Border> borders_of(std::span<const Surface> surfaces, const Box2& cell) {
   const Layers layers = layers_near(surfaces, cell);
-  return seen_borders(partition_all(layers, {}, cell), joints_of(layers, cell));
+  const Partition all = partition_all(layers, {}, cell);
+  return seen_borders(all, joints_of(layers, all.arrangement, cell));
 }
 
 /// What lies at a place, by the border straight above it. The cell's own must be among them.
