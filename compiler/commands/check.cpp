@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -74,17 +75,47 @@ struct Subject {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  std::vector<OsmId> leaving;  ///< Bridges and tunnels, sorted.
+  std::vector<OsmId> leaving;  ///< What is no ground, whatever it is made of: bridges, tunnels, walls. Sorted.
 };
 
-std::vector<OsmId> leaving_of(const scene::Scene& scene) {
-  std::vector<OsmId> leaving;
+/// Names of recipes, added to others.
+template <typename Recipe>
+void add_ids(std::span<const Recipe> recipes, std::vector<OsmId>& ids) {
+  for (const Recipe& recipe : recipes) ids.push_back(recipe.id.osm);
+}
+
+/// A fence may bear the id of the field it goes around: then its faces are taken for the field's, over which they
+/// stand.
+std::vector<OsmId> walls_of(const scene::Scene& scene) {
+  std::vector<OsmId> walls, fields, only_walls;
   for (const scene::Chunk& chunk : scene.chunks) {
-    for (const structures::Span& bridge : chunk.bridges) leaving.push_back(bridge.id.osm);
-    for (const structures::Span& tunnel : chunk.tunnels) leaving.push_back(tunnel.id.osm);
+    add_ids(std::span(chunk.barriers), walls);
+    add_ids(std::span(chunk.surfaces), fields);
+  }
+  std::ranges::sort(walls);
+  std::ranges::sort(fields);
+  std::ranges::set_difference(walls, fields, std::back_inserter(only_walls));
+  return only_walls;
+}
+
+std::vector<OsmId> leaving_of(const scene::Scene& scene) {
+  std::vector<OsmId> leaving = walls_of(scene);
+  for (const scene::Chunk& chunk : scene.chunks) {
+    add_ids(std::span(chunk.bridges), leaving);
+    add_ids(std::span(chunk.tunnels), leaving);
   }
   std::ranges::sort(leaving);
   return leaving;
+}
+
+/// The levels of standing water by the name of its faces.
+using Levels = std::multimap<OsmId, double>;
+
+Levels levels_of(const scene::Chunk& chunk) {
+  Levels levels;
+  for (const ground::Surface& surface : chunk.surfaces)
+    if (surface.level_m) levels.emplace(surface.id.osm, *surface.level_m);
+  return levels;
 }
 
 Result<Subject> open_subject(const std::string& folder) {
@@ -128,7 +159,15 @@ double ground_area_m2(const Carved& carved, double tolerance_m) {
   return area;
 }
 
-GroundSamples sampled(const Subject& subject, const Carved& carved, const bake::BakedTile& tile) {
+/// How far from the nearest of some heights.
+double off_by(std::span<const double> heights_m, double z_m) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const double height_m : heights_m) least_m = std::min(least_m, std::abs(z_m - height_m));
+  return least_m;
+}
+
+/// Standing water lies at one of its levels, all else on any layer.
+GroundSamples sampled(const Subject& subject, const Carved& carved, const Levels& levels, const bake::BakedTile& tile) {
   const auto references = bake::reference_cells(carved.carving, carved.cover.surfaces, carved.box, 0);
   const auto rows = static_cast<std::size_t>(carved.box.height() / map::kCell_m);
   const auto heights_at = [&](Vec2 p) {
@@ -140,7 +179,14 @@ GroundSamples sampled(const Subject& subject, const Carved& carved, const bake::
       heights[layer] = ground::height_m_at(cell, p, static_cast<ground::HeightLayer>(layer));
     return heights;
   };
-  return sample_ground(tile, subject.leaving, heights_at, carved.box, kSamplesASide);
+  const auto off_m = [&](Vec2 p, double z_m, OsmId feature) {
+    const auto [first, last] = levels.equal_range(feature);
+    if (first == last) return off_by(heights_at(p), z_m);
+    double least_m = std::numeric_limits<double>::infinity();
+    for (auto level = first; level != last; ++level) least_m = std::min(least_m, std::abs(z_m - level->second));
+    return least_m;
+  };
+  return sample_ground(tile, subject.leaving, off_m, carved.box, kSamplesASide);
 }
 
 void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
@@ -151,7 +197,7 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
                      fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
-  const GroundSamples samples = sampled(subject, carved, tile);
+  const GroundSamples samples = sampled(subject, carved, levels_of(chunk), tile);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "compiler/bake/ground_material.h"
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/map/surface_class.h"
@@ -23,12 +22,6 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
-/// Masonry holds steep land; what lies flatter is the top of a wall that stands on the ground.
-bool is_wall_top(materials::Material material, const Corners& t) {
-  const Vec3 normal = unit(cross(t[1] - t[0], t[2] - t[0]));
-  return material == materials::Material::kStone && normal.z > bake::kSteepCosine + 0.01;
-}
-
 /// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
 /// metres.
 template <typename Visit>
@@ -43,7 +36,7 @@ void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId
         const bake::Float3& p = primitive.positions[triangle[i]];
         corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
       }
-      if (!is_wall_top(primitive.material, corners)) visit(corners, feature);
+      visit(corners, feature);
     }
   }
 }
@@ -56,6 +49,7 @@ struct Lattice {
   int a_side;
   std::vector<Vec2> places;
   std::vector<double> lowest_m;
+  std::vector<OsmId> features;  ///< What covers it there.
 
   std::size_t number(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);
@@ -63,7 +57,7 @@ struct Lattice {
 };
 
 Lattice lattice_of(const Box2& box, int a_side) {
-  Lattice lattice{box, a_side, {}, {}};
+  Lattice lattice{box, a_side, {}, {}, {}};
   const Draw draw(0, StableId{0}, "samples of the ground");
   std::uint32_t dice = 0;
   for (int j = 0; j < a_side; ++j)
@@ -72,11 +66,12 @@ Lattice lattice_of(const Box2& box, int a_side) {
       lattice.places.push_back({box.min.x + u * box.width(), box.min.y + v * box.height()});
     }
   lattice.lowest_m.assign(lattice.places.size(), std::numeric_limits<double>::infinity());
+  lattice.features.resize(lattice.places.size());
   return lattice;
 }
 
 /// Lowers the lattice where places lie in the triangle.
-void lower(Lattice& lattice, const Corners& t) {
+void lower(Lattice& lattice, const Corners& t, OsmId feature) {
   const double area = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
   if (area <= 0) return;
   Box2 box;
@@ -95,8 +90,9 @@ void lower(Lattice& lattice, const Corners& t) {
       // what lies on an edge belongs to both sides, however it is rounded
       const double slack = -1e-9 * area;
       if (a < slack || b < slack || c < slack) continue;
-      double& lowest = lattice.lowest_m[lattice.number(i, j)];
-      lowest = std::min(lowest, (a * t[0].z + b * t[1].z + c * t[2].z) / area);
+      const std::size_t n = lattice.number(i, j);
+      const double z_m = (a * t[0].z + b * t[1].z + c * t[2].z) / area;
+      if (z_m < lattice.lowest_m[n]) lattice.lowest_m[n] = z_m, lattice.features[n] = feature;
     }
   }
 }
@@ -118,13 +114,6 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<cons
   return edges;
 }
 
-/// The ground may lie on any layer.
-double off_m(const ground::Heights& heights, double z) {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const double height : heights) least_m = std::min(least_m, std::abs(z - height));
-  return least_m;
-}
-
 }  // namespace
 
 std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<const OsmId> leaving) {
@@ -143,10 +132,11 @@ void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const OffAt& off_m,
                             const Box2& box, int a_side) {
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, leaving, [&](const Corners& corners, OsmId) { lower(lattice, corners); });
+  for_each_ground_triangle(tile, leaving,
+                           [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
 
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
@@ -154,7 +144,7 @@ GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> 
     if (std::isinf(lattice.lowest_m[i]))
       ++samples.uncovered;
     else
-      keep_worst(samples, off_m(heights_at(lattice.places[i]), lattice.lowest_m[i]), lattice.places[i]);
+      keep_worst(samples, off_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
   }
   return samples;
 }

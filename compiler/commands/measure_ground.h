@@ -10,7 +10,6 @@
 #include "compiler/bake/baked.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
-#include "compiler/ground/height_layer.h"
 
 namespace citykiln::commands {
 
@@ -32,16 +31,16 @@ struct GroundSamples {
   Vec2 at;                      ///< Where that is.
 };
 
-/// What the heights of the ground should be at a place of the plane.
-using HeightsAt = std::function<ground::Heights(Vec2)>;
+/// How far a height is off what it should be at a place of the plane, where a feature covers it.
+using OffAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
 /// Samples a random place in every square of a lattice over the box: the lowest upward triangle of a ground material
-/// there is the ground. It may lie on any layer.
-/// @param leaving  Sorted: features that leave the ground (bridges), whose decks may be made of the same materials;
-///                 overlooked.
+/// there is the ground.
+/// @param leaving  Sorted: features that leave the ground (bridges) or stand on it (walls) and may be made of the same
+///                 materials; overlooked.
 /// @param a_side   Squares along each side of the box.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const HeightsAt& heights_at,
+GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const OffAt& off_m,
                             const Box2& box, int a_side);
 
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.

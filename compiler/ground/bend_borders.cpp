@@ -23,7 +23,7 @@ Vec3 point_of(const Place& place, HeightLayer layer) {
 
 WorstPoint worst_of(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers) {
   // all layers are the terrain's
-  if (reference.terrain != nullptr) layers = layers.first(1);
+  if (reference.terrain != nullptr && !layers.empty()) layers = layers.first(1);
   WorstPoint worst;
   for (const HeightLayer layer : layers) {
     const WorstPoint here = worst_on_edge(reference, point_of(a, layer), point_of(b, layer), layer);
@@ -60,13 +60,19 @@ std::vector<GridPoint> path_of(const Reference& reference, const Border& border,
 constexpr std::array kAllLayers = {HeightLayer::kLand, HeightLayer::kRoad, HeightLayer::kCarriageway,
                                    HeightLayer::kWater};
 
-HeightLayer layer_of_side(std::span<const HeightLayer> layers, std::uint32_t surface) {
-  return surface == kNoSurface ? HeightLayer::kLand : layers[surface];
+// The layers that a border must follow: those of its sides but for what is level.
+std::vector<HeightLayer> layers_beside(const Border& border, std::span<const FaceHeight> heights) {
+  std::vector<HeightLayer> layers;
+  for (const std::uint32_t surface : {border.left, border.right}) {
+    const FaceHeight height = surface == kNoSurface ? FaceHeight{} : heights[surface];
+    if (!height.level_m && std::ranges::find(layers, height.layer) == layers.end()) layers.push_back(height.layer);
+  }
+  return layers;
 }
 
 }  // namespace
 
-Bent bend_to(const Reference& reference, std::span<const Border> borders, std::span<const HeightLayer> layers,
+Bent bend_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
              double tolerance_m, double inner_m) {
   Bent bent;
   for (const Border& border : borders) {
@@ -77,8 +83,7 @@ Bent bend_to(const Reference& reference, std::span<const Border> borders, std::s
       bent.borders.push_back(border);
       continue;
     }
-    const std::array sides = {layer_of_side(layers, border.left), layer_of_side(layers, border.right)};
-    const auto path = path_of(reference, border, std::span(sides).first(sides[0] == sides[1] ? 1 : 2), inner_m);
+    const auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
     for (std::size_t i = 1; i < path.size(); ++i)
       bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});
   }

@@ -25,16 +25,16 @@ constexpr double kCellBorderShare = 0.5;
 // thirds, so that as much is left for heights (the squares add up).
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
 
-std::vector<HeightLayer> layers_of(std::span<const Surface> surfaces) {
-  std::vector<HeightLayer> layers;
-  for (const Surface& surface : surfaces) layers.push_back(layer_of(surface));
-  return layers;
+std::vector<FaceHeight> heights_of(std::span<const Surface> surfaces) {
+  std::vector<FaceHeight> heights;
+  for (const Surface& surface : surfaces) heights.push_back(face_height_of(surface));
+  return heights;
 }
 
-std::vector<HeightLayer> face_layers(std::span<const std::uint32_t> face_surface, std::span<const HeightLayer> layers) {
-  std::vector<HeightLayer> of_faces;
+std::vector<FaceHeight> face_heights(std::span<const std::uint32_t> face_surface, std::span<const FaceHeight> heights) {
+  std::vector<FaceHeight> of_faces;
   for (const std::uint32_t surface : face_surface)
-    of_faces.push_back(surface == kNoSurface ? HeightLayer::kLand : layers[surface]);
+    of_faces.push_back(surface == kNoSurface ? FaceHeight{} : heights[surface]);
   return of_faces;
 }
 
@@ -58,11 +58,11 @@ struct HeightTolerances {
 };
 
 // Borders bent to the ground, and points between them.
-Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const HeightLayer> layers,
+Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
                    const HeightTolerances& tolerances) {
-  const Bent bent = bend_to(reference, borders, layers, tolerances.cell_border_m, tolerances.borders_m);
+  const Bent bent = bend_to(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
   Partition seen = partition_of(bent.borders, bent.points, reference.cell);
-  std::vector<HeightLayer> of_faces = face_layers(seen.face_surface, layers);
+  std::vector<FaceHeight> of_faces = face_heights(seen.face_surface, heights);
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
@@ -104,7 +104,7 @@ Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& ca
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
-  const std::vector<HeightLayer> layers = layers_of(surfaces);
+  const std::vector<FaceHeight> heights = heights_of(surfaces);
   const Known known = known_of(surfaces, carving, cell);
   const Simpler simpler = simpler_borders(known.borders, tolerance_m);
   const Reference& reference = known.reference;
@@ -114,7 +114,7 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
-    return refined_to(reference, simpler.borders, layers, {kCellBorderShare * tolerance_m, inner_m, height_m});
+    return refined_to(reference, simpler.borders, heights, {kCellBorderShare * tolerance_m, inner_m, height_m});
   };
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {

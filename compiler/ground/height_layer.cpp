@@ -40,4 +40,6 @@ HeightLayer layer_of(const Surface& surface) {
   return layer == HeightLayer::kWater || is_strip_or_junction(surface) ? layer : HeightLayer::kLand;
 }
 
+FaceHeight face_height_of(const Surface& surface) { return {layer_of(surface), surface.level_m}; }
+
 }  // namespace citykiln::ground

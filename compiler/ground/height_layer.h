@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "compiler/ground/recipe.h"
 
@@ -25,5 +26,18 @@ inline double of(const Heights& heights, HeightLayer layer) { return heights[sta
 
 /// The layer on which a surface lies. Areas of a road's class, squares and car parks, have no profile: they are land.
 HeightLayer layer_of(const Surface& surface);
+
+/// How high a face lies: as its layer does; standing water at its one level, even where its shore has been simplified.
+struct FaceHeight {
+  HeightLayer layer = HeightLayer::kLand;
+  std::optional<double> level_m;
+
+  bool operator==(const FaceHeight&) const = default;
+};
+FaceHeight face_height_of(const Surface& surface);
+
+inline double of(const Heights& heights, const FaceHeight& face) {
+  return face.level_m ? *face.level_m : of(heights, face.layer);
+}
 
 }  // namespace citykiln::ground

@@ -31,9 +31,11 @@ struct Growing {
     return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], layer));
   }
 
+  HeightLayer layer_of(std::uint32_t f) const { return refined.face_height[f].layer; }
+
   std::array<Vec3, 3> corners_of(std::uint32_t f) const {
     const DelaunayFace& face = refined.triangulation.faces()[f];
-    const HeightLayer layer = refined.face_layer[f];
+    const HeightLayer layer = layer_of(f);
     return {at(face.vertices[0], layer), at(face.vertices[1], layer), at(face.vertices[2], layer)};
   }
 
@@ -41,17 +43,18 @@ struct Growing {
   WorstPoint worst_on(std::uint32_t f, int i, const std::array<Vec3, 3>& corners) const {
     const auto& faces = refined.triangulation.faces();
     const std::uint32_t beyond = faces[f].neighbours[i];
-    if (beyond != kNoFace && errors[beyond].is_known && refined.face_layer[beyond] == refined.face_layer[f])
+    if (beyond != kNoFace && errors[beyond].is_known && refined.face_height[beyond] == refined.face_height[f])
       for (int k = 0; k < 3; ++k)
         if (faces[beyond].neighbours[k] == f) return errors[beyond].edges[k];
-    return worst_on_edge(reference, corners[(i + 1) % 3], corners[(i + 2) % 3], refined.face_layer[f]);
+    return worst_on_edge(reference, corners[(i + 1) % 3], corners[(i + 2) % 3], layer_of(f));
   }
 
   void measure(std::uint32_t f) {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::array<Vec3, 3> corners = corners_of(f);
-    const HeightLayer layer = refined.face_layer[f];
+    const HeightLayer layer = layer_of(f);
     FaceError& error = errors[f];
+    if (refined.face_height[f].level_m) return void(error = {0, {}, {}, true});
     // corners are rounded to the grid's heights, half a step to either side
     error = {kQuantum_m / 2, worst_inside(reference, corners, layer), {}, true};
     for (int i = 0; i < 3; ++i) {
@@ -68,7 +71,7 @@ struct Growing {
     const Vec3 a = corners[0], u = corners[1] - a, v = corners[2] - a;
     const double area = cross(in_plan(u), in_plan(v));
     const double s = cross(p - in_plan(a), in_plan(v)) / area, t = cross(in_plan(u), p - in_plan(a)) / area;
-    return std::abs(a.z + s * u.z + t * v.z - height_m_at(reference, p, refined.face_layer[f]));
+    return std::abs(a.z + s * u.z + t * v.z - height_m_at(reference, p, layer_of(f)));
   }
 
   // A point to put in, and the face it splits: kNoFace where it is a vertex already, or on a border.
@@ -97,15 +100,15 @@ struct Growing {
     const auto [p, split] = best_insertion(f, tolerance_m);
     if (split == kNoFace) return {};
     const std::uint32_t surface = refined.face_surface[split];
-    const HeightLayer layer = refined.face_layer[split];
+    const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
     refined.heights.push_back(snapped_heights(reference, p));
     // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that
     // region
     const std::size_t count = refined.triangulation.faces().size();
-    refined.face_surface.resize(count, surface), refined.face_layer.resize(count, layer), errors.resize(count);
+    refined.face_surface.resize(count, surface), refined.face_height.resize(count, height), errors.resize(count);
     for (const std::uint32_t c : changed)
-      refined.face_surface[c] = surface, refined.face_layer[c] = layer, errors[c].is_known = false;
+      refined.face_surface[c] = surface, refined.face_height[c] = height, errors[c].is_known = false;
     return changed;
   }
 };
@@ -149,9 +152,9 @@ Heights snapped_heights(const Reference& reference, Vec2 p) {
   return heights;
 }
 
-Refined refine(Partition&& partition, std::vector<HeightLayer>&& face_layer, const Reference& reference,
+Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m) {
-  Refined refined{std::move(partition.triangulation), std::move(partition.face_surface), std::move(face_layer), {}, 0};
+  Refined refined{std::move(partition.triangulation), std::move(partition.face_surface), std::move(face_height), {}, 0};
   for (const GridPoint p : refined.triangulation.vertices())
     refined.heights.push_back(snapped_heights(reference, plane_point(p)));
   Growing growing{reference, refined, std::vector<FaceError>(refined.face_surface.size())};

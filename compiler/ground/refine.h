@@ -12,9 +12,10 @@ namespace citykiln::ground {
 struct Refined {
   Delaunay triangulation;
   std::vector<std::uint32_t> face_surface;
-  std::vector<HeightLayer> face_layer;
+  std::vector<FaceHeight> face_height;
   std::vector<Heights> heights;  ///< One a vertex: the reference's, rounded to 2^-10 m.
-  double error_m = 0;            ///< Largest vertical distance of a face to its layer of the reference: exact.
+  double error_m = 0;            ///< Largest vertical distance of a face to its layer of the reference: exact. Standing
+                                 ///< water is level, and off by nothing.
 };
 
 /// The reference's heights at a place, rounded to 2^-10 m.
@@ -22,7 +23,7 @@ Heights snapped_heights(const Reference& reference, Vec2 p);
 
 /// Guarantees: no point on a constrained edge, nor on the cell's border; error_m <= tolerance_m, or what no further
 /// point could mend. Cost: n log n in points, times the reference's faces about each.
-Refined refine(Partition&& partition, std::vector<HeightLayer>&& face_layer, const Reference& reference,
+Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m);
 
 }  // namespace citykiln::ground

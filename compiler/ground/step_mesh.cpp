@@ -18,8 +18,12 @@ struct Builder {
   GroundMesh ground{};
   std::vector<VertexByLayer> numbers{};
 
-  Vec3 place(std::uint32_t vertex, HeightLayer layer) const {
-    return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], layer));
+  Vec3 place(std::uint32_t vertex, const FaceHeight& height) const {
+    return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], height));
+  }
+
+  Vec3 normal(Vec3 at, const FaceHeight& height) const {
+    return height.level_m ? Vec3{0, 0, 1} : normal_at(carving, in_plan(at), height.layer);
   }
 
   std::uint32_t add_vertex(Vec3 position, Vec3 normal) {
@@ -28,20 +32,22 @@ struct Builder {
     return static_cast<std::uint32_t>(ground.mesh.positions.size() - 1);
   }
 
-  std::uint32_t vertex(std::uint32_t v, HeightLayer layer) {
-    std::uint32_t& number = numbers[v][static_cast<std::size_t>(layer)];
-    if (number != kNoVertex) return number;
-    const Vec3 p = place(v, layer), normal = normal_at(carving, in_plan(p), layer);
+  std::uint32_t vertex(std::uint32_t v, const FaceHeight& height) {
+    std::uint32_t& number = numbers[v][static_cast<std::size_t>(height.layer)];
+    const Vec3 p = place(v, height);
+    // two waters may meet with a level each
+    if (number != kNoVertex && ground.mesh.positions[number] == p) return number;
+    const Vec3 up = normal(p, height);
     for (const std::uint32_t other : numbers[v])
-      if (other != kNoVertex && ground.mesh.positions[other] == p && ground.mesh.normals[other] == normal)
+      if (other != kNoVertex && ground.mesh.positions[other] == p && ground.mesh.normals[other] == up)
         return number = other;
-    return number = add_vertex(p, normal);
+    return number = add_vertex(p, up);
   }
 
   void add_face(std::uint32_t f) {
     const auto& v = refined.triangulation.faces()[f].vertices;
-    const HeightLayer layer = refined.face_layer[f];
-    ground.mesh.triangles.push_back({vertex(v[0], layer), vertex(v[1], layer), vertex(v[2], layer)});
+    const FaceHeight& height = refined.face_height[f];
+    ground.mesh.triangles.push_back({vertex(v[0], height), vertex(v[1], height), vertex(v[2], height)});
     ground.face_surface.push_back(refined.face_surface[f]);
   }
 
@@ -74,10 +80,10 @@ struct Builder {
   void add_step(std::uint32_t f, int i) {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::uint32_t beyond = face.neighbours[i];
-    if (beyond == kNoFace || beyond < f || refined.face_layer[f] == refined.face_layer[beyond]) return;
+    if (beyond == kNoFace || beyond < f || refined.face_height[f] == refined.face_height[beyond]) return;
     const std::uint32_t from = face.vertices[(i + 1) % 3], to = face.vertices[(i + 2) % 3];
-    const Vec3 own_a = place(from, refined.face_layer[f]), own_b = place(to, refined.face_layer[f]);
-    const Vec3 other_a = place(from, refined.face_layer[beyond]), other_b = place(to, refined.face_layer[beyond]);
+    const Vec3 own_a = place(from, refined.face_height[f]), own_b = place(to, refined.face_height[f]);
+    const Vec3 other_a = place(from, refined.face_height[beyond]), other_b = place(to, refined.face_height[beyond]);
     if (own_a == other_a && own_b == other_b) return;
     if (own_a.z + own_b.z >= other_a.z + other_b.z)
       add_upright(over_mouth(other_a, other_b, own_a.z), over_mouth(other_b, other_a, own_b.z), own_a.z, own_b.z,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compiler/map/surface_class.h"
 
 namespace citykiln::commands {
@@ -10,8 +12,8 @@ namespace {
 constexpr OsmId kLawn{OsmType::kWay, 1};
 constexpr OsmId kBridge{OsmType::kWay, 2};
 
-/// Every layer at 10 m.
-ground::Heights flat(Vec2) { return {10, 10, 10, 10}; }
+/// Everything should lie at 10 m.
+double flat(Vec2, double z_m, OsmId) { return std::abs(z_m - 10); }
 
 /// A square of ground about the tile's origin (0, 0, 10), with its last corner lifted; and a deck of the bridge over
 /// it.
@@ -43,10 +45,10 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
 }
 
-TEST(SampleGround, TakesLevelStoneForTopsOfWalls) {
-  bake::BakedTile tile = square(0, true);
-  tile.primitives[0].material = materials::Material::kStone;
-  EXPECT_EQ(sample_ground(tile, std::vector{kBridge}, flat, kBox, 16).uncovered, 256u);
+TEST(SampleGround, SaysWhatCoversAPlace) {
+  const auto off_m = [](Vec2, double, OsmId feature) { return feature == kLawn ? 1.0 : 2.0; };
+  EXPECT_EQ(sample_ground(square(0, true), std::vector{kBridge}, off_m, kBox, 16).error_m, 1);
+  EXPECT_EQ(sample_ground(square(0, true), {}, off_m, kBox, 16).error_m, 2);
 }
 
 TEST(SampleGround, FindsGroundThatIsOff) {

@@ -193,6 +193,29 @@ TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
   EXPECT_EQ(on_line_x(g, 128).size(), 2u);
 }
 
+// A pond with a notch in its shore about a sample of the terrain; a brook four metres lower beside it. Where the shore
+// is simplified the pond covers land over which the brook's height is known.
+TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
+  constexpr double kLevel_m = 10;
+  Surface pond{{{OsmType::kWay, 1}, 0}, SurfaceClass::kLake, 800, {}};
+  pond.rings = {{{50, 63.25}, {58, 63.25}, {64, 64.25}, {70, 63.25}, {78, 63.25}, {78, 90}, {50, 90}}};
+  pond.level_m = kLevel_m;
+  roads::Strip brook{{{OsmType::kWay, 2}, 0}, {{0, 60}, {128, 60}}, SurfaceClass::kRiver, 1, 1};
+  brook.profile = {{0, 6, 0}, {128, 6, 0}};
+  Heightfield field{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
+  field.heights[6] += 8;
+  const std::vector<Surface> surfaces = {pond};
+  const Carving carving = carve(std::move(field), {{}, std::vector{brook}, surfaces, kCell.widened(kCarve_m)});
+  for (const double tolerance_m : {0.1, 2.5}) {
+    Report report;
+    const GroundMesh g = expand_cell(surfaces, carving, kCell, tolerance_m, report);
+    for (std::size_t f = 0; f < g.first_upright; ++f) {
+      if (g.face_surface[f] != 0) continue;
+      for (const std::uint32_t v : g.mesh.triangles[f]) EXPECT_EQ(g.mesh.positions[v].z, kLevel_m) << tolerance_m;
+    }
+  }
+}
+
 TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   Report report;
   const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
