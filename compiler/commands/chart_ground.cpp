@@ -83,7 +83,7 @@ double border_vertices_of(std::span<const ground::Surface> surfaces, const Box2&
     if (near.back().rings.empty()) near.pop_back();
   }
   const ground::Layers layers = ground::layers_near(near, cell);
-  const ground::Partition all = ground::partition_all(layers, {}, cell);
+  const ground::Partition all = ground::partition_all(layers, {}, {}, cell);
   const auto borders = ground::seen_borders(all, ground::joints_of(layers, all.arrangement, cell));
   const auto none = [](GridPoint) { return false; };
   std::set<GridPoint> vertices;

@@ -11,6 +11,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/bake/fire_ground.h"
 #include "compiler/commands/ground_index.h"
+#include "compiler/commands/measure_following.h"
 #include "compiler/commands/measure_footing.h"
 #include "compiler/commands/measure_ground.h"
 #include "compiler/commands/measure_lakes.h"
@@ -20,6 +21,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/expand.h"
+#include "compiler/ground/follow_lines.h"
 #include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
 #include "exporters/file.h"
@@ -63,7 +65,9 @@ struct Findings {
   Finding rivers{"no river rises", 0, {}};
   Finding lakes{"standing water is level", 0, {}};
   Finding footing{"under no corner of a building is a gap over 5 cm, or over error_m where that is more", 0, {}};
-  Grades grades;  ///< Stated, not judged.
+  // stated, not judged
+  Grades grades;
+  Following following;
 
   std::vector<const Finding*> all() const {
     return {&ledger, &forms, &area, &height, &seams, &jumps, &roads, &rivers, &lakes, &footing};
@@ -166,27 +170,32 @@ double off_by(std::span<const double> heights_m, double z_m) {
   return least_m;
 }
 
+/// The cells of a tile, each as exact as it gets.
+struct ReferenceCells {
+  Box2 box;
+  std::vector<ground::Reference> cells;
+
+  const ground::Reference& at(Vec2 p) const {
+    const auto rows = static_cast<std::size_t>(box.height() / map::kCell_m);
+    const auto column = static_cast<std::size_t>((p.x - box.min.x) / map::kCell_m);
+    const auto row = static_cast<std::size_t>((p.y - box.min.y) / map::kCell_m);
+    return cells[std::min(column * rows + row, cells.size() - 1)];
+  }
+};
+
 /// Standing water lies at one of its levels, all else on any layer.
-GroundSamples sampled(const Subject& subject, const Carved& carved, const Levels& levels, const bake::BakedTile& tile) {
-  const auto references = bake::reference_cells(carved.carving, carved.cover.surfaces, carved.box, 0);
-  const auto rows = static_cast<std::size_t>(carved.box.height() / map::kCell_m);
-  const auto heights_at = [&](Vec2 p) {
-    const auto column = static_cast<std::size_t>((p.x - carved.box.min.x) / map::kCell_m);
-    const auto row = static_cast<std::size_t>((p.y - carved.box.min.y) / map::kCell_m);
-    const ground::Reference& cell = references[std::min(column * rows + row, references.size() - 1)];
-    ground::Heights heights;
-    for (std::size_t layer = 0; layer < heights.size(); ++layer)
-      heights[layer] = ground::height_m_at(cell, p, static_cast<ground::HeightLayer>(layer));
-    return heights;
-  };
+GroundSamples sampled(const Subject& subject, const ReferenceCells& references, const Levels& levels,
+                      const bake::BakedTile& tile) {
   const auto off_m = [&](Vec2 p, double z_m, OsmId feature) {
     const auto [first, last] = levels.equal_range(feature);
-    if (first == last) return off_by(heights_at(p), z_m);
-    double least_m = std::numeric_limits<double>::infinity();
-    for (auto level = first; level != last; ++level) least_m = std::min(least_m, std::abs(z_m - level->second));
-    return least_m;
+    std::vector<double> heights_m;
+    for (auto level = first; level != last; ++level) heights_m.push_back(level->second);
+    if (first == last)
+      for (std::size_t layer = 0; layer < static_cast<std::size_t>(ground::HeightLayer::kCount); ++layer)
+        heights_m.push_back(ground::height_m_at(references.at(p), p, static_cast<ground::HeightLayer>(layer)));
+    return off_by(heights_m, z_m);
   };
-  return sample_ground(tile, subject.leaving, off_m, carved.box, kSamplesASide);
+  return sample_ground(tile, subject.leaving, off_m, references.box, kSamplesASide);
 }
 
 void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
@@ -197,7 +206,12 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
   findings.area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
                      fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 
-  const GroundSamples samples = sampled(subject, carved, levels_of(chunk), tile);
+  const ReferenceCells references{carved.box,
+                                  bake::reference_cells(carved.carving, carved.cover.surfaces, carved.box, 0)};
+  const auto reference_at = [&](Vec2 p) -> const ground::Reference& { return references.at(p); };
+  findings.following = worse(findings.following, measure_following(carved.carving, carved.cover.surfaces, reference_at,
+                                                                   carved.box, kSamplesASide / 2));
+  const GroundSamples samples = sampled(subject, references, levels_of(chunk), tile);
   findings.height.tests += samples.count;
   // the baked ground is snapped to the grid, half a quantum to either side
   if (samples.error_m > tile.error_m + kQuantum_m) {
@@ -331,6 +345,16 @@ void tell(const Findings& findings, const Console& console) {
                   {"over_m", grades.over_m}});
   console.say(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
                           grades.over_m / 1000, grades.length_m / 1000));
+  const Following& following = findings.following;
+  json.push_back({{"stated", "places where the triangulated ground strays from the carved heights"},
+                  {"places", following.places},
+                  {"over", following.over},
+                  {"largest_m", following.largest_m}});
+  console.say(fmt::format(
+      "stated {:.2f} % of {} places stray from the carved heights by over {} m, the worst by {:.2f} m at {:.2f}, "
+      "{:.2f}",
+      100.0 * static_cast<double>(following.over) / static_cast<double>(std::max<std::uint64_t>(following.places, 1)),
+      following.places, 2 * ground::kFollow_m, following.largest_m, following.at.x, following.at.y));
   console.answer(json.dump(1));
 }
 

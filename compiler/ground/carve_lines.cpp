@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/ground/follow_lines.h"
+
 namespace citykiln::ground {
 namespace {
 
@@ -18,6 +20,15 @@ constexpr int kFootSteps = 4;
 void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
   const GridPoint p = grid_point(a), q = grid_point(b);
   if (p != q) lines.push_back(std::minmax({p, q}));
+}
+
+void add_bent(const Carving& carving, const Line& line, std::vector<Line>& lines) {
+  GridPoint from = line.first;
+  for (const Vec2 bend : bends_along(carving, plane_point(line.first), plane_point(line.second))) {
+    add_line(plane_point(from), bend, lines);
+    from = grid_point(bend);
+  }
+  add_line(plane_point(from), plane_point(line.second), lines);
 }
 
 // Rows, columns and diagonals, square by square, so that every crossing is an end.
@@ -102,7 +113,10 @@ std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
     add_road_lines(carving, carving.roads.segments[i], lines);
   if (!is_level(carving.terrain, cell)) add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
-  return lines;
+  std::vector<Line> bent;
+  for (const Line& line : lines) add_bent(carving, line, bent);
+  std::erase_if(bent, [&](const Line& line) { return !may_touch(line, cell); });
+  return bent;
 }
 
 std::vector<Line> lines_near_border(std::vector<Line> lines, const Box2& cell) {

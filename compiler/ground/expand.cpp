@@ -5,6 +5,8 @@
 
 #include "compiler/ground/bend_borders.h"
 #include "compiler/ground/carve_lines.h"
+#include "compiler/ground/follow_carving.h"
+#include "compiler/ground/follow_lines.h"
 #include "compiler/ground/partition.h"
 #include "compiler/ground/refine.h"
 #include "compiler/ground/simplify_borders.h"
@@ -66,10 +68,13 @@ Refined refined_to(const Reference& reference, std::span<const Border> borders, 
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
-Reference reference_on(Delaunay&& triangulation, const Carving& carving, const Box2& cell) {
-  std::vector<Heights> heights;
-  for (const GridPoint p : triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
-  return reference_of(std::move(triangulation), std::move(heights), cell);
+Partition carved_partition(const Layers& layers, const Carving& carving, const Box2& cell) {
+  return partition_all(layers, carve_lines(carving, cell), bends_on_border(carving, cell), cell);
+}
+
+Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const Carving& carving, const Box2& cell) {
+  Followed followed = follow_carving(std::move(all), heights, carving);
+  return reference_of(std::move(followed.triangulation), std::move(followed.heights), cell);
 }
 
 // What a cell is made of before any tolerance: the borders that are seen, and what heights are measured against.
@@ -82,30 +87,31 @@ struct Known {
 Known known_of_bare(const Layers& layers, const Carving& carving, const Box2& cell) {
   Reference reference = reference_of(carving.terrain, cell);
   if (layers.order.empty()) return {bare_borders(cell), std::move(reference)};
-  const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), cell);
+  const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), {}, cell);
   return {seen_borders(all, joints_of(layers, all.arrangement, cell)), std::move(reference)};
 }
 
-Known known_of(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
-  const Layers layers = layers_near(surfaces, cell);
+Known known_of(std::span<const Surface> surfaces, std::span<const FaceHeight> heights, const Carving& carving,
+               const Box2& cell) {
+  const std::vector<Surface> bent = bent_rings(surfaces, carving, cell);
+  const Layers layers = layers_near(bent, cell);
   if (!is_carved(carving, cell)) return known_of_bare(layers, carving, cell);
-  Partition all = partition_all(layers, carve_lines(carving, cell), cell);
+  Partition all = carved_partition(layers, carving, cell);
   std::vector<Border> borders = seen_borders(all, joints_of(layers, all.arrangement, cell));
-  return {std::move(borders), reference_on(std::move(all.triangulation), carving, cell)};
+  return {std::move(borders), reference_on(std::move(all), heights, carving, cell)};
 }
 
 }  // namespace
 
 Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
   if (!is_carved(carving, cell)) return reference_of(carving.terrain, cell);
-  Partition all = partition_all(layers_near(surfaces, cell), carve_lines(carving, cell), cell);
-  return reference_on(std::move(all.triangulation), carving, cell);
+  return known_of(surfaces, heights_of(surfaces), carving, cell).reference;
 }
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
   const std::vector<FaceHeight> heights = heights_of(surfaces);
-  const Known known = known_of(surfaces, carving, cell);
+  const Known known = known_of(surfaces, heights, carving, cell);
   const Simpler simpler = simpler_borders(known.borders, tolerance_m);
   const Reference& reference = known.reference;
 

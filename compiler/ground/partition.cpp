@@ -141,12 +141,12 @@ Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
 }
 
 Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
-                        const Box2& cell) {
+                        std::span<const GridPoint> points, const Box2& cell) {
   std::vector<OwnedSegment> segments = segments_of(layers);
   // lines have an owner of their own, under all others, so that none of them is lost
   const auto line_owner = static_cast<std::uint32_t>(layers.order.size());
   for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
-  Arrangement arrangement = arrange(segments, {}, cell);
+  Arrangement arrangement = arrange(segments, points, cell);
   Delaunay triangulation = triangulated(arrangement);
   const KnownFace known = known_face(triangulation, layers);
   std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks_of(line_owner + 1));

@@ -29,8 +29,10 @@ struct Layers {
 Layers layers_near(std::span<const Surface> surfaces, const Box2& cell);
 
 /// Everything that is drawn, whether seen or hidden, with further lines as edges, and what lies on top in each face.
-/// @param lines  From the lower end to the upper; they bound nothing.
-Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines, const Box2& cell);
+/// @param lines   From the lower end to the upper; they bound nothing.
+/// @param points  On the cell's border.
+Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                        std::span<const GridPoint> points, const Box2& cell);
 
 /// Where rings meet the cell's border, sorted: hidden ones too, so that both cells of a border have the same.
 /// @param all  Of the same layers, with lines: a ring that is bent through one of their vertices on the border may

@@ -20,7 +20,7 @@ namespace citykiln::ground {
 
 inline std::vector<Border> borders_of(std::span<const Surface> surfaces, const Box2& cell) {
   const Layers layers = layers_near(surfaces, cell);
-  const Partition all = partition_all(layers, {}, cell);
+  const Partition all = partition_all(layers, {}, {}, cell);
   return seen_borders(all, joints_of(layers, all.arrangement, cell));
 }
 

@@ -188,7 +188,7 @@ TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1,
 // what the tests of slivers rely on
 TEST(BorderClaims, SurfaceBetweenIsThatOfTheFace) {
   const auto surfaces = wavy_surfaces(7, 30, 0.5);
-  const Partition all = partition_all(layers_near(surfaces, kCell), {}, kCell);
+  const Partition all = partition_all(layers_near(surfaces, kCell), {}, {}, kCell);
   const auto borders = seen_borders(all, joints_of(layers_near(surfaces, kCell), all.arrangement, kCell));
   const auto at = [&](std::uint32_t v) { return plane_point(all.triangulation.vertices()[v]); };
   for (std::size_t f = 0; f < all.face_surface.size(); ++f) {

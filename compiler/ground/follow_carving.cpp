@@ -1,0 +1,125 @@
+#include "compiler/ground/follow_carving.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/follow_lines.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Shorter edges are not cut: they cannot stray far, and steps of the ground itself would be cut for ever.
+constexpr double kShortest_m = 1;
+// No point comes nearer to a vertex, nor to an edge that may not be cut.
+constexpr double kNearest_m = 0.5;
+
+struct Following {
+  Delaunay triangulation;
+  std::vector<std::uint32_t> face_surface;
+  std::vector<Heights> heights;
+  std::span<const FaceHeight> face_heights;
+  const Carving& carving;
+
+  Vec2 place(std::uint32_t v) const { return plane_point(triangulation.vertices()[v]); }
+
+  std::array<Vec2, 3> corners_of(std::uint32_t f) const {
+    const auto& v = triangulation.faces()[f].vertices;
+    return {place(v[0]), place(v[1]), place(v[2])};
+  }
+
+  FaceHeight height_of(std::uint32_t f) const {
+    return face_surface[f] == kNoSurface ? FaceHeight{} : face_heights[face_surface[f]];
+  }
+
+  // How far the ground lies off the mean of some vertices.
+  double stray_m(std::initializer_list<std::uint32_t> vertices, Vec2 p, HeightLayer layer) const {
+    double sum_m = 0;
+    for (const std::uint32_t v : vertices) sum_m += of(heights[v], layer);
+    return std::abs(sum_m / static_cast<double>(vertices.size()) - of(heights_at(carving, p), layer));
+  }
+};
+
+double twice_area_m2(const std::array<Vec2, 3>& c) { return cross(c[1] - c[0], c[2] - c[0]); }
+
+double longest_m(const std::array<Vec2, 3>& c) {
+  return std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
+}
+
+// A place to look at, and how far the ground strays from the face there.
+struct Stray {
+  double off_m = 0;
+  Vec2 at;
+};
+
+void keep_worse(Stray& worst, double off_m, Vec2 at) {
+  if (off_m > worst.off_m) worst = {off_m, at};
+}
+
+// At the centre, and in the middle of edges that may be cut.
+Stray stray_of(const Following& all, std::uint32_t f, HeightLayer layer) {
+  const DelaunayFace& face = all.triangulation.faces()[f];
+  const auto& v = face.vertices;
+  const std::array<Vec2, 3> c = all.corners_of(f);
+  Stray worst;
+  const Vec2 centre = snapped((c[0] + c[1] + c[2]) * (1.0 / 3));
+  keep_worse(worst, all.stray_m({v[0], v[1], v[2]}, centre, layer), centre);
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+    if (face.is_constrained[i] || distance(a, b) < 2 * kShortest_m) continue;
+    const Vec2 middle = snapped((a + b) * 0.5);
+    keep_worse(worst, all.stray_m({v[(i + 1) % 3], v[(i + 2) % 3]}, middle, layer), middle);
+  }
+  return worst;
+}
+
+// Too near to a corner, or to an edge that may not be cut.
+bool is_crowded(const Following& all, std::uint32_t f, Vec2 p) {
+  const std::array<Vec2, 3> c = all.corners_of(f);
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+    if (distance(p, c[i]) < kNearest_m) return true;
+    if (!all.triangulation.faces()[f].is_constrained[i]) continue;
+    if (cross(b - a, p - a) < kNearest_m * distance(a, b)) return true;
+  }
+  return false;
+}
+
+// Faces of standing water are level whatever lies under them.
+bool may_stray(const Following& all, std::uint32_t f) {
+  if (all.height_of(f).level_m) return false;
+  const std::array<Vec2, 3> c = all.corners_of(f);
+  const double longest = longest_m(c);
+  return longest >= 2 * kShortest_m && twice_area_m2(c) >= kNearest_m * longest;
+}
+
+// The faces that changed; none where the face follows, or no point may go in.
+std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
+  if (!may_stray(all, f)) return {};
+  const Stray worst = stray_of(all, f, all.height_of(f).layer);
+  if (worst.off_m <= kFollow_m) return {};
+  const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
+  if (split == kNoFace || is_crowded(all, split, worst.at)) return {};
+  const std::uint32_t surface = all.face_surface[split];
+  const auto changed = all.triangulation.insert(grid_point(worst.at), split);
+  all.heights.push_back(heights_at(all.carving, worst.at));
+  all.face_surface.resize(all.triangulation.faces().size());
+  for (const std::uint32_t c : changed) all.face_surface[c] = surface;
+  return changed;
+}
+
+}  // namespace
+
+Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving) {
+  Following all{std::move(partition.triangulation), std::move(partition.face_surface), {}, face_heights, carving};
+  for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights_at(carving, plane_point(p)));
+  std::deque<std::uint32_t> waiting;
+  for (std::uint32_t f = 0; f < all.face_surface.size(); ++f) waiting.push_back(f);
+  for (; !waiting.empty(); waiting.pop_front())
+    for (const std::uint32_t changed : mend(all, waiting.front())) waiting.push_back(changed);
+  return {std::move(all.triangulation), std::move(all.heights)};
+}
+
+}  // namespace citykiln::ground

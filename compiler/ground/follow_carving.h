@@ -1,0 +1,25 @@
+// Borders and carve lines foretell most bends of the carved ground, but not all: feet of banks at corners, shores, what
+// is curved. A triangulation takes points there, until it follows the ground wherever it is looked at.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/ground/carving.h"
+#include "compiler/ground/partition.h"
+
+namespace citykiln::ground {
+
+struct Followed {
+  Delaunay triangulation;
+  std::vector<Heights> heights;  ///< One a vertex: of the carved ground, not rounded.
+};
+
+/// Looks at the centres of faces and at the middles of edges that are no borders, each face on its own layer, and puts
+/// points in where a face strays by more than kFollow_m.
+/// @param face_heights  Of each surface of the partition; kNoSurface lies on the land.
+/// Guarantees: nothing on borders, lines or the cell's border changes; no edge shorter than half a metre comes of it.
+/// Depends on the order of faces, which the partition alone decides. O(n log n) in vertices, each asked for once.
+Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving);
+
+}  // namespace citykiln::ground
