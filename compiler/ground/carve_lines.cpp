@@ -22,9 +22,9 @@ void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
   if (p != q) lines.push_back(std::minmax({p, q}));
 }
 
-void add_bent(const Carving& carving, const Line& line, std::vector<Line>& lines) {
+void add_bent(const Carving& carving, const Line& line, const Box2& cell, std::vector<Line>& lines) {
   GridPoint from = line.first;
-  for (const Vec2 bend : bends_along(carving, plane_point(line.first), plane_point(line.second))) {
+  for (const Vec2 bend : bends_along(carving, plane_point(line.first), plane_point(line.second), cell)) {
     add_line(plane_point(from), bend, lines);
     from = grid_point(bend);
   }
@@ -114,7 +114,7 @@ std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
   if (!is_level(carving.terrain, cell)) add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;
-  for (const Line& line : lines) add_bent(carving, line, bent);
+  for (const Line& line : lines) add_bent(carving, line, cell, bent);
   std::erase_if(bent, [&](const Line& line) { return !may_touch(line, cell); });
   return bent;
 }

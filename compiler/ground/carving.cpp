@@ -71,30 +71,41 @@ void keep_near_roads(Bounds& bounds, std::span<const Strand> strands, double nea
   }
 }
 
+// All that may be felt at half of kCarve_m, nothing at kCarve_m.
+double share_of(double away_m) { return std::min(1.0, (kCarve_m - away_m) / (kCarve_m / 2)); }
+
 // How much of a road is felt: nothing where no road is in reach, all from half of it on.
 double road_share(std::span<const Strand> strands) {
   double nearest_m = kCarve_m;
   for (const Strand& s : strands) nearest_m = std::min(nearest_m, s.beyond_m);
-  return std::min(1.0, (kCarve_m - nearest_m) / (kCarve_m / 2));
+  return share_of(nearest_m);
+}
+
+// Water near by: how high, and how far off.
+struct NearWater {
+  double z_m, shore_m;
+};
+
+// Only what is near counts: farther off, what is known depends on who asks.
+std::optional<NearWater> water_near(const Carving& carving, Vec2 p) {
+  if (boxes_about(carving.shores, p).empty() || !carving.wet_map.box.contains(p)) return std::nullopt;
+  const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
+  if (shore_m >= kCarve_m) return std::nullopt;
+  const std::optional<double> z_m = water_m(carving.waters, p);
+  if (!z_m) return std::nullopt;
+  return NearWater{*z_m, shore_m};
 }
 
 Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const RoadHeight& road,
-                 std::optional<double> water_m, Vec2 p, double terrain_m) {
+                 const std::optional<NearWater>& water, Vec2 p, double terrain_m) {
   Bounds bounds;
   const OverBores over = over_bores(carving.bores, p);
   keep_near_roads(bounds, strands, corner_m(carving, strands, p), road.z_m, terrain_m, over);
   bounds.least_m = std::max(bounds.least_m, over.least_m);
   // no bank reaches under a deck, not even the one that carries the road before it
   bounds.wall_m = std::min(bounds.wall_m, most_under_decks_m(carving.decks, p));
-  if (!water_m) return bounds;
-  const double shore_m = clearance_m(carving.wet_map, p, 0, kCarve_m);
-  if (shore_m < kCarve_m) keep_near(bounds, *water_m, shore_m, terrain_m);
+  if (water) keep_near(bounds, water->z_m, water->shore_m, terrain_m);
   return bounds;
-}
-
-std::optional<double> water_at(const Carving& carving, Vec2 p) {
-  if (boxes_about(carving.shores, p).empty() || !carving.wet_map.box.contains(p)) return std::nullopt;
-  return water_m(carving.waters, p);
 }
 
 bool is_near_span(const Carving& carving, Vec2 p) {
@@ -142,25 +153,30 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
 Heights heights_at(const Carving& carving, Vec2 p) {
   const double terrain_m = map::height_m_at(carving.terrain, p);
   const std::vector<Strand> strands = strands_at(carving.roads, p, terrain_m);
-  const std::optional<double> water_m = water_at(carving, p);
-  if (strands.empty() && !water_m && !is_near_span(carving, p)) return {terrain_m, terrain_m, terrain_m, terrain_m};
+  const std::optional<NearWater> water = water_near(carving, p);
+  if (strands.empty() && !water && !is_near_span(carving, p)) return {terrain_m, terrain_m, terrain_m, terrain_m};
   const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
-  const Bounds bounds = bounds_at(carving, strands, road, water_m, p, terrain_m);
+  const Bounds bounds = bounds_at(carving, strands, road, water, p, terrain_m);
   const double land_m = within(bounds, terrain_m);
   const double share = road_share(strands), road_m = land_m + (road.z_m - land_m) * share;
-  return {land_m, road_m, road_m - road.kerb_m * share, water_m.value_or(land_m)};
+  const double water_m = water ? land_m + (water->z_m - land_m) * share_of(water->shore_m) : land_m;
+  return {land_m, road_m, road_m - road.kerb_m * share, water_m};
 }
 
 double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }
 
 Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
   if (!is_carved(carving, {p, p})) return map::normal_at(carving.terrain, p);
-  const Vec2 east{kNormalStep_m, 0}, north{0, kNormalStep_m};
-  const auto height = [&](Vec2 at) { return of(heights_at(carving, at), layer); };
-  const auto is_terrain = [&](Vec2 at) { return height(at) == map::height_m_at(carving.terrain, at); };
-  if (is_terrain(p) && is_terrain(p + east) && is_terrain(p - east) && is_terrain(p + north) && is_terrain(p - north))
-    return map::normal_at(carving.terrain, p);
-  const double dx = height(p + east) - height(p - east), dy = height(p + north) - height(p - north);
+  constexpr Vec2 kEast{kNormalStep_m, 0}, kNorth{0, kNormalStep_m};
+  bool is_terrain = true;
+  const auto height_m = [&](Vec2 at) {
+    const double here_m = of(heights_at(carving, at), layer);
+    is_terrain &= here_m == map::height_m_at(carving.terrain, at);
+    return here_m;
+  };
+  const double dx = height_m(p + kEast) - height_m(p - kEast), dy = height_m(p + kNorth) - height_m(p - kNorth);
+  if (is_terrain) height_m(p);
+  if (is_terrain) return map::normal_at(carving.terrain, p);
   return unit(Vec3{-dx, -dy, 2 * kNormalStep_m});
 }
 

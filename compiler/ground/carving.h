@@ -56,8 +56,8 @@ struct CarvingParts {
 };
 Carving carve(map::Heightfield terrain, const CarvingParts& parts);
 
-/// Of all layers at a place. Far from roads all are the land's; far from water the water's is the land's. O(roads
-/// near).
+/// Of all layers at a place. kCarve_m from roads all are the land's, kCarve_m from water the water's is the land's.
+/// O(roads near).
 Heights heights_at(const Carving& carving, Vec2 p);
 
 /// What stands on the ground stands at this height: the land's, on roads that of their kerbs' tops.

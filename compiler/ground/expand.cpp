@@ -116,7 +116,8 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
   const Reference& reference = known.reference;
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
-  // vertex: then the borders are split more finely. The cell's own border is not: its vertices are the neighbour's too.
+  // vertex: then the borders are split more finely, while that helps. The cell's own border is not: its vertices are
+  // the neighbour's too.
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
@@ -125,7 +126,9 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
     inner_m /= 2;
-    refined = refine_borders();
+    Refined finer = refine_borders();
+    if (finer.error_m >= refined.error_m) break;
+    refined = std::move(finer);
   }
   if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
   GroundMesh ground = step_mesh(refined, carving);

@@ -6,12 +6,19 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/height_layer.h"
+#include "compiler/map/locate.h"
 
 namespace citykiln::ground {
 namespace {
 
-// Shorter lines are not cut.
+// Lines are looked at in equal pieces of at most this length. What is within reach of a cell is known so far beyond it.
+constexpr double kPiece_m = 6;
+// Shorter pieces are not cut.
 constexpr double kShortest_m = 2;
+// Pieces farther from the cell cannot touch it.
+constexpr double kNear_m = 1;
+// What adds up over many pieces is seen at every one.
+constexpr double kBend_m = kFollow_m / 8;
 
 // By how much the ground is carved out of the terrain: the terrain's own bends have lines of their own.
 Heights carved_at(const Carving& carving, Vec2 p) {
@@ -21,14 +28,6 @@ Heights carved_at(const Carving& carving, Vec2 p) {
   return carved;
 }
 
-// A place on a line.
-struct Station {
-  Vec2 at;
-  Heights carved;
-};
-
-Station station_at(const Carving& carving, Vec2 p) { return {p, carved_at(carving, p)}; }
-
 // How far it strays from what is straight between a and b at a share of the way, on the layer where most.
 double stray_m(const Heights& a, const Heights& b, const Heights& here, double share) {
   double most_m = 0;
@@ -37,20 +36,62 @@ double stray_m(const Heights& a, const Heights& b, const Heights& here, double s
   return most_m;
 }
 
-bool is_straight(const Carving& carving, const Station& a, const Station& middle, const Station& b) {
-  if (stray_m(a.carved, b.carved, middle.carved, 0.5) > kFollow_m) return false;
-  for (const double share : {0.25, 0.75})
-    if (stray_m(a.carved, b.carved, carved_at(carving, a.at + (b.at - a.at) * share), share) > kFollow_m) return false;
-  return true;
+// A line in equal pieces, from its lower end.
+struct Pieces {
+  Vec2 a, b;
+  int count;
+
+  Vec2 joint(int i) const {
+    if (i == 0 || i == count) return i == 0 ? a : b;
+    return snapped(a + (b - a) * (static_cast<double>(i) / count));
+  }
+  Box2 box(int i) const { return box_of(std::array{joint(i), joint(i + 1)}); }
+};
+
+Pieces pieces_of(Vec2 a, Vec2 b) {
+  int count = 1;
+  while (distance(a, b) > count * kPiece_m) count *= 2;
+  return {a, b, count};
 }
 
-void add_bends(const Carving& carving, const Station& a, const Station& b, std::vector<Vec2>& bends) {
-  if (distance(a.at, b.at) < kShortest_m) return;
-  const Station middle = station_at(carving, snapped((a.at + b.at) * 0.5));
-  if (is_straight(carving, a, middle, b)) return;
+bool crosses_cells(Vec2 a, Vec2 b) {
+  const auto cell = [](double x) { return std::floor(x / map::kCell_m); };
+  return cell(a.x) != cell(b.x) || cell(a.y) != cell(b.y);
+}
+
+// Places in the middle of a piece where the ground bends, halving it.
+void add_bends(const Carving& carving, Vec2 a, Vec2 b, std::vector<Vec2>& bends) {
+  if (distance(a, b) < kShortest_m) return;
+  const Vec2 middle = snapped((a + b) * 0.5);
+  if (stray_m(carved_at(carving, a), carved_at(carving, b), carved_at(carving, middle), 0.5) <= kFollow_m) return;
   add_bends(carving, a, middle, bends);
-  bends.push_back(middle.at);
+  bends.push_back(middle);
   add_bends(carving, middle, b, bends);
+}
+
+bool is_bent_at(const Carving& carving, const Pieces& pieces, int joint) {
+  if (joint == 0 || joint == pieces.count) return false;
+  const auto carved = [&](int i) { return carved_at(carving, pieces.joint(i)); };
+  return stray_m(carved(joint - 1), carved(joint + 1), carved(joint), 0.5) > kBend_m;
+}
+
+// What one piece of a line asks for: its ends, points between them.
+struct Asked {
+  bool first = false, last = false;
+  std::vector<Vec2> between;
+};
+
+// Where a piece crosses from cell to cell its ends are vertices whatever the ground does: so its crossing is the same
+// for both.
+Asked asked_of(const Carving& carving, const Pieces& pieces, int i) {
+  Asked asked;
+  const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
+  if (pieces.count > 1) asked.first = asked.last = crosses_cells(a, b);
+  if (!is_carved(carving, pieces.box(i))) return asked;
+  add_bends(carving, a, b, asked.between);
+  asked.first |= !asked.between.empty() || is_bent_at(carving, pieces, i);
+  asked.last |= !asked.between.empty() || is_bent_at(carving, pieces, i + 1);
+  return asked;
 }
 
 bool is_bent_already(const Surface& surface) {
@@ -58,13 +99,11 @@ bool is_bent_already(const Surface& surface) {
   return layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
 }
 
-Ring bent_ring(const Ring& ring, const Carving& carving, const Box2& near) {
+Ring bent_ring(const Ring& ring, const Carving& carving, const Box2& cell) {
   Ring bent;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    bent.push_back(a);
-    if (!box_of(std::array{a, b}).touches(near)) continue;
-    const std::vector<Vec2> bends = bends_along(carving, a, b);
+    bent.push_back(ring[i]);
+    const std::vector<Vec2> bends = bends_along(carving, ring[i], ring[(i + 1) % ring.size()], cell);
     bent.insert(bent.end(), bends.begin(), bends.end());
   }
   return bent;
@@ -105,24 +144,30 @@ void split_side(const Side& side, std::size_t first, std::size_t last, std::vect
 
 }  // namespace
 
-std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b) {
+std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2& cell) {
   std::vector<Vec2> bends;
-  if (distance(a, b) < kShortest_m) return bends;
-  const bool is_turned = b < a;
-  if (is_turned) std::swap(a, b);
-  add_bends(carving, station_at(carving, a), station_at(carving, b), bends);
-  if (is_turned) std::ranges::reverse(bends);
+  const Box2 near = cell.widened(kNear_m);
+  if (distance(a, b) < kShortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
+  const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b));
+  const auto add = [&](Vec2 p) {
+    if (p != a && p != b && (bends.empty() || bends.back() != p)) bends.push_back(p);
+  };
+  for (int i = 0; i < pieces.count; ++i) {
+    if (!pieces.box(i).touches(near)) continue;
+    const Asked asked = asked_of(carving, pieces, i);
+    if (asked.first) add(pieces.joint(i));
+    for (const Vec2 p : asked.between) add(p);
+    if (asked.last) add(pieces.joint(i + 1));
+  }
+  if (b < a) std::ranges::reverse(bends);
   return bends;
 }
 
 std::vector<Surface> bent_rings(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
-  // what lies farther off cannot touch the cell
-  constexpr double kNear_m = 1;
   std::vector<Surface> bent(surfaces.begin(), surfaces.end());
-  for (Surface& surface : bent) {
-    if (is_bent_already(surface)) continue;
-    for (Ring& ring : surface.rings) ring = bent_ring(ring, carving, cell.widened(kNear_m));
-  }
+  for (Surface& surface : bent)
+    if (!is_bent_already(surface))
+      for (Ring& ring : surface.rings) ring = bent_ring(ring, carving, cell);
   return bent;
 }
 

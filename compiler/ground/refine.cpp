@@ -95,9 +95,24 @@ struct Growing {
     return mends ? sample : insertion_at(worst, f);
   }
 
+  // Where an edge is off because it passes close by a vertex beyond it: a point this side of the edge makes Delaunay
+  // turn the edge round, so that the vertex is a corner on this side too.
+  Insertion insertion_beside(std::uint32_t f) const {
+    constexpr double kInwards = 0.125;
+    const Vec2 worst = errors[f].mendable.at;
+    for (int i = 0; i < 3; ++i) {
+      if (errors[f].edges[i].at != worst) continue;
+      const Vec2 apex = plane_point(refined.triangulation.vertices()[refined.triangulation.faces()[f].vertices[i]]);
+      return insertion_at(worst + (apex - worst) * kInwards, f);
+    }
+    return {worst, kNoFace};
+  }
+
   // Puts a point in that mends the face's worst error, or one nearby; the faces that changed. None where nothing can.
   std::span<const std::uint32_t> mend(std::uint32_t f, double tolerance_m) {
-    const auto [p, split] = best_insertion(f, tolerance_m);
+    Insertion insertion = best_insertion(f, tolerance_m);
+    if (insertion.face == kNoFace) insertion = insertion_beside(f);
+    const auto [p, split] = insertion;
     if (split == kNoFace) return {};
     const std::uint32_t surface = refined.face_surface[split];
     const FaceHeight height = refined.face_height[split];

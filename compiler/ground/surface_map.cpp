@@ -52,10 +52,52 @@ Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box
   return sorted;
 }
 
-int winding_of(const Surface& surface, Vec2 p) {
-  int winding = 0;
-  for (const Ring& ring : surface.rings) winding += winding_number(ring, p);
-  return winding;
+// Whether winding_number() counts the edge at p.
+bool is_west_of(Vec2 a, Vec2 b, Vec2 p) { return a.y <= p.y ? cross(b - a, p - a) > 0 : cross(b - a, p - a) < 0; }
+
+// How often the corners of a range of buckets are inside, row by row: each edge counts once a row it crosses, not once
+// a bucket.
+struct Windings {
+  const SurfaceMap& map;
+  BucketRange range;
+  std::vector<int> steps;  // a row has one more than columns
+
+  int across() const { return range.last_column - range.first_column + 1; }
+  int* row(int r) { return &steps[static_cast<std::size_t>(r - range.first_row) * (across() + 1)]; }
+
+  // The columns whose corners lie west of where the edge crosses a row come first.
+  int columns_west(Vec2 a, Vec2 b, int r) const {
+    const double y = corner_of(map, 0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+    int count = static_cast<int>(
+        std::clamp(std::ceil((x - map.corner.x) / kBucket_m) - range.first_column, 0.0, static_cast<double>(across())));
+    const auto is_west = [&](int column) { return is_west_of(a, b, corner_of(map, range.first_column + column, r)); };
+    while (count > 0 && !is_west(count - 1)) --count;
+    while (count < across() && is_west(count)) ++count;
+    return count;
+  }
+
+  void add_edge(Vec2 a, Vec2 b) {
+    const BucketRange rows = buckets_of(map, box_of(std::array{a, b}));
+    const int last = std::min(rows.last_row + 1, range.last_row);
+    for (int r = std::max(rows.first_row, range.first_row); r <= last; ++r) {
+      const double y = corner_of(map, 0, r).y;
+      if ((a.y <= y) == (b.y <= y)) continue;
+      const int winding = a.y <= y ? 1 : -1;
+      row(r)[0] += winding, row(r)[columns_west(a, b, r)] -= winding;
+    }
+  }
+};
+
+// One a bucket of the range.
+std::vector<int> windings_of(const SurfaceMap& map, const Surface& surface, const BucketRange& range) {
+  Windings windings{map, range, {}};
+  windings.steps.assign(static_cast<std::size_t>(windings.across() + 1) * (range.last_row - range.first_row + 1), 0);
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) windings.add_edge(ring[j], ring[i]);
+  std::vector<int> sums;
+  for (int r = range.first_row; r <= range.last_row; ++r)
+    for (int c = 0, winding = 0; c < windings.across(); ++c) sums.push_back(winding += windings.row(r)[c]);
+  return sums;
 }
 
 // Where a surface is in one bucket, while the map is made.
@@ -71,11 +113,12 @@ void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& 
     for (const Vec2 p : ring) box.grow(p);
   if (box.is_empty() || !box.touches(map.box)) return;
   const Sorted sorted = sort_edges(map, surface, box);
+  const std::vector<int> windings = windings_of(map, surface, sorted.range);
   std::size_t at = 0;
   for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
     for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
       const auto& edges = sorted.edges[at];
-      const int winding = winding_of(surface, corner_of(map, c, r));
+      const int winding = windings[at];
       if (edges.empty() && winding <= 0) continue;
       const auto first = static_cast<std::uint32_t>(map.edges.size());
       map.edges.insert(map.edges.end(), edges.begin(), edges.end());
