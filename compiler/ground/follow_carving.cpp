@@ -22,6 +22,7 @@ struct Following {
   std::vector<Heights> heights;
   std::span<const FaceHeight> face_heights;
   const Carving& carving;
+  std::vector<bool> is_seen{};  // its edges need not be looked at again
 
   Vec2 place(std::uint32_t v) const { return plane_point(triangulation.vertices()[v]); }
 
@@ -68,7 +69,7 @@ Stray stray_of(const Following& all, std::uint32_t f, HeightLayer layer) {
   keep_worse(worst, all.stray_m({v[0], v[1], v[2]}, centre, layer), centre);
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
-    if (face.is_constrained[i] || distance(a, b) < 2 * kShortest_m) continue;
+    if (face.is_constrained[i] || all.is_seen[face.neighbours[i]] || distance(a, b) < 2 * kShortest_m) continue;
     const Vec2 middle = snapped((a + b) * 0.5);
     keep_worse(worst, all.stray_m({v[(i + 1) % 3], v[(i + 2) % 3]}, middle, layer), middle);
   }
@@ -99,14 +100,15 @@ bool may_stray(const Following& all, std::uint32_t f) {
 std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
   if (!may_stray(all, f)) return {};
   const Stray worst = stray_of(all, f, all.height_of(f).layer);
+  all.is_seen[f] = true;
   if (worst.off_m <= kFollow_m) return {};
   const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
   if (split == kNoFace || is_crowded(all, split, worst.at)) return {};
   const std::uint32_t surface = all.face_surface[split];
   const auto changed = all.triangulation.insert(grid_point(worst.at), split);
   all.heights.push_back(heights_at(all.carving, worst.at));
-  all.face_surface.resize(all.triangulation.faces().size());
-  for (const std::uint32_t c : changed) all.face_surface[c] = surface;
+  all.face_surface.resize(all.triangulation.faces().size()), all.is_seen.resize(all.face_surface.size());
+  for (const std::uint32_t c : changed) all.face_surface[c] = surface, all.is_seen[c] = false;
   return changed;
 }
 
@@ -114,6 +116,7 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
 
 Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving) {
   Following all{std::move(partition.triangulation), std::move(partition.face_surface), {}, face_heights, carving};
+  all.is_seen.resize(all.face_surface.size());
   for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights_at(carving, plane_point(p)));
   std::deque<std::uint32_t> waiting;
   for (std::uint32_t f = 0; f < all.face_surface.size(); ++f) waiting.push_back(f);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/height_layer.h"
@@ -59,21 +60,37 @@ bool crosses_cells(Vec2 a, Vec2 b) {
   return cell(a.x) != cell(b.x) || cell(a.y) != cell(b.y);
 }
 
+// A place on a line.
+struct Station {
+  Vec2 at;
+  Heights carved;
+};
+
 // Places in the middle of a piece where the ground bends, halving it.
-void add_bends(const Carving& carving, Vec2 a, Vec2 b, std::vector<Vec2>& bends) {
-  if (distance(a, b) < kShortest_m) return;
-  const Vec2 middle = snapped((a + b) * 0.5);
-  if (stray_m(carved_at(carving, a), carved_at(carving, b), carved_at(carving, middle), 0.5) <= kFollow_m) return;
+void add_bends(const Carving& carving, const Station& a, const Station& b, std::vector<Vec2>& bends) {
+  if (distance(a.at, b.at) < kShortest_m) return;
+  const Vec2 p = snapped((a.at + b.at) * 0.5);
+  const Station middle{p, carved_at(carving, p)};
+  if (stray_m(a.carved, b.carved, middle.carved, 0.5) <= kFollow_m) return;
   add_bends(carving, a, middle, bends);
-  bends.push_back(middle);
+  bends.push_back(middle.at);
   add_bends(carving, middle, b, bends);
 }
 
-bool is_bent_at(const Carving& carving, const Pieces& pieces, int joint) {
-  if (joint == 0 || joint == pieces.count) return false;
-  const auto carved = [&](int i) { return carved_at(carving, pieces.joint(i)); };
-  return stray_m(carved(joint - 1), carved(joint + 1), carved(joint), 0.5) > kBend_m;
-}
+// The joints of a line, each asked for at most once.
+struct Joints {
+  const Carving& carving;
+  Pieces pieces;
+  std::vector<std::optional<Heights>> carved;
+
+  const Heights& at(int i) {
+    auto& known = carved[static_cast<std::size_t>(i)];
+    if (!known) known = carved_at(carving, pieces.joint(i));
+    return *known;
+  }
+
+  bool is_bent(int i) { return i > 0 && i < pieces.count && stray_m(at(i - 1), at(i + 1), at(i), 0.5) > kBend_m; }
+};
 
 // What one piece of a line asks for: its ends, points between them.
 struct Asked {
@@ -83,14 +100,15 @@ struct Asked {
 
 // Where a piece crosses from cell to cell its ends are vertices whatever the ground does: so its crossing is the same
 // for both.
-Asked asked_of(const Carving& carving, const Pieces& pieces, int i) {
+Asked asked_of(Joints& joints, int i) {
   Asked asked;
+  const Pieces& pieces = joints.pieces;
   const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
   if (pieces.count > 1) asked.first = asked.last = crosses_cells(a, b);
-  if (!is_carved(carving, pieces.box(i))) return asked;
-  add_bends(carving, a, b, asked.between);
-  asked.first |= !asked.between.empty() || is_bent_at(carving, pieces, i);
-  asked.last |= !asked.between.empty() || is_bent_at(carving, pieces, i + 1);
+  if (!is_carved(joints.carving, pieces.box(i))) return asked;
+  add_bends(joints.carving, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
+  asked.first |= !asked.between.empty() || joints.is_bent(i);
+  asked.last |= !asked.between.empty() || joints.is_bent(i + 1);
   return asked;
 }
 
@@ -149,12 +167,14 @@ std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2
   const Box2 near = cell.widened(kNear_m);
   if (distance(a, b) < kShortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
   const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b));
+  Joints joints{carving, pieces, {}};
+  joints.carved.resize(static_cast<std::size_t>(pieces.count) + 1);
   const auto add = [&](Vec2 p) {
     if (p != a && p != b && (bends.empty() || bends.back() != p)) bends.push_back(p);
   };
   for (int i = 0; i < pieces.count; ++i) {
     if (!pieces.box(i).touches(near)) continue;
-    const Asked asked = asked_of(carving, pieces, i);
+    const Asked asked = asked_of(joints, i);
     if (asked.first) add(pieces.joint(i));
     for (const Vec2 p : asked.between) add(p);
     if (asked.last) add(pieces.joint(i + 1));

@@ -62,16 +62,15 @@ RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
     const double kerb_m = has_kerbs ? kerb_of(road) : 0;
     if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
   }
-  std::vector<Box2> boxes;
-  for (const GradedSegment& s : field.segments) boxes.push_back(reach_of(s));
-  field.grid = grid_of(boxes, kBucket_m);
+  for (const GradedSegment& s : field.segments) field.reaches.push_back(reach_of(s));
+  field.grid = grid_of(field.reaches, kBucket_m);
   return field;
 }
 
 std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m) {
   std::vector<Strand> strands;
   for (const std::uint32_t i : boxes_about(field.grid, p)) {
-    if (!reach_of(field.segments[i]).contains(p)) continue;
+    if (!field.reaches[i].contains(p)) continue;
     const Strand strand = strand_at(field, field.segments[i], p, terrain_m);
     if (strand.beyond_m < kCarve_m) strands.push_back(strand);
   }

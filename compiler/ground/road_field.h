@@ -37,7 +37,8 @@ struct GradedSegment {
 struct RoadField {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
   std::vector<Profile> profiles;        ///< One a road that has segments; empty: it follows the terrain.
-  BoxGrid grid;                         ///< Of the segments' reach.
+  std::vector<Box2> reaches;            ///< Of the segments: farther off none is felt.
+  BoxGrid grid;                         ///< Of those.
 };
 
 /// @param has_kerbs  False where the tolerance sees none: carriageways then lie level with what is beside them.

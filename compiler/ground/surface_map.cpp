@@ -148,15 +148,21 @@ bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner
   return winding > 0;
 }
 
-double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec2 p) {
-  double nearest2 = std::numeric_limits<double>::infinity();
+// The distance to a border, if it is below `nearest_m`; else that.
+double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec2 p, double nearest_m) {
+  double nearest2 = nearest_m * nearest_m;
   for (const auto& [a, b] : edges_of(map, entry)) {
+    // most are farther off than another was
+    const double aside = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
+    const double above = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
+    if (std::max(aside, above) >= nearest_m) continue;
     const Vec2 along = b - a;
     const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
     const Vec2 off = p - (a + along * t);
-    nearest2 = std::min(nearest2, dot(off, off));
+    if (dot(off, off) >= nearest2) continue;
+    nearest2 = dot(off, off), nearest_m = std::sqrt(nearest2);
   }
-  return std::sqrt(nearest2);
+  return nearest_m;
 }
 
 std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
@@ -203,7 +209,7 @@ double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) 
         if (map::values_of(map.surfaces[entry.surface].surface).priority < priority) break;
         if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p))
           return 0;
-        nearest_m = std::min(nearest_m, distance_to_border(map, entry, p));
+        nearest_m = distance_to_border(map, entry, p, nearest_m);
       }
   return nearest_m;
 }
