@@ -7,6 +7,7 @@
 #include "compiler/bake/dress_ground.h"
 #include "compiler/bake/fire_ground.h"
 #include "compiler/bake/merge.h"
+#include "compiler/bake/skirt.h"
 #include "compiler/buildings/expand.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
@@ -107,7 +108,9 @@ void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<str
   for (const ground::GroundMesh& ground :
        expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
     firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
-    firing.take(dress(ground, cover, markings, firing.header, firing.tolerance_m));
+    std::vector<DressedMesh> dressed = dress(ground, cover, markings, firing.header, firing.tolerance_m);
+    for (DressedMesh& mesh : dressed) hang_skirt(mesh, box, kSkirt * firing.tolerance_m);
+    firing.take(std::move(dressed));
   }
   fire_structures(firing, structures, markings, first_of_structures);
   firing.tile.sheet = std::move(markings.sheet);
