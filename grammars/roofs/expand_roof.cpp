@@ -1,0 +1,267 @@
+#include "grammars/roofs/expand_roof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "compiler/geometry/box.h"
+#include "compiler/geometry/snap.h"
+#include "grammars/roofs/base.h"
+#include "grammars/roofs/outline.h"
+#include "grammars/roofs/pole.h"
+#include "grammars/roofs/raise.h"
+#include "grammars/roofs/site.h"
+#include "grammars/roofs/strips.h"
+
+namespace citykiln::roofs {
+namespace {
+
+// Eaves that stand out are as thick as rafters and tiles.
+constexpr double kThickness_m = 0.1875;
+// A footprint that fills this share of its box is roofed like the box; one that fills less has wings.
+constexpr double kFillsItsBox = 0.8;
+// Walls that bend less are straight to the skeleton, at the finest: half of what mappers see.
+constexpr double kLeastDrop_m = 0.03;
+// Beyond so many corners a skeleton takes seconds, and with exact numbers from so many.
+constexpr std::size_t kMostCorners = 1000, kMostExactCorners = 250;
+// A skeleton whose faces lie farther apart in height where they meet is a wrong one, and so is one that leaves this
+// share of the footprint bare, or rises farther from the eaves than half the box is wide, by this factor (gables rise
+// over it).
+constexpr double kMostGap_m = 0.05, kMostBare = 0.01, kMostSpan = 1.5;
+
+Roof finished(Raised raised, Form form, double error_m) {
+  raised.roof.form = form;
+  raised.roof.error_m = error_m;
+  return std::move(raised.roof);
+}
+
+// What leaving out eaves that the tolerance does not see moves.
+double eaves_error_m(const Site& site) {
+  return site.eaves.outer.empty() && site.shape.overhang_m <= site.tolerance_m ? std::max(0.0, site.shape.overhang_m)
+                                                                               : 0;
+}
+
+RoofPlan plan_on(const Site& site, std::vector<Facet> facets) { return {std::move(facets), site.eaves, kThickness_m}; }
+
+Ring box_about(const Site& site) {
+  const Box2 box = box_of(site.eaves.outer.empty() ? site.footprint.outer : site.eaves.outer).widened(2);
+  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+}
+
+Roof flat_roof(const Site& site, double error_m) {
+  const Facet all{box_about(site), {site.footprint.outer.front(), {}, 0}, 0, 0};
+  return finished(raise(site.footprint, plan_on(site, {all})), Form::kFlat, error_m);
+}
+
+// ---- one section along a line
+
+Roof striped(const Site& site) {
+  const bool has_direction = site.shape.direction.has_value();
+  const double rise_m = rise_of(site.shape, strip_span_m(site.shape.form, site.frame, has_direction));
+  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  const double reach_m = 2 * site.shape.overhang_m + 1;
+  Strips made = strips(site.shape.form, site.frame, has_direction, rise_m, reach_m, site.tolerance_m);
+  const double error_m = std::max(made.error_m, eaves_error_m(site));
+  return finished(raise(site.footprint, plan_on(site, std::move(made.facets))), site.shape.form, error_m);
+}
+
+// ---- a section over a base
+
+std::optional<Roof> over_base(const Site& site, const Base& base, double drop_m) {
+  if (base.span_m <= 0) return std::nullopt;
+  const double rise_m = rise_of(site.shape, base.span_m);
+  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  const Section section = section_of(site.shape.form, base.span_m, rise_m, site.tolerance_m);
+  RoofPlan plan = plan_on(site, lifted(base, section, rise_m));
+  const double steepest = rise_m * (section.corners[1].y / section.corners[1].x) / base.span_m;
+  plan.flush_m += drop_m * steepest;
+  Raised raised = raise(site.footprint, plan);
+  const bool is_whole = raised.bare_m2 <= kMostBare * area_m2(site.footprint) + drop_m * length_m(site.footprint.outer);
+  if (!is_whole || raised.largest_gap_m > kMostGap_m * std::max(1.0, steepest)) return std::nullopt;
+  const double moved_m = drop_m > kLeastDrop_m ? drop_m * std::max(1.0, steepest) : 0;
+  return finished(std::move(raised), site.shape.form, std::max({section.error_m, moved_m, eaves_error_m(site)}));
+}
+
+// Looks along the frame, to one end or to either.
+bool looks_along(const Site& site, Vec2 outward) { return dot(outward, site.frame.along) > 0.7071; }
+bool looks_either_way(const Site& site, Vec2 outward) {
+  return looks_along(site, outward) || looks_along(site, outward * -1);
+}
+
+End end_at(const Site& site, Vec2 outward) {
+  switch (site.shape.form) {
+    case Form::kGabled:
+    case Form::kGambrel:
+    case Form::kRound:
+    case Form::kCrossGabled:
+      return End::kGable;
+    case Form::kHalfHipped:
+      return End::kHalfHip;
+    case Form::kSideHipped:
+      return looks_along(site, outward) ? End::kGable : End::kHip;
+    default:
+      return End::kHip;
+  }
+}
+
+std::vector<Plane> inward_planes(const Ring& ring) {
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    planes.push_back(distance_left_of(ring[i], ring[(i + 1) % ring.size()]));
+  return planes;
+}
+
+// Over a convex footprint ends need no skeleton: a gable's plane is left out, half a hip's starts half way up.
+void open_ends(const Site& site, std::vector<Plane>& planes) {
+  const double span_m = span_over(site.footprint.outer, planes);
+  const auto is_gable = [&](const Plane& p) {
+    const Vec2 outward = p.gradient * -1;
+    return looks_either_way(site, outward) && end_at(site, outward) == End::kGable;
+  };
+  for (Plane& p : planes)
+    if (looks_either_way(site, p.gradient * -1) && end_at(site, p.gradient * -1) == End::kHalfHip)
+      p.offset += span_m / 2;
+  planes.erase(std::remove_if(planes.begin(), planes.end(), is_gable), planes.end());
+}
+
+std::optional<Roof> enveloped(const Site& site, const std::vector<Plane>& planes) {
+  Base base = envelope(site.eaves.outer.empty() ? site.footprint.outer : box_about(site), planes);
+  base.span_m = span_over(site.footprint.outer, planes);
+  return over_base(site, base, 0);
+}
+
+std::optional<Roof> hipped_convex(const Site& site) {
+  std::vector<Plane> planes = inward_planes(site.footprint.outer);
+  open_ends(site, planes);
+  return enveloped(site, planes);
+}
+
+// A pyramid's sides are planes through its top: an envelope that eaves can stand out from.
+std::optional<Roof> pyramid_convex(const Site& site, Vec2 pole) {
+  std::vector<Plane> planes = inward_planes(site.footprint.outer);
+  const double span_m = pole_span_m(site.footprint.outer, pole);
+  for (Plane& plane : planes) plane.gradient = plane.gradient * (span_m / plane.at(pole));
+  return enveloped(site, planes);
+}
+
+// ---- the straight skeleton
+
+std::size_t corners_of(const std::vector<Polygon>& polygons) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons) {
+    count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) count += hole.size();
+  }
+  return count;
+}
+
+Base skeleton_base(const Site& site, const std::vector<Polygon>& polygons, SkeletonKernel kernel) {
+  Base all;
+  std::uint32_t first_face = 0;
+  const double overhang_m = site.eaves.outer.empty() ? 0 : site.shape.overhang_m;
+  for (const Polygon& polygon : polygons) {
+    Base base = hips(
+        polygon, kernel, [&](Vec2 outward) { return end_at(site, outward); }, first_face);
+    if (base.facets.empty()) return {};
+    first_face += static_cast<std::uint32_t>(corners_of({polygon}));
+    for (Facet& facet : base.facets) facet.plane.offset -= overhang_m, all.facets.push_back(std::move(facet));
+    all.span_m = std::max(all.span_m, base.span_m - overhang_m);
+  }
+  return all;
+}
+
+double drop_of(double tolerance_m) { return std::max(kLeastDrop_m, tolerance_m / 4); }
+
+// The footprint in simple pieces, and without bends that do not matter where it stays simple without them.
+std::vector<Polygon> skeleton_plan(const Site& site) {
+  std::vector<Polygon> polygons = taken_apart(site.eaves.outer.empty() ? site.footprint : site.eaves);
+  for (Polygon& polygon : polygons) {
+    Polygon simple = simplified(polygon, drop_of(site.tolerance_m));
+    if (is_apart(simple)) polygon = std::move(simple);
+  }
+  return polygons;
+}
+
+std::optional<Roof> by_skeleton(const Site& site, const std::vector<Polygon>& polygons, SkeletonKernel kernel) {
+  const std::size_t corners = corners_of(polygons);
+  if (corners > (kernel == SkeletonKernel::kExact ? kMostExactCorners : kMostCorners)) return std::nullopt;
+  const Base base = skeleton_base(site, polygons, kernel);
+  const double half_box_m = std::min(site.frame.width_m(), site.frame.length_m()) / 2;
+  if (base.span_m > kMostSpan * half_box_m + site.tolerance_m) return std::nullopt;
+  return over_base(site, base, drop_of(site.tolerance_m));
+}
+
+std::optional<Roof> by_skeleton(const Site& site) {
+  const std::vector<Polygon> polygons = skeleton_plan(site);
+  for (const SkeletonKernel kernel : {SkeletonKernel::kInexact, SkeletonKernel::kExact})
+    if (std::optional<Roof> roof = by_skeleton(site, polygons, kernel)) return roof;
+  return std::nullopt;
+}
+
+// ---- which method
+
+bool fills_its_box(const Site& site) {
+  return area_m2(site.footprint) >= kFillsItsBox * site.frame.width_m() * site.frame.length_m();
+}
+
+std::optional<Roof> poled(const Site& site) {
+  const std::optional<Vec2> pole = site.footprint.holes.empty() ? pole_of(site.footprint.outer) : std::nullopt;
+  if (!pole) return by_skeleton(site);
+  const double span_m = pole_span_m(site.footprint.outer, *pole), rise_m = rise_of(site.shape, span_m);
+  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  if (!site.eaves.outer.empty() && is_convex(site.footprint)) return pyramid_convex(site, *pole);
+  const Section section = section_over_pole(site.shape.form, span_m, rise_m, site.tolerance_m);
+  Roof roof = roof_over_pole(site.footprint.outer, *pole, section, rise_m);
+  roof.form = site.shape.form;
+  return roof;
+}
+
+std::optional<Roof> shaped(const Site& site) {
+  switch (site.shape.form) {
+    case Form::kFlat:
+      return flat_roof(site, 0);
+    case Form::kSkillion:
+    case Form::kSaltbox:
+    case Form::kDoubleSaltbox:
+    case Form::kSawtooth:
+    case Form::kGabledRow:
+      return striped(site);
+    case Form::kGabled:
+    case Form::kGambrel:
+    case Form::kRound:
+    case Form::kCrossGabled:
+      return fills_its_box(site) ? striped(site) : by_skeleton(site);
+    case Form::kPyramidal:
+    case Form::kCone:
+    case Form::kDome:
+    case Form::kOnion:
+      return poled(site);
+    default:
+      return is_convex(site.footprint) ? hipped_convex(site) : by_skeleton(site);
+  }
+}
+
+}  // namespace
+
+Roof expand_roof(const Polygon& footprint, const RoofShape& shape, double tolerance_m, OsmId object, Report& report) {
+  Polygon polygon = tidied(footprint);
+  if (polygon.outer.empty()) {
+    report.add(Code::kRoofFallback, object, 0);
+    return {};
+  }
+  const Site site = site_of(std::move(polygon), shape, tolerance_m);
+  if (std::optional<Roof> roof = shaped(site)) return std::move(*roof);
+  report.add(Code::kRoofFallback, object, area_m2(site.footprint));
+  return flat_roof(site, 0);
+}
+
+std::optional<Roof> roof_by_skeleton(const Polygon& footprint, const RoofShape& shape, double tolerance_m,
+                                     SkeletonKernel kernel) {
+  Polygon polygon = tidied(footprint);
+  if (polygon.outer.empty()) return std::nullopt;
+  const Site site = site_of(std::move(polygon), shape, tolerance_m);
+  return by_skeleton(site, skeleton_plan(site), kernel);
+}
+
+}  // namespace citykiln::roofs
