@@ -19,8 +19,9 @@ namespace {
 
 // Eaves that stand out are as thick as rafters and tiles.
 constexpr double kThickness_m = 0.1875;
-// A footprint that fills this share of its box is roofed like the box; one that fills less has wings.
-constexpr double kFillsItsBox = 0.8;
+// A footprint that fills less of its box has wings, and so has one with a wall along the ridge in the middle of its
+// width, as from kMiddle to 1 - kMiddle, that is longer than this share of the box.
+constexpr double kFillsItsBox = 0.75, kMiddle = 0.25, kLongWall = 0.15;
 // Walls that bend less are straight to the skeleton, at the finest: half of what mappers see.
 constexpr double kLeastDrop_m = 0.03;
 // Beyond so many corners a skeleton takes seconds, and with exact numbers from so many.
@@ -201,8 +202,24 @@ std::optional<Roof> by_skeleton(const Site& site) {
 
 // ---- which method
 
-bool fills_its_box(const Site& site) {
-  return area_m2(site.footprint) >= kFillsItsBox * site.frame.width_m() * site.frame.length_m();
+// A wall under the middle of the roof.
+bool stands_inside(const Frame& frame, Vec2 a, Vec2 b) {
+  const double across = (frame.across_m((a + b) * 0.5) - frame.back_m) / frame.width_m();
+  return across > kMiddle && across < 1 - kMiddle && std::abs(dot(frame.along, b - a)) > kLongWall * frame.length_m() &&
+         std::abs(dot(frame.along, b - a)) > std::abs(dot(frame.across, b - a));
+}
+
+bool has_wall_inside(const Frame& frame, const Ring& ring) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if (stands_inside(frame, ring[j], ring[i])) return true;
+  return false;
+}
+
+bool has_wings(const Site& site) {
+  const double box_m2 = site.frame.width_m() * site.frame.length_m();
+  if (area_m2(site.footprint) < kFillsItsBox * box_m2 || has_wall_inside(site.frame, site.footprint.outer)) return true;
+  return std::any_of(site.footprint.holes.begin(), site.footprint.holes.end(),
+                     [&](const Ring& hole) { return has_wall_inside(site.frame, hole); });
 }
 
 std::optional<Roof> poled(const Site& site) {
@@ -231,7 +248,7 @@ std::optional<Roof> shaped(const Site& site) {
     case Form::kGambrel:
     case Form::kRound:
     case Form::kCrossGabled:
-      return fills_its_box(site) ? striped(site) : by_skeleton(site);
+      return has_wings(site) ? by_skeleton(site) : striped(site);
     case Form::kPyramidal:
     case Form::kCone:
     case Form::kDome:

@@ -72,23 +72,56 @@ void close_end(Base& base, Wing wing, const Ring& face, bool is_half) {
       clipped(clipped(face, combined(-1, over_before, 0, over_before)), combined(-1, over_after, 0, over_after)));
 }
 
+// One face of the skeleton, and what stands at its edge.
+struct Side {
+  Wing wing;
+  Ring face;
+  std::uint32_t before, after;  // the neighbours, among all sides
+  End end = End::kHip;
+  double width_m = 0;
+};
+
+std::vector<Side> sides_of(const Polygon& polygon, const std::vector<SkeletonFace>& faces, std::uint32_t first_face) {
+  std::vector<Side> sides;
+  for (std::uint32_t first = 0, end = 0; first < faces.size(); first = end) {
+    const Ring& ring = ring_of(polygon, faces[first].ring_index);
+    const auto n = static_cast<std::uint32_t>(ring.size());
+    end = first + n;
+    for (std::uint32_t i = 0; i < n; ++i)
+      sides.push_back({wing_at(ring, i, first_face + first), without_double_nodes(faces[first + i].ring),
+                       first + (i + n - 1) % n, first + (i + 1) % n, End::kHip, distance(ring[i], ring[(i + 1) % n])});
+  }
+  return sides;
+}
+
+// Ends, the narrowest first; an end's neighbours are walls, so they are none.
+void choose_ends(std::vector<Side>& sides, const EndOf& end_of) {
+  std::vector<std::uint32_t> ends;
+  for (std::uint32_t i = 0; i < sides.size(); ++i)
+    if (is_end(sides[i].wing, sides[i].face)) ends.push_back(i);
+  // a millimetre decides nothing
+  std::stable_sort(ends.begin(), ends.end(), [&](auto i, auto j) {
+    return std::floor(sides[i].width_m * 64) < std::floor(sides[j].width_m * 64);
+  });
+  std::vector<bool> is_wall(sides.size());
+  for (const std::uint32_t i : ends) {
+    if (is_wall[i]) continue;
+    sides[i].end = end_of(sides[i].wing.own.plane.gradient * -1);
+    is_wall[sides[i].before] = is_wall[sides[i].after] = true;
+  }
+}
+
 }  // namespace
 
 Base hips(const Polygon& polygon, SkeletonKernel kernel, const EndOf& end_of, std::uint32_t first_face) {
+  std::vector<Side> sides = sides_of(polygon, straight_skeleton(polygon, kernel), first_face);
+  choose_ends(sides, end_of);
   Base base;
-  std::vector<std::uint32_t> first_of_ring = {first_face};
-  first_of_ring.push_back(first_face + static_cast<std::uint32_t>(polygon.outer.size()));
-  for (const Ring& hole : polygon.holes)
-    first_of_ring.push_back(first_of_ring.back() + static_cast<std::uint32_t>(hole.size()));
-  for (const SkeletonFace& face : straight_skeleton(polygon, kernel)) {
-    const Wing wing = wing_at(ring_of(polygon, face.ring_index), face.edge, first_of_ring[face.ring_index]);
-    const Ring ring = without_double_nodes(face.ring);
-    const End end = is_end(wing, ring) ? end_of(wing.own.plane.gradient * -1) : End::kHip;
-    if (end == End::kHip)
-      add(base, wing.own, ring.size() < 3 ? Ring{} : ring);
-    else
-      close_end(base, wing, ring, end == End::kHalfHip);
-  }
+  for (const Side& side : sides)
+    if (side.end != End::kHip)
+      close_end(base, side.wing, side.face, side.end == End::kHalfHip);
+    else if (side.face.size() >= 3)
+      add(base, side.wing.own, side.face);
   return base;
 }
 

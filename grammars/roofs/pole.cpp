@@ -128,20 +128,16 @@ std::optional<Vec2> pole_of(std::span<const Vec2> ring) {
   if (ring.size() < 3 || area <= 0) return std::nullopt;
   const double enough_m = is_convex(ring) ? 2 * kQuantum_m : kWellInside * std::sqrt(area);
   Vec2 pole = snapped(centroid_of(ring));
-  if (inward_m(ring, pole) < enough_m) pole = snapped(centroid_of(kernel_of(ring)));
+  if (inward_m(ring, pole) < enough_m) {
+    const Ring kernel = kernel_of(ring);
+    if (kernel.empty()) return std::nullopt;
+    pole = snapped(centroid_of(kernel));
+  }
   if (inward_m(ring, pole) < enough_m || winding_number(ring, pole) != 1) return std::nullopt;
   return pole;
 }
 
-double pole_span_m(std::span<const Vec2> ring, Vec2 pole) {
-  double area = 0, volume = 0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double own = cross(ring[j] - pole, ring[i] - pole) / 2;
-    area += own;
-    volume += own * distance_left_of(ring[j], ring[i]).at(pole);
-  }
-  return volume / area;
-}
+double pole_span_m(std::span<const Vec2> ring, Vec2 pole) { return inward_m(ring, pole); }
 
 Roof roof_over_pole(std::span<const Vec2> ring, Vec2 pole, const Section& section, double rise_m) {
   Stack stack(ring, pole);

@@ -22,7 +22,7 @@ namespace citykiln::roofs {
 /// roof would be steep there. O(n²).
 std::optional<Vec2> pole_of(std::span<const Vec2> ring);
 
-/// From the pole to the edges' lines, on average over the area: what an angle is measured over, metres.
+/// From the pole to the nearest edge's line: what an angle is measured over, metres.
 double pole_span_m(std::span<const Vec2> ring, Vec2 pole);
 
 /// @param section  By section_over_pole().

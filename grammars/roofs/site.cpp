@@ -18,8 +18,9 @@ constexpr std::array<double, static_cast<std::size_t>(Form::kCount)> kPitch_deg 
 
 // A storey under a roof.
 constexpr double kStorey_m = 3;
-// Roofs of unknown height rise no higher: wide halls have flatter roofs than houses.
+// Roofs of unknown height rise no higher, but for domes and spires: wide halls have flatter roofs than houses.
 constexpr double kMostUntold_m = 9;
+bool may_tower(Form form) { return form == Form::kDome || form == Form::kOnion || form == Form::kCone; }
 // Steeper is a wall.
 constexpr double kSteepest_deg = 85;
 
@@ -47,7 +48,8 @@ double rise_of(const RoofShape& shape, double span_m) {
   if (shape.height_m > 0) return shape.height_m;
   if (shape.angle_deg > 0) return span_m * tangent(shape.angle_deg);
   if (shape.levels > 0) return shape.levels * kStorey_m;
-  return std::min(kMostUntold_m, span_m * tangent(kPitch_deg[static_cast<std::size_t>(shape.form)]));
+  const double rise_m = span_m * tangent(kPitch_deg[static_cast<std::size_t>(shape.form)]);
+  return may_tower(shape.form) ? rise_m : std::min(kMostUntold_m, rise_m);
 }
 
 }  // namespace citykiln::roofs
