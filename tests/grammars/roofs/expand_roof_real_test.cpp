@@ -1,0 +1,124 @@
+// Roofs over all buildings of real towns: as they are tagged, and of every form in turn.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "compiler/map/locate.h"
+#include "compiler/source/read_osm.h"
+#include "grammars/roofs/expand_roof.h"
+#include "tests/grammars/roofs/body.h"
+
+namespace citykiln::roofs {
+namespace {
+
+struct Told {
+  ObjectId id;
+  Polygon footprint;
+  std::optional<Form> form;
+  std::string tag;
+};
+
+std::map<OsmId, std::string> tagged_shapes(const source::OsmData& osm) {
+  std::map<OsmId, std::string> shapes;
+  for (const source::Area& area : osm.areas)
+    if (const auto shape = osm.value_of(area.tags, "roof:shape"); !shape.empty()) shapes[area.from] = shape;
+  return shapes;
+}
+
+std::vector<Told> footprints_of(const std::string& path) {
+  Report report;
+  const auto osm = source::read_osm(path, 2, report);
+  if (!osm) return {};
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Plane plane(map::default_origin(box));
+  const map::Features features = map::locate(*osm, plane, box, {}, report);
+  const auto shapes = tagged_shapes(*osm);
+  std::vector<Told> told;
+  for (const map::Footprint& f : features.footprints) {
+    const auto shape = shapes.find(f.id.osm);
+    told.push_back({f.id, f.polygon, {}, ""});
+    if (shape == shapes.end()) continue;
+    told.back().tag = shape->second;
+    told.back().form = form_named(shape->second);
+  }
+  return told;
+}
+
+struct Count {
+  std::size_t roofs = 0, fallbacks = 0, open = 0, triangles = 0;
+  double seconds = 0;
+};
+
+void tally(Count& count, const Told& told, Form form) {
+  RoofShape shape;
+  shape.form = form;
+  Report report;
+  const auto start = std::chrono::steady_clock::now();
+  const Roof roof = expand_roof(told.footprint, shape, 0.02, told.id.osm, report);
+  count.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ++count.roofs;
+  count.fallbacks += report.diagnoses().size();
+  const Mesh body = closed_body(roof, -5);
+  count.triangles += roof.triangles.size();
+  const bool is_good = is_closed(body) && is_manifold_at_vertices(body) && volume_m3(body) > 0;
+  count.open += !is_good;
+  if (!is_good) std::printf("open: %s %s\n", to_string(told.id.osm).c_str(), std::string(name_of(form)).c_str());
+}
+
+void expect_roofs(const std::string& file) {
+  const std::string path = std::string(CITYKILN_DATA) + "/" + file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
+  Count tagged, in_turn, hipped;
+  std::size_t unknown = 0, next = 0;
+  for (const Told& told : footprints_of(path)) {
+    if (told.form) tally(tagged, told, *told.form);
+    unknown += !told.tag.empty() && !told.form;
+    tally(in_turn, told, static_cast<Form>(next++ % static_cast<std::size_t>(Form::kCount)));
+    tally(hipped, told, Form::kHipped);
+  }
+  for (const auto& [name, count] :
+       {std::pair("as tagged", tagged), std::pair("in turn", in_turn), std::pair("hipped", hipped)})
+    std::printf("%-40s %-9s %6zu roofs, %3zu flat instead (%.3f %%), %7zu triangles, %6.0f roofs/s\n", file.c_str(),
+                name, count.roofs, count.fallbacks,
+                100.0 * static_cast<double>(count.fallbacks) / std::max<double>(1, count.roofs), count.triangles,
+                static_cast<double>(count.roofs) / std::max(1e-9, count.seconds));
+  std::printf("%-40s %zu shapes of other names\n", file.c_str(), unknown);
+  for (const Count& count : {tagged, in_turn, hipped}) {
+    EXPECT_EQ(count.open, 0u);
+    EXPECT_LT(static_cast<double>(count.fallbacks), 0.005 * static_cast<double>(count.roofs) + 1);
+  }
+}
+
+TEST(RoofsReal, StandOnHelsinki) { expect_roofs("helsinki/Helsinki.osm.pbf"); }
+TEST(RoofsReal, StandOnMonaco) { expect_roofs("monaco/monaco-2023.osm.pbf"); }
+TEST(RoofsReal, StandOnMonacosCadastre) { expect_roofs("monaco/monaco-2016-cadastre.osm.pbf"); }
+TEST(RoofsReal, StandOnNeubrandenburg) { expect_roofs("neubrandenburg/neubrandenburg.osm.bz2"); }
+TEST(RoofsReal, StandOnReinickendorf) { expect_roofs("berlin/berlin-reinickendorf-2026.osm.pbf"); }
+TEST(RoofsReal, StandOnGesundbrunnen) { expect_roofs("berlin/berlin-mitte-gesundbrunnen.osm"); }
+
+// The building with the most corners of all, up to 400: every form.
+TEST(RoofsReal, StandOnFourHundredCorners) {
+  const std::string path = std::string(CITYKILN_DATA) + "/helsinki/Helsinki.osm.pbf";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
+  const std::vector<Told> all = footprints_of(path);
+  const auto corners = [](const Told& t) {
+    std::size_t count = t.footprint.outer.size();
+    for (const Ring& ring : t.footprint.holes) count += ring.size();
+    return count > 420 ? 0 : count;
+  };
+  const Told& largest =
+      *std::max_element(all.begin(), all.end(), [&](auto& a, auto& b) { return corners(a) < corners(b); });
+  std::printf("%s: %zu corners\n", to_string(largest.id.osm).c_str(), corners(largest));
+  for (int form = 0; form < static_cast<int>(Form::kCount); ++form) {
+    Count count;
+    tally(count, largest, static_cast<Form>(form));
+    EXPECT_EQ(count.open, 0u);
+    std::printf("  %-15s %zu triangles, %zu flat instead, %.0f ms\n",
+                std::string(name_of(static_cast<Form>(form))).c_str(), count.triangles, count.fallbacks,
+                1000 * count.seconds);
+  }
+}
+
+}  // namespace
+}  // namespace citykiln::roofs
