@@ -27,9 +27,9 @@ constexpr double kLeastDrop_m = 0.03;
 // Beyond so many corners a skeleton takes seconds, and with exact numbers from so many.
 constexpr std::size_t kMostCorners = 1000, kMostExactCorners = 250;
 // A skeleton whose faces lie farther apart in height where they meet is a wrong one, and so is one that leaves this
-// share of the footprint bare, or rises farther from the eaves than half the box is wide, by this factor (gables rise
-// over it).
-constexpr double kMostGap_m = 0.05, kMostBare = 0.01, kMostSpan = 1.5;
+// share of the footprint bare, or whose top lies farther inward than in a disc: its square is 1 / π of the area, and
+// gables may be somewhat higher.
+constexpr double kMostGap_m = 0.05, kMostBare = 0.01, kMostSpan = 0.7;
 
 Roof finished(Raised raised, Form form, double error_m) {
   raised.roof.form = form;
@@ -69,7 +69,7 @@ Roof striped(const Site& site) {
 
 // ---- a section over a base
 
-std::optional<Roof> over_base(const Site& site, const Base& base, double drop_m) {
+std::optional<Roof> over_base(const Site& site, const Base& base, double area, double drop_m) {
   if (base.span_m <= 0) return std::nullopt;
   const double rise_m = rise_of(site.shape, base.span_m);
   if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
@@ -78,7 +78,7 @@ std::optional<Roof> over_base(const Site& site, const Base& base, double drop_m)
   const double steepest = rise_m * (section.corners[1].y / section.corners[1].x) / base.span_m;
   plan.flush_m += drop_m * steepest;
   Raised raised = raise(site.footprint, plan);
-  const bool is_whole = raised.bare_m2 <= kMostBare * area_m2(site.footprint) + drop_m * length_m(site.footprint.outer);
+  const bool is_whole = raised.bare_m2 <= kMostBare * area + drop_m * length_m(site.footprint.outer);
   if (!is_whole || raised.largest_gap_m > kMostGap_m * std::max(1.0, steepest)) return std::nullopt;
   const double moved_m = drop_m > kLeastDrop_m ? drop_m * std::max(1.0, steepest) : 0;
   return finished(std::move(raised), site.shape.form, std::max({section.error_m, moved_m, eaves_error_m(site)}));
@@ -129,7 +129,7 @@ void open_ends(const Site& site, std::vector<Plane>& planes) {
 std::optional<Roof> enveloped(const Site& site, const std::vector<Plane>& planes) {
   Base base = envelope(site.eaves.outer.empty() ? site.footprint.outer : box_about(site), planes);
   base.span_m = span_over(site.footprint.outer, planes);
-  return over_base(site, base, 0);
+  return over_base(site, base, area_m2(site.footprint), 0);
 }
 
 std::optional<Roof> hipped_convex(const Site& site) {
@@ -157,14 +157,23 @@ std::size_t corners_of(const std::vector<Polygon>& polygons) {
   return count;
 }
 
+// One piece: where a skeleton fails over a convex one, its envelope is the same; over another it stays bare, which is
+// looked at when all is laid together.
+Base base_over(const Site& site, const Polygon& piece, SkeletonKernel kernel, std::uint32_t first_face) {
+  Base base = hips(
+      piece, kernel, [&](Vec2 outward) { return end_at(site, outward); }, first_face);
+  if (!base.facets.empty() || !is_convex(piece)) return base;
+  base = envelope(piece.outer, inward_planes(piece.outer));
+  for (Facet& facet : base.facets) facet.face += first_face;
+  return base;
+}
+
 Base skeleton_base(const Site& site, const std::vector<Polygon>& polygons, SkeletonKernel kernel) {
   Base all;
   std::uint32_t first_face = 0;
   const double overhang_m = site.eaves.outer.empty() ? 0 : site.shape.overhang_m;
   for (const Polygon& polygon : polygons) {
-    Base base = hips(
-        polygon, kernel, [&](Vec2 outward) { return end_at(site, outward); }, first_face);
-    if (base.facets.empty()) return {};
+    Base base = base_over(site, polygon, kernel, first_face);
     first_face += static_cast<std::uint32_t>(corners_of({polygon}));
     for (Facet& facet : base.facets) facet.plane.offset -= overhang_m, all.facets.push_back(std::move(facet));
     all.span_m = std::max(all.span_m, base.span_m - overhang_m);
@@ -188,9 +197,10 @@ std::optional<Roof> by_skeleton(const Site& site, const std::vector<Polygon>& po
   const std::size_t corners = corners_of(polygons);
   if (corners > (kernel == SkeletonKernel::kExact ? kMostExactCorners : kMostCorners)) return std::nullopt;
   const Base base = skeleton_base(site, polygons, kernel);
-  const double half_box_m = std::min(site.frame.width_m(), site.frame.length_m()) / 2;
-  if (base.span_m > kMostSpan * half_box_m + site.tolerance_m) return std::nullopt;
-  return over_base(site, base, drop_of(site.tolerance_m));
+  double area = 0;
+  for (const Polygon& polygon : polygons) area += area_m2(polygon);
+  if (base.span_m * base.span_m > kMostSpan * area) return std::nullopt;
+  return over_base(site, base, area, drop_of(site.tolerance_m));
 }
 
 std::optional<Roof> by_skeleton(const Site& site) {
@@ -268,7 +278,8 @@ Roof expand_roof(const Polygon& footprint, const RoofShape& shape, double tolera
     return {};
   }
   const Site site = site_of(std::move(polygon), shape, tolerance_m);
-  if (std::optional<Roof> roof = shaped(site)) return std::move(*roof);
+  // walls closer than the grid leave nothing between them
+  if (std::optional<Roof> roof = shaped(site); roof && !roof->triangles.empty()) return std::move(*roof);
   report.add(Code::kRoofFallback, object, area_m2(site.footprint));
   return flat_roof(site, 0);
 }

@@ -1,6 +1,7 @@
 #include "grammars/roofs/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -13,8 +14,9 @@
 namespace citykiln::roofs {
 namespace {
 
-// How far corners that touch are drawn back: less than any eye sees, more than the skeleton's rounding.
-constexpr double kDrawnBack_m = 0x1p-5;
+// How far corners that touch are drawn back: less than any eye sees, more than the skeleton's rounding; less where that
+// would turn a sliver over.
+constexpr std::array kDrawnBack_m = {0x1p-5, 0x1p-7, 0x1p-9};
 
 Ring tidied(const Ring& ring, bool is_outer) {
   Ring kept = without_repeats(ring);
@@ -33,16 +35,20 @@ Vec2 inward_at(const Ring& ring, std::size_t i) {
 
 using Count = std::map<Vec2, int>;
 
-Ring drawn_back(const Ring& ring, const Count& count) {
+Ring drawn_back(const Ring& ring, const Count& count, double by_m) {
   Ring moved = ring;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    if (count.at(ring[i]) > 1) moved[i] = snapped(ring[i] + inward_at(ring, i) * kDrawnBack_m);
+    if (count.at(ring[i]) > 1) moved[i] = snapped(ring[i] + inward_at(ring, i) * by_m);
   return moved;
 }
 
 Polygon drawn_back(const Polygon& polygon, const Count& count) {
-  Polygon moved{drawn_back(polygon.outer, count), {}};
-  for (const Ring& hole : polygon.holes) moved.holes.push_back(drawn_back(hole, count));
+  Polygon moved;
+  for (const double by_m : kDrawnBack_m) {
+    moved = {drawn_back(polygon.outer, count, by_m), {}};
+    for (const Ring& hole : polygon.holes) moved.holes.push_back(drawn_back(hole, count, by_m));
+    if (signed_area_m2(moved.outer) > 0 && is_apart(moved)) break;
+  }
   return moved;
 }
 
@@ -126,7 +132,7 @@ Polygon tidied(const Polygon& footprint) {
 }
 
 bool is_apart(const Polygon& polygon) {
-  if (!is_simple(polygon.outer)) return false;
+  if (!is_simple(polygon.outer) || signed_area_m2(polygon.outer) <= 0) return false;
   for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
     if (!is_simple(polygon.holes[i]) || borders_touch(polygon.holes[i], polygon.outer)) return false;
     if (winding_number(polygon.outer, polygon.holes[i].front()) == 0) return false;
@@ -158,6 +164,8 @@ std::vector<Polygon> taken_apart(const Polygon& footprint) {
   }
   std::vector<Polygon> polygons = with_their_holes(std::move(rings));
   for (Polygon& polygon : polygons) polygon = drawn_back(polygon, count);
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](const Polygon& p) { return !is_apart(p); }),
+                 polygons.end());
   return polygons;
 }
 

@@ -11,13 +11,14 @@ namespace citykiln::roofs {
 /// outer one is, nothing is left.
 Polygon tidied(const Polygon& footprint);
 
-/// No ring crosses or touches itself or another. Exact. O(n²).
+/// No ring crosses or touches itself or another, the outer one is counter-clockwise. Exact. O(n²).
 bool is_apart(const Polygon& polygon);
 
 /// No holes, no corner that turns right, and around once.
 bool is_convex(const Polygon& polygon);
 
-/// What is inside of an odd number of rings, as polygons that are apart: where they touched, corners stand 2^-5 m back.
+/// What is inside of an odd number of rings, as polygons that are apart: where they touched, corners stand up to
+/// 2^-5 m back. Slivers that are not apart even so are left out.
 std::vector<Polygon> taken_apart(const Polygon& footprint);
 
 /// The polygon without corners that lie within drop_m of what is left: for walls that bend a little. Its rings may come

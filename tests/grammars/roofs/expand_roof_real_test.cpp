@@ -61,7 +61,8 @@ void tally(Count& count, const Told& told, Form form) {
   count.fallbacks += report.diagnoses().size();
   const Mesh body = closed_body(roof, -5);
   count.triangles += roof.triangles.size();
-  const bool is_good = is_closed(body) && is_manifold_at_vertices(body) && volume_m3(body) > 0;
+  const bool is_nothing = roof.triangles.empty() && !report.diagnoses().empty();
+  const bool is_good = is_closed(body) && is_manifold_at_vertices(body) && (volume_m3(body) > 0 || is_nothing);
   count.open += !is_good;
   if (!is_good) std::printf("open: %s %s\n", to_string(told.id.osm).c_str(), std::string(name_of(form)).c_str());
 }

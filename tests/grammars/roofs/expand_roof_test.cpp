@@ -342,7 +342,7 @@ TEST(ExpandRoof, ClosesOverTenThousandRandomFootprints) {
     ASSERT_TRUE(is_closed(made.body)) << seed;
     ASSERT_TRUE(is_manifold_at_vertices(made.body)) << seed;
     fallbacks += made.report.diagnoses().size();
-//SLOT
+    // SLOT
     for (const Vec3 p : made.roof.positions) ASSERT_EQ(snapped(p), p) << seed;
     for (const Vec3 p : made.roof.positions) ASSERT_LT(p.z, 200) << seed;
   }
