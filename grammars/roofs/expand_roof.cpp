@@ -148,6 +148,8 @@ std::optional<Roof> pyramid_convex(const Site& site, Vec2 pole) {
 
 // ---- the straight skeleton
 
+double drop_of(double tolerance_m) { return std::max(kLeastDrop_m, tolerance_m / 4); }
+
 std::size_t corners_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
   for (const Polygon& polygon : polygons) {
@@ -180,8 +182,6 @@ Base skeleton_base(const Site& site, const std::vector<Polygon>& polygons, Skele
   }
   return all;
 }
-
-double drop_of(double tolerance_m) { return std::max(kLeastDrop_m, tolerance_m / 4); }
 
 // The footprint in simple pieces, and without bends that do not matter where it stays simple without them.
 std::vector<Polygon> skeleton_plan(const Site& site) {

@@ -127,11 +127,25 @@ PlanCells inner_cells(const Arrangement& arrangement, const Delaunay& delaunay, 
     const Region& region = walk.region(f);
     if (!region.is_in_footprint && !region.is_in_eaves) continue;
     cell_of[f] = static_cast<std::uint32_t>(plan.cells.size());
-    plan.cells.push_back({faces[f].vertices, faces[f].neighbours, region.facet, region.is_in_footprint});
+    plan.cells.push_back(
+        {faces[f].vertices, faces[f].neighbours, region.facet, region.facet == kNoFacet, region.is_in_footprint});
   }
   for (PlanCell& cell : plan.cells)
     for (std::uint32_t& neighbour : cell.neighbours) neighbour = neighbour == kNoFace ? kNoFace : cell_of[neighbour];
   return plan;
+}
+
+// Walls bend a little beside the facets that were made of them, and rounding leaves slivers.
+void cover_bare_cells(PlanCells& plan) {
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t c = 0; c < plan.cells.size(); ++c)
+    if (!plan.cells[c].is_bare) queue.push_back(c);
+  for (std::size_t next = 0; next < queue.size(); ++next)
+    for (const std::uint32_t beyond : plan.cells[queue[next]].neighbours) {
+      if (beyond == kNoFace || plan.cells[beyond].facet != kNoFacet) continue;
+      plan.cells[beyond].facet = plan.cells[queue[next]].facet;
+      queue.push_back(beyond);
+    }
 }
 
 }  // namespace
@@ -147,7 +161,9 @@ PlanCells plan_cells(const Polygon& footprint, const Polygon& eaves_outline, std
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
   const Delaunay delaunay(arrangement.vertices, edges);
-  return inner_cells(arrangement, delaunay, Walk(arrangement, delaunay));
+  PlanCells plan = inner_cells(arrangement, delaunay, Walk(arrangement, delaunay));
+  cover_bare_cells(plan);
+  return plan;
 }
 
 }  // namespace citykiln::roofs

@@ -16,7 +16,8 @@ inline constexpr std::uint32_t kNoFacet = 0xffffffffu;
 struct PlanCell {
   std::array<std::uint32_t, 3> points{};      ///< Counter-clockwise.
   std::array<std::uint32_t, 3> neighbours{};  ///< Opposite to each point; kNoFace: outside.
-  std::uint32_t facet = kNoFacet;             ///< The first that covers it.
+  std::uint32_t facet = kNoFacet;             ///< The first that covers it; else one next to it.
+  bool is_bare = false;                       ///< No facet covers it.
   bool is_over_footprint = true;              ///< Else only the eaves are over it.
 };
 
@@ -26,7 +27,9 @@ struct PlanCells {
 };
 
 /// Triangles that cover what footprint or eaves cover; no facet's border and no footprint's runs through one. The
-/// arrangement is snapped (arrangement.h) and its triangulation exact, so nothing can fail.
+/// arrangement is snapped (arrangement.h) and its triangulation exact, so nothing can fail. Cells that no facet covers
+/// take that of the cell through which they are first reached, from all covered ones in step; kNoFacet where there is
+/// none.
 PlanCells plan_cells(const Polygon& footprint, const Polygon& eaves_outline, std::span<const Facet> facets);
 
 }  // namespace citykiln::roofs

@@ -12,7 +12,7 @@ namespace {
 struct Corner {
   std::uint32_t point, sheet, cell;
   int index;
-  bool has_facet;
+  bool is_bare;
   double z_m;
 };
 
@@ -23,7 +23,7 @@ std::vector<Corner> corners_of(const PlanCells& plan, std::span<const Facet> fac
     const PlanCell& cell = plan.cells[c];
     const Facet* facet = cell.facet == kNoFacet ? nullptr : &facets[cell.facet];
     for (int i = 0; i < 3; ++i)
-      corners.push_back({cell.points[i], facet ? facet->sheet : 0, c, i, facet != nullptr,
+      corners.push_back({cell.points[i], facet ? facet->sheet : 0, c, i, cell.is_bare,
                          facet ? facet->plane.at(plan.points[cell.points[i]]) : 0});
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
@@ -58,10 +58,22 @@ double bare_m2(const PlanCells& plan) {
   double sum = 0;
   for (const PlanCell& cell : plan.cells) {
     const Vec2 a = plan.points[cell.points[0]], b = plan.points[cell.points[1]], c = plan.points[cell.points[2]];
-    if (cell.facet == kNoFacet) sum += cross(b - a, c - a) / 2;
+    if (cell.is_bare) sum += cross(b - a, c - a) / 2;
   }
   return sum;
 }
+
+// Lowest and highest of some corners.
+struct Range {
+  double low_m = 0, high_m = 0;
+  bool is_empty = true;
+
+  void grow(double z_m) {
+    low_m = is_empty ? z_m : std::min(low_m, z_m);
+    high_m = is_empty ? z_m : std::max(high_m, z_m);
+    is_empty = false;
+  }
+};
 
 }  // namespace
 
@@ -69,18 +81,13 @@ PlanHeights plan_heights(const PlanCells& plan, std::span<const Facet> facets, d
   PlanHeights heights{std::vector<std::array<double, 3>>(plan.cells.size()), bare_m2(plan), 0};
   const std::vector<Corner> corners = corners_of(plan, facets);
   const std::vector<Stand> stands = stand_of(plan);
+  const auto is_joined = [](const Corner& a, const Corner& b) { return a.point == b.point && a.sheet == b.sheet; };
   for (std::size_t i = 0, end = 0; i < corners.size(); i = end) {
-    double low_m = 0, high_m = 0;
-    bool is_told = false;
-    for (end = i;
-         end < corners.size() && corners[end].point == corners[i].point && corners[end].sheet == corners[i].sheet;
-         ++end) {
-      if (!corners[end].has_facet) continue;
-      low_m = is_told ? std::min(low_m, corners[end].z_m) : corners[end].z_m;
-      high_m = is_told ? std::max(high_m, corners[end].z_m) : corners[end].z_m;
-      is_told = true;
-    }
-    heights.largest_gap_m = std::max(heights.largest_gap_m, high_m - low_m);
+    Range covered, bare;
+    for (end = i; end < corners.size() && is_joined(corners[end], corners[i]); ++end)
+      (corners[end].is_bare ? bare : covered).grow(corners[end].z_m);
+    heights.largest_gap_m = std::max(heights.largest_gap_m, covered.high_m - covered.low_m);
+    const double low_m = (covered.is_empty ? bare : covered).low_m;
     const double z_m = kept_up(snapped(low_m), stands[corners[i].point], flush_m);
     for (std::size_t k = i; k < end; ++k) heights.corners_m[corners[k].cell][corners[k].index] = z_m;
   }

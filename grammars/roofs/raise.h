@@ -21,7 +21,7 @@ struct RoofPlan {
 /// A roof, and how well its facets fitted.
 struct Raised {
   Roof roof;
-  double bare_m2 = 0;        ///< Of the plan that no facet covers: flat, or as high as what is next to it.
+  double bare_m2 = 0;        ///< Of the plan that no facet covers: it goes on as what is next to it.
   double largest_gap_m = 0;  ///< Most by which facets of one sheet differ in height where they meet.
 };
 

@@ -5,8 +5,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/outline.h"
 #include "tests/grammars/roofs/footprints.h"
+#include "tests/grammars/roofs/real_footprints.h"
 
 namespace citykiln::roofs {
 namespace {
@@ -65,6 +69,20 @@ TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
       return false;
     };
     for (const auto& [a, b] : touching) EXPECT_TRUE(stands_on_corner(a) && stands_on_corner(b)) << name_of(shape.form);
+  }
+}
+
+TEST(RoofBodyReal, DoesNotCutItselfInHelsinki) {
+  const std::string path = std::string(CITYKILN_DATA) + "/helsinki/Helsinki.osm.pbf";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
+  int form = 0;
+  for (const Told& told : footprints_of(path)) {
+    RoofShape shape;
+    shape.form = static_cast<Form>(form++ % static_cast<int>(Form::kCount));
+    shape.overhang_m = form % 2 ? 0.4 : 0;
+    // mappers' footprints may touch themselves
+    if (is_apart(tidied(told.footprint)))
+      expect_good(told.footprint, shape, to_string(told.id.osm) + " " + std::string(name_of(shape.form)));
   }
 }
 
