@@ -1,6 +1,7 @@
 // The footprints of real towns, and what roofs they are tagged with.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,6 +44,24 @@ inline std::vector<Told> footprints_of(const std::string& path) {
     told.back().form = form_named(shape->second);
   }
   return told;
+}
+
+/// The outline of a piece of land or water whose corners are nearest in number to `corners`: no building has so many.
+inline Polygon outline_of(const std::string& path, std::size_t corners) {
+  Report report;
+  const auto osm = source::read_osm(path, 2, report);
+  if (!osm) return {};
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Plane plane(map::default_origin(box));
+  const map::Features features = map::locate(*osm, plane, box, {}, report);
+  const auto off = [&](const Polygon& polygon) {
+    std::size_t count = polygon.outer.size();
+    for (const Ring& ring : polygon.holes) count += ring.size();
+    return count > corners ? count - corners : corners - count;
+  };
+  const auto best = std::min_element(features.areas.begin(), features.areas.end(),
+                                     [&](const auto& a, const auto& b) { return off(a.polygon) < off(b.polygon); });
+  return best == features.areas.end() ? Polygon{} : best->polygon;
 }
 
 }  // namespace citykiln::roofs
