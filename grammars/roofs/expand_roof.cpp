@@ -80,7 +80,8 @@ std::optional<Roof> over_base(const Site& site, const Base& base, double area, d
   Raised raised = raise(site.footprint, plan);
   const bool is_whole = raised.bare_m2 <= kMostBare * area + drop_m * length_m(site.footprint.outer);
   if (!is_whole || raised.largest_gap_m > kMostGap_m * std::max(1.0, steepest)) return std::nullopt;
-  const double moved_m = drop_m > kLeastDrop_m ? drop_m * std::max(1.0, steepest) : 0;
+  // sides that move by some centimetres in plan move the roof by no more, whatever their slope
+  const double moved_m = drop_m > kLeastDrop_m ? drop_m + kLeastDrop_m : 0;
   return finished(std::move(raised), site.shape.form, std::max({section.error_m, moved_m, eaves_error_m(site)}));
 }
 

@@ -166,17 +166,27 @@ TEST(ExpandRoof, FallsWhereItsDirectionPoints) {
   }
 }
 
+double gables_m2(const Roof& roof) {
+  double sum = 0;
+  for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
+    const Triangle t = roof.triangles[i];
+    const Vec3 a = roof.positions[t[0]];
+    if (roof.parts[i] == Part::kGable) sum += length(cross(roof.positions[t[1]] - a, roof.positions[t[2]] - a)) / 2;
+  }
+  return sum;
+}
+
 TEST(ExpandRoof, PutsGablesWhereWingsEnd) {
   const Polygon t = made_footprints()[2].polygon;
-  const Made made = make(t, shape_of(Form::kGabled, 3));
-  double gables_m2 = 0;
-  for (std::size_t i = 0; i < made.roof.triangles.size(); ++i) {
-    const Triangle v = made.roof.triangles[i];
-    const Vec3 a = made.roof.positions[v[0]];
-    if (made.roof.parts[i] == Part::kGable)
-      gables_m2 += length(cross(made.roof.positions[v[1]] - a, made.roof.positions[v[2]] - a)) / 2;
-  }
-  EXPECT_NEAR(gables_m2, 3 * 8 * 3 / 2.0, 0.05);
+  EXPECT_NEAR(gables_m2(make(t, shape_of(Form::kGabled, 3)).roof), 3 * 8 * 3 / 2.0, 0.05);
+}
+
+// Every face of a square's skeleton is a triangle; only two of them are ends.
+TEST(RoofBySkeleton, PutsTwoGablesOnASquare) {
+  const auto roof =
+      roof_by_skeleton({box(0, 0, 10, 10), {}}, shape_of(Form::kGabled, 3), 0.02, SkeletonKernel::kInexact);
+  ASSERT_TRUE(roof);
+  EXPECT_NEAR(gables_m2(*roof), 2 * 10 * 3 / 2.0, 0.05);
 }
 
 TEST(ExpandRoof, TakesItsHeightFromHeightThenAngleThenLevels) {

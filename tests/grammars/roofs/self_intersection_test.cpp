@@ -9,6 +9,7 @@
 
 #include "grammars/roofs/expand_roof.h"
 #include "grammars/roofs/outline.h"
+#include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/footprints.h"
 #include "tests/grammars/roofs/real_footprints.h"
 
@@ -69,6 +70,20 @@ TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
       return false;
     };
     for (const auto& [a, b] : touching) EXPECT_TRUE(stands_on_corner(a) && stands_on_corner(b)) << name_of(shape.form);
+  }
+}
+
+// Near the top of a dome, an edge of a centimetre is shorter than the grid's step.
+TEST(RoofBody, IsGoodOverOutlinesWithTinyEdges) {
+  Ring ring = circle({0, 0}, 8, 64);
+  for (const int corner : {60, 33, 2})
+    ring.insert(ring.begin() + corner, ring[corner] + Vec2{0, ring[corner].x < 0 ? 0x1p-6 : -0x1p-6});
+  for (const Form form : {Form::kDome, Form::kOnion, Form::kCone}) {
+    RoofShape shape;
+    shape.form = form;
+    Report report;
+    expect_good({ring, {}}, shape, std::string(name_of(form)));
+    EXPECT_TRUE(has_area_everywhere(closed_body(expand_roof({ring, {}}, shape, 0.001, {}, report), -5)));
   }
 }
 
