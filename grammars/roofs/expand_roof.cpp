@@ -22,8 +22,9 @@ constexpr double kThickness_m = 0.1875;
 // A footprint that fills less of its box has wings, and so has one with a wall along the ridge in the middle of its
 // width, as from kMiddle to 1 - kMiddle, that is longer than this share of the box.
 constexpr double kFillsItsBox = 0.75, kMiddle = 0.25, kLongWall = 0.15;
-// Walls that bend less are straight to the skeleton, at the finest: half of what mappers see.
-constexpr double kLeastDrop_m = 0.03;
+// Walls that bend less are straight to the skeleton: less than mappers see. The same at all tolerances, for a skeleton
+// can change its shape where a wall moves by a hair, and no error would bound that.
+constexpr double kDrop_m = 0.03;
 // Beyond so many corners a skeleton takes seconds, and with exact numbers from so many.
 constexpr std::size_t kMostCorners = 1000, kMostExactCorners = 250;
 // A skeleton whose faces lie farther apart in height where they meet is a wrong one, and so is one that leaves this
@@ -73,16 +74,14 @@ std::optional<Roof> over_base(const Site& site, const Base& base, double area, d
   if (base.span_m <= 0) return std::nullopt;
   const double rise_m = rise_of(site.shape, base.span_m);
   if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
-  const Section section = section_of(site.shape.form, base.span_m, rise_m, site.tolerance_m);
+  const Section section = section_over_base(site.shape.form, base.span_m, rise_m, site.tolerance_m);
   RoofPlan plan = plan_on(site, lifted(base, section, rise_m));
   const double steepest = rise_m * (section.corners[1].y / section.corners[1].x) / base.span_m;
   plan.flush_m += drop_m * steepest;
   Raised raised = raise(site.footprint, plan);
   const bool is_whole = raised.bare_m2 <= kMostBare * area + drop_m * length_m(site.footprint.outer);
   if (!is_whole || raised.largest_gap_m > kMostGap_m * std::max(1.0, steepest)) return std::nullopt;
-  // sides that move by some centimetres in plan move the roof by no more, whatever their slope
-  const double moved_m = drop_m > kLeastDrop_m ? drop_m + kLeastDrop_m : 0;
-  return finished(std::move(raised), site.shape.form, std::max({section.error_m, moved_m, eaves_error_m(site)}));
+  return finished(std::move(raised), site.shape.form, std::max(section.error_m, eaves_error_m(site)));
 }
 
 // Looks along the frame, to one end or to either.
@@ -149,8 +148,6 @@ std::optional<Roof> pyramid_convex(const Site& site, Vec2 pole) {
 
 // ---- the straight skeleton
 
-double drop_of(double tolerance_m) { return std::max(kLeastDrop_m, tolerance_m / 4); }
-
 std::size_t corners_of(const std::vector<Polygon>& polygons) {
   std::size_t count = 0;
   for (const Polygon& polygon : polygons) {
@@ -188,7 +185,7 @@ Base skeleton_base(const Site& site, const std::vector<Polygon>& polygons, Skele
 std::vector<Polygon> skeleton_plan(const Site& site) {
   std::vector<Polygon> polygons = taken_apart(site.eaves.outer.empty() ? site.footprint : site.eaves);
   for (Polygon& polygon : polygons) {
-    Polygon simple = simplified(polygon, drop_of(site.tolerance_m));
+    Polygon simple = simplified(polygon, kDrop_m);
     if (is_apart(simple)) polygon = std::move(simple);
   }
   return polygons;
@@ -201,7 +198,7 @@ std::optional<Roof> by_skeleton(const Site& site, const std::vector<Polygon>& po
   double area = 0;
   for (const Polygon& polygon : polygons) area += area_m2(polygon);
   if (base.span_m * base.span_m > kMostSpan * area) return std::nullopt;
-  return over_base(site, base, area, drop_of(site.tolerance_m));
+  return over_base(site, base, area, kDrop_m);
 }
 
 std::optional<Roof> by_skeleton(const Site& site) {
@@ -233,14 +230,20 @@ bool has_wings(const Site& site) {
                      [&](const Ring& hole) { return has_wall_inside(site.frame, hole); });
 }
 
+// An onion swells by less than this share of its neck.
+constexpr double kMostSwelling = 0.2;
+
 std::optional<Roof> poled(const Site& site) {
-  const std::optional<Vec2> pole = site.footprint.holes.empty() ? pole_of(site.footprint.outer) : std::nullopt;
+  const Ring& ring = site.footprint.outer;
+  const std::optional<Vec2> pole = site.footprint.holes.empty() ? pole_of(ring) : std::nullopt;
   if (!pole) return by_skeleton(site);
-  const double span_m = pole_span_m(site.footprint.outer, *pole), rise_m = rise_of(site.shape, span_m);
-  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  const double span_m = pole_span_m(ring, *pole), reach_m = pole_reach_m(ring, *pole);
+  const double rise_m = rise_of(site.shape, span_m);
+  const double seen_m = site.shape.form == Form::kOnion ? std::max(rise_m, kMostSwelling * reach_m) : rise_m;
+  if (seen_m <= site.tolerance_m) return flat_roof(site, seen_m);
   if (!site.eaves.outer.empty() && is_convex(site.footprint)) return pyramid_convex(site, *pole);
-  const Section section = section_over_pole(site.shape.form, span_m, rise_m, site.tolerance_m);
-  Roof roof = roof_over_pole(site.footprint.outer, *pole, section, rise_m);
+  Roof roof = roof_over_pole(ring, *pole, section_over_pole(site.shape.form, span_m, reach_m, rise_m, site.tolerance_m),
+                             rise_m);
   roof.form = site.shape.form;
   return roof;
 }

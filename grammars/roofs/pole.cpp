@@ -139,6 +139,12 @@ std::optional<Vec2> pole_of(std::span<const Vec2> ring) {
 
 double pole_span_m(std::span<const Vec2> ring, Vec2 pole) { return inward_m(ring, pole); }
 
+double pole_reach_m(std::span<const Vec2> ring, Vec2 pole) {
+  double reach_m = 0;
+  for (const Vec2 p : ring) reach_m = std::max(reach_m, distance(pole, p));
+  return reach_m;
+}
+
 Roof roof_over_pole(std::span<const Vec2> ring, Vec2 pole, const Section& section, double rise_m) {
   Stack stack(ring, pole);
   for (std::size_t k = 1; k + 1 < section.corners.size(); ++k)

@@ -25,6 +25,9 @@ std::optional<Vec2> pole_of(std::span<const Vec2> ring);
 /// From the pole to the nearest edge's line: what an angle is measured over, metres.
 double pole_span_m(std::span<const Vec2> ring, Vec2 pole);
 
+/// From the pole to the farthest corner.
+double pole_reach_m(std::span<const Vec2> ring, Vec2 pole);
+
 /// @param section  By section_over_pole().
 /// Guarantees: as Roof's; error_m is the section's. Points of a ring that come together near the top are one.
 /// O(n · corners).

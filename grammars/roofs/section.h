@@ -12,24 +12,27 @@
 
 namespace citykiln::roofs {
 
-/// Corners from the eaves to the top. x: the way from the eaves (0) to the ridge or pole (1), y: the height over the
-/// eaves, 0 to 1. In `over_poles`, x is the distance from the pole instead, 1 at the eaves, 0 at the pole, and may
-/// swell.
+/// Corners from the eaves to the top. x: how far in, 0 at the eaves, 1 at the ridge; y: how high, 0 to 1.
 struct Section {
   std::vector<Vec2> corners;
-  double error_m = 0;  ///< Largest distance between the lines and the curve they stand for.
+  double error_m = 0;  ///< Largest distance between the roofs of the lines and of the curve they stand for.
 };
 
-/// The section of a roof that rises over a distance from its eaves: x never falls, y never falls.
+/// The section of a roof that is drawn along a line: its error is how far arcs bulge from their chords.
 ///
 /// @param span_m  From the eaves to the ridge or pole, in plan. > 0.
 /// @param rise_m  Height of the ridge over the eaves. > 0.
-/// Guarantees: error_m <= tolerance_m. An arc is a circle's while rise_m <= span_m, an ellipse's above. Square roots
-/// only: an arc is halved until it is flat enough.
-Section section_of(Form form, double span_m, double rise_m, double tolerance_m);
+/// Guarantees: x never falls, y never falls; error_m <= tolerance_m while that needs no more than 256 corners. An arc
+/// is a circle's while rise_m <= span_m, an ellipse's above. Square roots only: an arc is halved until it is flat
+/// enough.
+Section section_along(Form form, double span_m, double rise_m, double tolerance_m);
 
-/// The section of a body of revolution: cone, dome, onion. x is the distance from the pole over that of the eaves, and
-/// an onion's swells beyond 1; y never falls.
-Section section_over_pole(Form form, double span_m, double rise_m, double tolerance_m);
+/// The section of a roof over a base, whose sides meet at any angle: so its error is measured upright, where no angle
+/// makes it larger. Else as section_along().
+Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m);
+
+/// The section of a body over a pole: x is the distance from the pole over that of the eaves, from 1 to 0, and an
+/// onion's swells. Its error is that of the farthest corner, reach_m from the pole.
+Section section_over_pole(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

@@ -71,7 +71,7 @@ Section section_across(Form form, double run_m, double rise_m, double tolerance_
     case Form::kSawtooth:
       return row_of_teeth(bays_of(form, run_m));
     default:
-      return mirrored(section_of(form, run_m / 2, rise_m, tolerance_m));
+      return mirrored(section_along(form, run_m / 2, rise_m, tolerance_m));
   }
 }
 

@@ -62,4 +62,37 @@ inline bool has_area_everywhere(const Mesh& body) {
   });
 }
 
+inline double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 along = b - a;
+  const double t = dot(along, along) > 0 ? dot(p - a, along) / dot(along, along) : 0;
+  return length(p - (a + along * std::clamp(t, 0.0, 1.0)));
+}
+
+inline double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 normal = unit(cross(b - a, c - a));
+  const Vec3 foot = p - normal * dot(p - a, normal);
+  const bool is_inside = dot(cross(b - a, foot - a), normal) >= 0 && dot(cross(c - b, foot - b), normal) >= 0 &&
+                         dot(cross(a - c, foot - c), normal) >= 0;
+  if (is_inside) return std::abs(dot(p - a, normal));
+  return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+}
+
+/// How far corners, middles of edges and middles of triangles of one body lie from the other, at most.
+inline double distance_m(const Mesh& from, const Mesh& to) {
+  double farthest_m = 0;
+  for (const Triangle& t : from.triangles) {
+    const Vec3 a = from.positions[t[0]], b = from.positions[t[1]], c = from.positions[t[2]];
+    for (const Vec3 p : {a, (a + b) * 0.5, (a + b + c) * (1 / 3.0)}) {
+      double nearest_m = 1e9;
+      for (std::size_t i = 0; i < to.triangles.size() && nearest_m > farthest_m; ++i) {
+        const Triangle& u = to.triangles[i];
+        nearest_m =
+            std::min(nearest_m, distance_to_triangle(p, to.positions[u[0]], to.positions[u[1]], to.positions[u[2]]));
+      }
+      farthest_m = std::max(farthest_m, nearest_m);
+    }
+  }
+  return farthest_m;
+}
+
 }  // namespace citykiln::roofs

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "compiler/contract/tolerance.h"
 #include "grammars/roofs/expand_roof.h"
 #include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/real_footprints.h"
@@ -63,6 +64,26 @@ TEST(RoofsReal, StandOnMonacosCadastre) { expect_roofs("monaco/monaco-2016-cadas
 TEST(RoofsReal, StandOnNeubrandenburg) { expect_roofs("neubrandenburg/neubrandenburg.osm.bz2"); }
 TEST(RoofsReal, StandOnReinickendorf) { expect_roofs("berlin/berlin-reinickendorf-2026.osm.pbf"); }
 TEST(RoofsReal, StandOnGesundbrunnen) { expect_roofs("berlin/berlin-mitte-gesundbrunnen.osm"); }
+
+// At the tolerance of a level, against the finest.
+TEST(RoofsReal, StayWithinTheErrorTheyState) {
+  const std::string path = std::string(CITYKILN_DATA) + "/berlin/berlin-mitte-gesundbrunnen.osm";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
+  std::size_t next = 0, fine_triangles = 0, coarse_triangles = 0;
+  for (const Told& told : footprints_of(path)) {
+    RoofShape shape;
+    shape.form = static_cast<Form>(next++ % static_cast<std::size_t>(Form::kCount));
+    Report report;
+    const Roof fine = expand_roof(told.footprint, shape, 0.02, told.id.osm, report);
+    const Roof coarse = expand_roof(told.footprint, shape, 0.5, told.id.osm, report);
+    fine_triangles += fine.triangles.size(), coarse_triangles += coarse.triangles.size();
+    if (fine.triangles.size() > 1000) continue;
+    const Mesh a = closed_body(fine, -5), b = closed_body(coarse, -5);
+    EXPECT_LE(std::max(distance_m(a, b), distance_m(b, a)), fine.error_m + coarse.error_m + 4 * kQuantum_m)
+        << to_string(told.id.osm) << ' ' << name_of(shape.form);
+  }
+  std::printf("at 0.02 m %zu triangles, at 0.5 m %zu\n", fine_triangles, coarse_triangles);
+}
 
 std::size_t corners_of(const Told& told) {
   std::size_t count = told.footprint.outer.size();

@@ -250,6 +250,21 @@ TEST(ExpandRoof, StatesHowFarCurvesAreOff) {
   }
 }
 
+TEST(ExpandRoof, StaysWithinTheErrorItStates) {
+  for (const Form form : all_forms())
+    for (const NamedFootprint& footprint : made_footprints()) {
+      const Made fine = make(footprint.polygon, shape_of(form), 0.02);
+      for (const double tolerance_m : {0.1, 0.5, 2.5}) {
+        const Made coarse = make(footprint.polygon, shape_of(form), tolerance_m);
+        const double stated_m = fine.roof.error_m + coarse.roof.error_m + 4 * kQuantum_m;
+        const std::string what = std::string(name_of(form)) + " on " + footprint.name;
+        EXPECT_LE(coarse.roof.error_m, tolerance_m) << what;
+        EXPECT_LE(distance_m(fine.body, coarse.body), stated_m) << what;
+        EXPECT_LE(distance_m(coarse.body, fine.body), stated_m) << what;
+      }
+    }
+}
+
 TEST(ExpandRoof, IsFlatBelowTheTolerance) {
   const Made made = make({box(0, 0, 16, 10), {}}, shape_of(Form::kGabled, 2), 2.5);
   EXPECT_EQ(made.roof.form, Form::kFlat);
