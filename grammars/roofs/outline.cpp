@@ -1,0 +1,192 @@
+#include "grammars/roofs/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "compiler/geometry/overlay.h"
+#include "compiler/geometry/ring_crossing.h"
+#include "compiler/geometry/snap.h"
+#include "grammars/roofs/facet.h"
+#include "grammars/roofs/raise.h"
+
+namespace citykiln::roofs {
+namespace {
+
+// How far corners that touch are drawn back: less than any eye sees, more than the skeleton's rounding; less where that
+// would turn a sliver over.
+constexpr std::array kDrawnBack_m = {0x1p-5, 0x1p-7, 0x1p-9};
+
+Ring tidied(const Ring& ring, bool is_outer) {
+  Ring kept = without_repeats(ring);
+  const double area = signed_area_m2(kept);
+  if (kept.size() < 3 || area == 0) return {};
+  if ((area > 0) != is_outer) std::reverse(kept.begin(), kept.end());
+  return kept;
+}
+
+Vec2 inward_at(const Ring& ring, std::size_t i) {
+  const std::size_t n = ring.size();
+  const Vec2 in = unit(ring[i] - ring[(i + n - 1) % n]), out = unit(ring[(i + 1) % n] - ring[i]);
+  const Vec2 bisector = left_of(in + out);
+  return length(bisector) > 0 ? unit(bisector) : left_of(in);
+}
+
+using Count = std::map<Vec2, int>;
+
+Ring drawn_back(const Ring& ring, const Count& count, double by_m) {
+  Ring moved = ring;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (count.at(ring[i]) > 1) moved[i] = snapped(ring[i] + inward_at(ring, i) * by_m);
+  return moved;
+}
+
+Polygon drawn_back(const Polygon& polygon, const Count& count) {
+  Polygon moved;
+  for (const double by_m : kDrawnBack_m) {
+    moved = {drawn_back(polygon.outer, count, by_m), {}};
+    for (const Ring& hole : polygon.holes) moved.holes.push_back(drawn_back(hole, count, by_m));
+    if (signed_area_m2(moved.outer) > 0 && is_apart(moved)) break;
+  }
+  return moved;
+}
+
+// Half a step inside of a hole's first edge's other side: where the hole's owner is.
+Vec2 beside(const Ring& hole) { return (hole[0] + hole[1]) * 0.5 + left_of(unit(hole[1] - hole[0])) * 0x1p-12; }
+
+std::vector<Polygon> with_their_holes(std::vector<Ring> rings) {
+  std::vector<Polygon> polygons;
+  for (Ring& ring : rings)
+    if (signed_area_m2(ring) > 0) polygons.push_back({std::move(ring), {}});
+  for (const Ring& hole : rings) {
+    if (hole.empty() || signed_area_m2(hole) >= 0) continue;
+    Polygon* owner = nullptr;
+    for (Polygon& polygon : polygons)
+      if (winding_number(polygon.outer, beside(hole)) != 0 &&
+          (!owner || signed_area_m2(polygon.outer) < signed_area_m2(owner->outer)))
+        owner = &polygon;
+    if (owner) owner->holes.push_back(hole);
+  }
+  return polygons;
+}
+
+// All that lies between two kept corners is close to their line.
+bool may_skip(const Ring& ring, std::size_t from, std::size_t to, double drop_m) {
+  const Vec2 a = ring[from], b = ring[to % ring.size()];
+  if (a == b) return false;
+  const Plane side = distance_left_of(a, b);
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double along = dot(b - a, ring[i] - a);
+    if (std::abs(side.at(ring[i])) > drop_m || along < 0 || along > dot(b - a, b - a)) return false;
+  }
+  return true;
+}
+
+Ring simplified(const Ring& ring, double drop_m) {
+  Ring kept;
+  for (std::size_t at = 0; at < ring.size();) {
+    kept.push_back(ring[at]);
+    std::size_t next = at + 1;
+    while (next < ring.size() && may_skip(ring, at, next + 1, drop_m)) ++next;
+    at = next;
+  }
+  return kept.size() < 3 ? ring : kept;
+}
+
+// Walls' strips and corners' kites; together with the footprint they are the eaves.
+void add_eaves(std::vector<OwnedSegment>& segments, const Ring& ring, double overhang_m) {
+  for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+    const Vec2 a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
+    const Vec2 out = left_of(unit(b - a)) * -overhang_m, next = left_of(unit(c - b)) * -overhang_m;
+    add_ring(segments, Ring{a, a + out, b + out, b}, 0);
+    if (cross(b - a, c - b) <= 0) continue;
+    // the corner's tip is where both walls' eaves meet, unless that is far out
+    const Vec2 middle = out + next;
+    const double reach = dot(middle, middle) / (2 * overhang_m * overhang_m);
+    if (reach < 0.5)
+      add_ring(segments, Ring{b, b + out, b + next}, 0);
+    else
+      add_ring(segments, Ring{b, b + out, b + middle * (1 / reach), b + next}, 0);
+  }
+}
+
+bool keeps_apart(const Polygon& eaves, const Polygon& footprint) {
+  std::vector<const Ring*> outer = {&eaves.outer}, inner = {&footprint.outer};
+  for (const Ring& hole : eaves.holes) outer.push_back(&hole);
+  for (const Ring& hole : footprint.holes) inner.push_back(&hole);
+  for (const Ring* a : outer)
+    for (const Ring* b : inner)
+      if (borders_touch(*a, *b)) return false;
+  return true;
+}
+
+}  // namespace
+
+Polygon tidied(const Polygon& footprint) {
+  Polygon polygon{tidied(footprint.outer, true), {}};
+  if (polygon.outer.empty()) return {};
+  for (const Ring& hole : footprint.holes)
+    if (Ring kept = tidied(hole, false); !kept.empty()) polygon.holes.push_back(std::move(kept));
+  return polygon;
+}
+
+bool is_apart(const Polygon& polygon) {
+  if (!is_simple(polygon.outer) || signed_area_m2(polygon.outer) <= 0) return false;
+  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+    if (!is_simple(polygon.holes[i]) || borders_touch(polygon.holes[i], polygon.outer)) return false;
+    if (winding_number(polygon.outer, polygon.holes[i].front()) == 0) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (borders_touch(polygon.holes[i], polygon.holes[j])) return false;
+  }
+  return true;
+}
+
+bool is_convex(const Polygon& polygon) {
+  const Ring& ring = polygon.outer;
+  const std::size_t n = ring.size();
+  if (!polygon.holes.empty() || n < 3) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    if (cross(ring[(i + 1) % n] - ring[i], ring[(i + 2) % n] - ring[(i + 1) % n]) < 0) return false;
+  return is_simple(ring);
+}
+
+std::vector<Polygon> taken_apart(const Polygon& footprint) {
+  if (is_apart(footprint)) return {footprint};
+  // the eaves of a flat roof know the way around
+  const Roof flat = raise(footprint, {}).roof;
+  std::vector<Ring> rings;
+  Count count;
+  for (const auto& eaves : flat.eaves) {
+    Ring& ring = rings.emplace_back();
+    for (const std::uint32_t v : eaves) ring.push_back(in_plan(flat.positions[v]));
+    for (const Vec2 p : ring) ++count[p];
+  }
+  std::vector<Polygon> polygons = with_their_holes(std::move(rings));
+  for (Polygon& polygon : polygons) polygon = drawn_back(polygon, count);
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](const Polygon& p) { return !is_apart(p); }),
+                 polygons.end());
+  return polygons;
+}
+
+Polygon simplified(const Polygon& polygon, double drop_m) {
+  Polygon kept{simplified(polygon.outer, drop_m), {}};
+  for (const Ring& hole : polygon.holes) kept.holes.push_back(simplified(hole, drop_m));
+  return kept;
+}
+
+Polygon eaves_about(const Polygon& footprint, double overhang_m) {
+  if (overhang_m < 8 * kQuantum_m || !is_apart(footprint)) return {};
+  std::vector<OwnedSegment> segments;
+  add_ring(segments, footprint.outer, 0);
+  add_eaves(segments, footprint.outer, overhang_m);
+  for (const Ring& hole : footprint.holes) {
+    add_ring(segments, hole, 0);
+    add_eaves(segments, hole, overhang_m);
+  }
+  std::vector<Polygon> eaves = std::move(overlay(segments, 1).front());
+  if (eaves.size() != 1 || !is_apart(eaves.front()) || !keeps_apart(eaves.front(), footprint)) return {};
+  return std::move(eaves.front());
+}
+
+}  // namespace citykiln::roofs

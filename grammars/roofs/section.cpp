@@ -1,0 +1,154 @@
+#include "grammars/roofs/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace citykiln::roofs {
+namespace {
+
+using Bezier = std::array<Vec2, 4>;
+
+// The silhouette of an onion from its neck to its tip; x over the neck's radius, y over the rise. The two pieces share
+// a tangent.
+constexpr std::array kOnion = {Bezier{{{1, 0}, {1.25, 0.08}, {1.25, 0.30}, {0.95, 0.42}}},
+                               Bezier{{{0.95, 0.42}, {0.55, 0.58}, {0.12, 0.66}, {0, 1}}}};
+// What an onion is where nothing may swell: an ogee.
+constexpr std::array kOgee = {Bezier{{{0, 0}, {0.1, 0.3}, {0.2, 0.45}, {0.5, 0.55}}},
+                              Bezier{{{0.5, 0.55}, {0.8, 0.65}, {0.93, 0.7}, {1, 1}}}};
+// Steep below, shallow above: how far in, and how high, the knee is.
+constexpr Vec2 kGambrelKnee = {0.4, 0.65}, kMansardKnee = {0.35, 0.75};
+
+// How a chord's error is measured.
+enum class Measure : std::uint8_t { kSquare, kUpright };
+
+constexpr std::size_t kMostCorners = 256;
+
+Vec2 scaled(Vec2 p, Vec2 size_m) { return {p.x * size_m.x, p.y * size_m.y}; }
+
+Vec2 at(const Bezier& b, double t) {
+  const double s = 1 - t;
+  return b[0] * (s * s * s) + b[1] * (3 * s * s * t) + b[2] * (3 * s * t * t) + b[3] * (t * t * t);
+}
+
+// A cubic's second derivative is largest at an end, its slope along a side of its frame.
+Vec2 largest_bend_m(const Bezier& b, Vec2 size_m) {
+  const Vec2 start = (b[0] - b[1] * 2 + b[2]) * 6, end = (b[1] - b[2] * 2 + b[3]) * 6;
+  return scaled({std::max(std::abs(start.x), std::abs(end.x)), std::max(std::abs(start.y), std::abs(end.y))}, size_m);
+}
+
+double largest_slope(const Bezier& b, Vec2 size_m) {
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 side = scaled(b[i + 1] - b[i], size_m);
+    largest = std::max(largest, side.y / side.x);
+  }
+  return largest;
+}
+
+// Over 1/n of a cubic, its chord is off by at most this over n²: an eighth of the second derivative.
+double chord_error_m(const Bezier& b, Vec2 size_m, Measure measure) {
+  const Vec2 bend = largest_bend_m(b, size_m);
+  return (measure == Measure::kSquare ? length(bend) : bend.y + largest_slope(b, size_m) * bend.x) / 8;
+}
+
+Section flattened(std::span<const Bezier> pieces, Vec2 size_m, Measure measure, double tolerance_m) {
+  Section section{{pieces.front()[0]}, 0};
+  for (const Bezier& piece : pieces) {
+    const double error_m = chord_error_m(piece, size_m, measure);
+    const double n = std::clamp(std::ceil(std::sqrt(error_m / tolerance_m)), 1.0, kMostCorners / 2.0);
+    for (double i = 1; i <= n; ++i) section.corners.push_back(at(piece, i / n));
+    section.error_m = std::max(section.error_m, error_m / (n * n));
+  }
+  return section;
+}
+
+// A quarter of an ellipse, or less of a circle, as directions from its centre.
+struct Arc {
+  Vec2 radii_m;
+  double depth_m = 0;  // of the centre below the eaves
+  Vec2 start;
+
+  explicit Arc(Vec2 size_m) : radii_m(size_m), start{-1, 0} {
+    if (size_m.y >= size_m.x) return;
+    const double radius_m = (size_m.x * size_m.x + size_m.y * size_m.y) / (2 * size_m.y);
+    radii_m = {radius_m, radius_m};
+    depth_m = radius_m - size_m.y;
+    start = {-size_m.x / radius_m, depth_m / radius_m};
+  }
+
+  // Where the tangent is parallel to the chord, the arc is farthest from it, whichever way one measures.
+  double chord_error_m(Vec2 a, Vec2 b, Measure measure) const {
+    const Vec2 middle = unit(a + b), bulge = scaled(middle - (a + b) * 0.5, radii_m);
+    if (measure == Measure::kSquare) return length(bulge);
+    const double slope = (b.y - a.y) * radii_m.y / ((b.x - a.x) * radii_m.x);
+    return bulge.y - slope * bulge.x;
+  }
+};
+
+Section flattened(const Arc& arc, Vec2 size_m, Measure measure, double tolerance_m) {
+  std::vector<Vec2> done = {arc.start}, ahead = {{0, 1}};
+  double error_m = 0;
+  while (!ahead.empty()) {
+    const double own_m = arc.chord_error_m(done.back(), ahead.back(), measure);
+    if (own_m > tolerance_m && done.size() + ahead.size() < kMostCorners) {
+      ahead.push_back(unit(done.back() + ahead.back()));
+      continue;
+    }
+    error_m = std::max(error_m, own_m);
+    done.push_back(ahead.back());
+    ahead.pop_back();
+  }
+  Section section{{}, error_m};
+  for (const Vec2 d : done)
+    section.corners.push_back({1 + d.x * arc.radii_m.x / size_m.x, (d.y * arc.radii_m.y - arc.depth_m) / size_m.y});
+  section.corners.front() = {0, 0};
+  section.corners.back() = {1, 1};
+  return section;
+}
+
+// A knee that the tolerance does not see is left out.
+Section knee(Vec2 corner, Vec2 size_m, double tolerance_m) {
+  const double off_m = (corner.y - corner.x) * size_m.y;
+  if (off_m <= tolerance_m) return {{{0, 0}, {1, 1}}, off_m};
+  return {{{0, 0}, corner, {1, 1}}, 0};
+}
+
+Section section_of(Form form, Vec2 size_m, Measure measure, double tolerance_m) {
+  switch (form) {
+    case Form::kGambrel:
+      return knee(kGambrelKnee, size_m, tolerance_m);
+    case Form::kMansard:
+      return knee(kMansardKnee, size_m, tolerance_m);
+    case Form::kRound:
+    case Form::kDome:
+      return flattened(Arc(size_m), size_m, measure, tolerance_m);
+    case Form::kOnion:
+      return flattened(kOgee, size_m, measure, tolerance_m);
+    default:
+      return {{{0, 0}, {1, 1}}, 0};
+  }
+}
+
+}  // namespace
+
+Section section_along(Form form, double span_m, double rise_m, double tolerance_m) {
+  return section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m);
+}
+
+Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m) {
+  return section_of(form, {span_m, rise_m}, Measure::kUpright, tolerance_m);
+}
+
+Section section_over_pole(Form form, double span_m, double reach_m, double rise_m, double tolerance_m) {
+  if (form == Form::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kSquare, tolerance_m);
+  // the curve is drawn over the span; stretched to the reach, its bulges grow by no more than that
+  const double stretch = std::max(1.0, reach_m / span_m);
+  Section section = section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m / stretch);
+  section.error_m *= stretch;
+  for (Vec2& corner : section.corners) corner.x = 1 - corner.x;
+  return section;
+}
+
+}  // namespace citykiln::roofs

@@ -1,0 +1,55 @@
+#include "grammars/roofs/site.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "compiler/geometry/trig.h"
+#include "grammars/roofs/outline.h"
+
+namespace citykiln::roofs {
+namespace {
+
+constexpr std::array<double, static_cast<std::size_t>(Form::kCount)> kPitch_deg = {
+#define ROOF_FORM(name, tag, pitch_deg) pitch_deg,
+#include "grammars/roofs/roof_forms.inc"
+#undef ROOF_FORM
+};
+
+// A storey under a roof.
+constexpr double kStorey_m = 3;
+// Roofs of unknown height rise no higher, but for domes and spires: wide halls have flatter roofs than houses.
+constexpr double kMostUntold_m = 9;
+bool may_tower(Form form) { return form == Form::kDome || form == Form::kOnion || form == Form::kCone; }
+// Steeper is a wall.
+constexpr double kSteepest_deg = 85;
+
+double tangent(double angle_deg) {
+  const Vec2 d = direction_of(std::min(angle_deg, kSteepest_deg) / 360);
+  return d.y / d.x;
+}
+
+// Curves stand upright at their eaves, teeth would cover each other, and a body over a pole ends where it stands.
+bool may_stand_out(Form form) {
+  return form != Form::kDome && form != Form::kOnion && form != Form::kRound && form != Form::kSawtooth;
+}
+
+}  // namespace
+
+Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m) {
+  Site site{std::move(footprint), {}, {}, shape, tolerance_m};
+  site.frame = frame_of(site.footprint.outer, shape.direction, shape.is_ridge_across);
+  if (may_stand_out(shape.form) && shape.overhang_m > tolerance_m)
+    site.eaves = eaves_about(site.footprint, shape.overhang_m);
+  return site;
+}
+
+double rise_of(const RoofShape& shape, double span_m) {
+  if (shape.height_m > 0) return shape.height_m;
+  if (shape.angle_deg > 0) return span_m * tangent(shape.angle_deg);
+  if (shape.levels > 0) return shape.levels * kStorey_m;
+  const double rise_m = span_m * tangent(kPitch_deg[static_cast<std::size_t>(shape.form)]);
+  return may_tower(shape.form) ? rise_m : std::min(kMostUntold_m, rise_m);
+}
+
+}  // namespace citykiln::roofs

@@ -1,0 +1,24 @@
+// Where a roof is to stand, and what it is to be: what every method starts from.
+#pragma once
+
+#include "compiler/geometry/polygon.h"
+#include "grammars/roofs/frame.h"
+#include "grammars/roofs/roof_shape.h"
+
+namespace citykiln::roofs {
+
+struct Site {
+  Polygon footprint;  ///< Tidied (outline.h).
+  Polygon eaves;      ///< Around it; empty where none stand out.
+  Frame frame;
+  RoofShape shape;
+  double tolerance_m = 0;
+};
+
+/// Lays out the frame, and the eaves of forms that can have them. `footprint` is not empty.
+Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m);
+
+/// How high a roof rises whose main slopes are span_m long in plan.
+double rise_of(const RoofShape& shape, double span_m);
+
+}  // namespace citykiln::roofs
