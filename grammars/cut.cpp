@@ -1,0 +1,244 @@
+#include "grammars/cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kSamePlace_m = 1e-6;  // far above rounding, far below what is built
+
+double height_above(const CutPlane& plane, Vec3 p) {
+  const double d_m = dot(plane.normal, p) - plane.offset_m;
+  return std::abs(d_m) <= kOnPlane_m ? 0 : d_m;
+}
+
+// the same bits whichever way the edge runs
+Vec3 crossing(Vec3 a, Vec3 b, const CutPlane& plane) {
+  if (b < a) std::swap(a, b);
+  const double da = height_above(plane, a), db = height_above(plane, b);
+  return a + (b - a) * (da / (da - db));
+}
+
+struct Chains {
+  std::vector<Ring3> chains;  ///< From where a ring comes up through the plane to where it goes down again.
+  std::vector<Ring3> whole;
+};
+
+// the chain's ends lie on the plane: its first and last vertex, or crossings
+Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, const std::vector<double>& heights,
+                 const CutPlane& plane) {
+  const std::size_t n = ring.size();
+  Ring3 chain;
+  if (heights[first] > 0) chain.push_back(crossing(ring[(first + n - 1) % n], ring[first], plane));
+  std::size_t i = first;
+  for (; heights[i] >= 0; i = (i + 1) % n) chain.push_back(ring[i]);
+  const std::size_t last = (i + n - 1) % n;
+  if (heights[last] > 0) chain.push_back(crossing(ring[last], ring[i], plane));
+  return chain;
+}
+
+void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, Chains& out) {
+  const std::size_t n = ring.size();
+  std::vector<double> heights(n);
+  bool below = false, above = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    heights[i] = height_above(plane, ring[i]);
+    below |= heights[i] < 0;
+    above |= heights[i] > 0;
+  }
+  if (!above) return;
+  if (!below) return out.whole.emplace_back(ring.begin(), ring.end()), void();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (heights[i] < 0 || heights[(i + n - 1) % n] >= 0) continue;
+    Ring3 chain = chain_from(ring, i, heights, plane);
+    const bool rises = std::any_of(chain.begin(), chain.end(), [&](Vec3 p) { return height_above(plane, p) > 0; });
+    // what only touches the plane from below bounds nothing above it
+    if (rises) out.chains.push_back(std::move(chain));
+  }
+}
+
+std::vector<std::size_t> sorted_along(Vec3 along, const std::vector<Ring3>& chains, bool by_end) {
+  std::vector<std::size_t> order(chains.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto at = [&](std::size_t i) { return dot(along, by_end ? chains[i].back() : chains[i].front()); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
+  return order;
+}
+
+// the k-th end along the cut goes on at the k-th beginning
+std::vector<Ring3> joined(const std::vector<Ring3>& chains, Vec3 along) {
+  const auto ends = sorted_along(along, chains, true), starts = sorted_along(along, chains, false);
+  std::vector<std::size_t> next(chains.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) next[ends[k]] = starts[k];
+  std::vector<bool> done(chains.size());
+  std::vector<Ring3> rings;
+  for (std::size_t first = 0; first < chains.size(); ++first) {
+    if (done[first]) continue;
+    Ring3& ring = rings.emplace_back();
+    for (std::size_t i = first; !done[i]; i = next[i]) {
+      done[i] = true;
+      ring.insert(ring.end(), chains[i].begin(), chains[i].end());
+    }
+  }
+  return rings;
+}
+
+Ring3 without_twins(const Ring3& ring) {
+  Ring3 kept;
+  for (const Vec3 p : ring)
+    if (kept.empty() || !(p == kept.back())) kept.push_back(p);
+  while (kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
+  return kept;
+}
+
+bool surrounds(const Face& face, Vec3 p, const FaceFrame& frame) {
+  const Polygon polygon = flat(face, frame);
+  return winding_number(polygon.outer, frame.to_plane(p)) != 0;
+}
+
+// rings that turn with the normal are faces, the others holes in the smallest that surrounds them
+std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
+  std::vector<Face> faces;
+  std::vector<Ring3> holes;
+  for (const Ring3& raw : rings) {
+    const Ring3 ring = without_twins(raw);
+    const double twice_area_m2 = dot(normal, area_vector_m2(ring));
+    if (ring.size() < 3 || std::abs(twice_area_m2) < 1e-12) continue;
+    if (twice_area_m2 > 0) {
+      faces.emplace_back().outer = ring;
+    } else {
+      holes.push_back(ring);
+    }
+  }
+  for (const Ring3& hole : holes) {
+    Face* home = nullptr;
+    for (Face& face : faces) {
+      if (faces.size() > 1 && !surrounds(face, (hole[0] + hole[1]) * 0.5, frame_of(face))) continue;
+      if (home == nullptr || area_m2(face) < area_m2(*home)) home = &face;
+    }
+    if (home != nullptr) home->holes.push_back(hole);
+  }
+  return faces;
+}
+
+bool lies_in(const Face& face, const CutPlane& plane) {
+  return std::all_of(face.outer.begin(), face.outer.end(), [&](Vec3 p) { return height_above(plane, p) == 0; });
+}
+
+void add_edges(const Ring3& ring, std::vector<Edge3>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+}
+
+std::vector<Edge3> edges_of(std::span<const Face> faces) {
+  std::vector<Edge3> edges;
+  for (const Face& face : faces) {
+    add_edges(face.outer, edges);
+    for (const Ring3& hole : face.holes) add_edges(hole, edges);
+  }
+  return edges;
+}
+
+// ends are the same where they round to the same 2^-18 m: what is made of the same vertices has the same bits anyway
+std::array<std::int64_t, 3> place_of(Vec3 p) {
+  const auto cell = [](double v) {
+    const double scaled = std::clamp(v * 0x1p18, -9e15, 9e15);
+    return static_cast<std::int64_t>(std::floor(scaled + 0.5));
+  };
+  return {cell(p.x), cell(p.y), cell(p.z)};
+}
+
+using Count = std::map<std::pair<std::array<std::int64_t, 3>, std::array<std::int64_t, 3>>, int>;
+
+Count count_directed(std::span<const Edge3> edges) {
+  Count count;
+  for (const Edge3& edge : edges) {
+    const auto a = place_of(edge.first), b = place_of(edge.second);
+    if (a == b) continue;
+    int& opposite = count[{b, a}];
+    if (opposite > 0) {
+      --opposite;
+    } else {
+      ++count[{a, b}];
+    }
+  }
+  return count;
+}
+
+// the edge that goes on from p, the one that turns least to the left last: any will do where rings touch
+std::size_t edge_from(const std::vector<Edge3>& edges, const std::vector<bool>& used, Vec3 p) {
+  std::size_t best = edges.size();
+  double best_m = kSamePlace_m;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (used[i]) continue;
+    const double d_m = length(edges[i].first - p);
+    if (d_m < best_m) best = i, best_m = d_m;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
+  const Vec3 normal = normal_of(face);
+  if (lies_in(face, plane)) return dot(normal, plane.normal) < 0 ? std::vector{face} : std::vector<Face>{};
+  Chains cut;
+  cut_ring(face.outer, plane, cut);
+  for (const Ring3& hole : face.holes) cut_ring(hole, plane, cut);
+  if (cut.chains.empty() && cut.whole.size() == 1 + face.holes.size()) return {face};
+  // the inside lies to the left of the cut
+  std::vector<Ring3> rings = joined(cut.chains, cross(plane.normal, normal));
+  rings.insert(rings.end(), cut.whole.begin(), cut.whole.end());
+  std::vector<Face> parts = nested(rings, normal);
+  for (Face& part : parts) part.tag = face.tag, part.street = face.street;
+  return parts;
+}
+
+bool is_closed(std::span<const Face> faces) {
+  if (faces.size() < 4) return false;
+  const std::vector<Edge3> edges = edges_of(faces);
+  const Count count = count_directed(edges);
+  return std::all_of(count.begin(), count.end(), [](const auto& entry) { return entry.second == 0; });
+}
+
+std::vector<Face> faces_along(std::vector<Edge3> edges, Vec3 normal) {
+  Count left = count_directed(edges);
+  std::erase_if(edges, [&](const Edge3& edge) { return left[{place_of(edge.first), place_of(edge.second)}]-- <= 0; });
+  std::vector<bool> used(edges.size());
+  std::vector<Ring3> rings;
+  for (std::size_t first = 0; first < edges.size(); ++first) {
+    if (used[first]) continue;
+    Ring3 ring;
+    std::size_t i = first;
+    for (; i < edges.size(); i = edge_from(edges, used, edges[i].second)) {
+      used[i] = true;
+      ring.push_back(edges[i].first);
+      if (length(edges[i].second - ring.front()) < kSamePlace_m) break;
+    }
+    if (i < edges.size()) rings.push_back(std::move(ring));
+  }
+  return nested(rings, normal);
+}
+
+std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane, bool closed) {
+  std::vector<Face> parts;
+  for (const Face& face : faces)
+    for (Face& part : part_above(face, plane)) parts.push_back(std::move(part));
+  if (!closed || parts.empty()) return parts;
+  std::vector<Edge3> open;
+  for (const Edge3& edge : edges_of(parts))
+    if (height_above(plane, edge.first) == 0 && height_above(plane, edge.second) == 0)
+      open.push_back({edge.second, edge.first});
+  for (Face& cap : faces_along(std::move(open), plane.normal * -1.0)) parts.push_back(std::move(cap));
+  return parts;
+}
+
+std::vector<Face> merged(std::span<const Face> faces) {
+  if (faces.size() < 2) return {faces.begin(), faces.end()};
+  std::vector<Face> made = faces_along(edges_of(faces), normal_of(faces.front()));
+  for (Face& face : made) face.tag = faces.front().tag;
+  return made;
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,38 @@
+// The table of operations: names, arguments, selectors; what CGA calls shape operations.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grammars/syntax.h"
+
+namespace citykiln::grammars {
+
+struct Execution;
+struct Argument;
+
+enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
+
+struct OperationRow {
+  const char* name;
+  /// Ways to call it, between |: a letter an argument. n number (' before it: a share of the scope's size), s string,
+  /// v any value, w one of `words`, a the name of an attribute or material value. * as last: any number of values.
+  const char* signatures;
+  const char* words;  ///< Between blanks.
+  SelectorKind selectors;
+  void (*run)(Execution&, const Statement&, std::span<const Argument>);
+  const char* text;  ///< For README.
+};
+
+std::span<const OperationRow> operation_table();
+/// The row of this name, or -1.
+int operation_of(const std::string& name);
+
+/// True if `word` is one of `words`, which stand between blanks.
+bool is_among(const std::string& word, const std::string& words);
+/// The signature that these arguments fit: their number, and words where words are asked for; "" if none.
+std::string fitting_signature(const OperationRow& row, std::span<const Expression> arguments, bool& fits);
+
+}  // namespace citykiln::grammars
