@@ -1,5 +1,7 @@
 #include "grammars/lexer.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -96,7 +98,7 @@ struct Lexer {
       return;
     }
     const bool printable = peek() > ' ' && peek() < 0x7f;
-    fail(place(), "no word begins with " + (printable ? "'" + std::string(1, peek()) + "'" : "this byte"));
+    fail(place(), printable ? fmt::format("no word begins with '{}'", peek()) : "no word begins with this byte");
   }
 
   void take_token() {
@@ -110,7 +112,7 @@ struct Lexer {
 }  // namespace
 
 std::string place_name(std::string_view file, Place place) {
-  return std::string(file) + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+  return fmt::format("{}:{}:{}", file, place.line, place.column);
 }
 
 Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index) {

@@ -76,7 +76,8 @@ void parse_annotation(Parser& parser, SyntaxTree& tree) {
       parser.take();
     } while (open > 0 && !parser.at_end());
   }
-  if ((name == "StartRule" || name == "Start") && parser.peek().kind == TokenKind::kName) tree.start = parser.peek().text;
+  if ((name == "StartRule" || name == "Start") && parser.peek().kind == TokenKind::kName)
+    tree.start = parser.peek().text;
 }
 
 void parse_declaration(Parser& parser, SyntaxTree& tree) {
@@ -86,14 +87,16 @@ void parse_declaration(Parser& parser, SyntaxTree& tree) {
   if (parser.sees_name("import")) return tree.imports.push_back(parse_import(parser));
   if (parser.sees_name("attr") || parser.sees_name("const")) return tree.attributes.push_back(parse_attribute(parser));
   if (parser.sees_name("style"))
-    return parser.fail(parser.peek().place, "styles are not part of our language; give attributes when deriving, or import with a prefix");
+    return parser.fail(parser.peek().place,
+                       "styles are not part of our language; give attributes when deriving, or import with a prefix");
   parse_definition(parser, tree);
 }
 
 template <typename Named>
 void refuse_twins(Parser& parser, const std::vector<Named>& named, std::set<std::string>& known, const char* what) {
   for (const Named& one : named)
-    if (!known.insert(one.name).second) parser.fail(one.place, std::string(what) + " '" + one.name + "' is defined twice");
+    if (!known.insert(one.name).second)
+      parser.fail(one.place, std::string(what) + " '" + one.name + "' is defined twice");
 }
 
 }  // namespace

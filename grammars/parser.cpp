@@ -1,5 +1,7 @@
 #include "grammars/parser.h"
 
+#include <fmt/core.h>
+
 #include "grammars/lexer.h"
 #include "grammars/parse.h"
 
@@ -11,9 +13,9 @@ std::string shown(const Token& token) {
     case TokenKind::kEnd:
       return "the end of the file";
     case TokenKind::kString:
-      return "\"" + token.text.substr(0, 40) + "\"";
+      return fmt::format("\"{}\"", token.text.substr(0, 40));
     default:
-      return "'" + token.text.substr(0, 40) + "'";
+      return fmt::format("'{}'", token.text.substr(0, 40));
   }
 }
 
@@ -27,7 +29,7 @@ bool Parser::accept(const char* sign) {
 
 bool Parser::expect(const char* sign, const char* why) {
   if (accept(sign)) return true;
-  fail_expected(std::string("'") + sign + "' " + why);
+  fail_expected(fmt::format("'{}' {}", sign, why));
   return false;
 }
 
@@ -37,7 +39,9 @@ std::string Parser::expect_name(const char* what) {
   return {};
 }
 
-void Parser::fail_expected(const std::string& what) { fail(peek().place, "expected " + what + ", found " + shown(peek())); }
+void Parser::fail_expected(const std::string& what) {
+  fail(peek().place, fmt::format("expected {}, found {}", what, shown(peek())));
+}
 
 void Parser::fail(Place place, const std::string& message) {
   if (!failed) failed = Error{place_name(file, place), message};
@@ -45,7 +49,8 @@ void Parser::fail(Place place, const std::string& message) {
 }
 
 Nesting::Nesting(Parser& nested) : parser(nested) {
-  if (++parser.depth > kNestingLimit) parser.fail(parser.peek().place, "nested deeper than " + std::to_string(kNestingLimit));
+  if (++parser.depth > kNestingLimit)
+    parser.fail(parser.peek().place, fmt::format("nested deeper than {}", kNestingLimit));
 }
 
 }  // namespace citykiln::grammars

@@ -113,6 +113,21 @@ void resolve(Resolver& names, Expression& expression) {
   }
 }
 
+const char* word_for(char letter) {
+  switch (letter) {
+    case 'n':
+      return "number";
+    case 's':
+      return "string";
+    case 'w':
+      return "word";
+    case 'a':
+      return "name";
+    default:
+      return "value";
+  }
+}
+
 std::string calls_of(const OperationRow& row) {
   std::string calls;
   const std::string signatures = row.signatures;
@@ -120,8 +135,8 @@ std::string calls_of(const OperationRow& row) {
     const std::size_t end = std::min(signatures.find('|', from), signatures.size());
     std::string inside;
     for (const char letter : signatures.substr(from, end - from)) {
-      if (!inside.empty() && letter != '*') inside += ", ";
-      inside += letter == 'n' ? "number" : letter == 's' ? "string" : letter == 'w' ? "word" : letter == 'a' ? "name" : letter == '*' ? "…" : "value";
+      inside += inside.empty() ? "" : ", ";
+      inside += word_for(letter);
     }
     calls += (calls.empty() ? "" : " or ") + std::string(row.name) + "(" + inside + ")";
     from = end + 1;
@@ -131,7 +146,8 @@ std::string calls_of(const OperationRow& row) {
 
 // what set() changes: an attribute or a value of the material
 void resolve_settable(Resolver& names, Expression& name) {
-  if (name.kind != ExpressionKind::kName) return names.fail(name.place, "expected the name of an attribute or material value");
+  if (name.kind != ExpressionKind::kName)
+    return names.fail(name.place, "expected the name of an attribute or material value");
   name.target = Target::kWord;
   name.index = ~0u;
   if (is_look_value(name.text)) return;
@@ -216,7 +232,7 @@ void resolve(Resolver& names, Statement& statement) {
   if (statement.kind == StatementKind::kPush || statement.kind == StatementKind::kPop) return;
   if (statement.kind == StatementKind::kBlock) return resolve(names, statement.block.front());
   const bool is_rule = names.program.rule_of.contains(names.prefix + statement.name);
-  const int row = is_rule || !statement.has_arguments ? -1 : operation_of(statement.name);
+  const int row = is_rule ? -1 : operation_of(statement.name);
   if (row >= 0) return resolve_operation(names, statement, row);
   resolve_successor(names, statement);
 }

@@ -16,9 +16,9 @@ namespace citykiln::grammars {
 
 /// A surface's material: names and numbers; what they look like is decided by whoever takes the terminals.
 struct Look {
-  std::string name;                      ///< material.name, e.g. "brick"; "" where no rule has set it.
-  std::string colour_map;                ///< texture("…").
-  double red = 1, green = 1, blue = 1;   ///< sRGB, 0 … 1.
+  std::string name;                     ///< material.name, e.g. "brick"; "" where no rule has set it.
+  std::string colour_map;               ///< texture("…").
+  double red = 1, green = 1, blue = 1;  ///< sRGB, 0 … 1.
   double opacity = 1, roughness = 1, metallic = 0;
   double emissive_red = 0, emissive_green = 0, emissive_blue = 0;
   bool operator==(const Look&) const = default;

@@ -12,13 +12,13 @@
 namespace citykiln::grammars {
 
 enum class ExpressionKind : std::uint8_t {
-  kLiteral,   ///< value.
-  kName,      ///< text.
-  kCall,      ///< text(operands).
-  kUnary,     ///< text is - ! or ' (a share of the scope's size).
-  kBinary,    ///< text is an operator.
-  kCase,      ///< operands: condition, value, condition, value, …, value of else.
-  kChance,    ///< operands: per cent, value, per cent, value, …, value of else.
+  kLiteral,    ///< value.
+  kName,       ///< text.
+  kCall,       ///< text(operands).
+  kUnary,      ///< text is - ! or ' (a share of the scope's size).
+  kBinary,     ///< text is an operator.
+  kCase,       ///< operands: condition, value, condition, value, …, value of else.
+  kChance,     ///< operands: per cent, value, per cent, value, …, value of else.
   kWithLocals  ///< operands: values of the locals, in slots from `index` on; then the value.
 };
 
@@ -93,8 +93,8 @@ struct Statement {
   bool has_selectors = false;
   bool repeated = false;  ///< A * behind the selectors.
   std::vector<Selector> selectors;
-  std::vector<Body> block;      ///< Of kBlock: one.
-  std::uint32_t index = ~0u;    ///< Of an operation: the row of operations.inc; of a successor: the rule, or ~0 for none.
+  std::vector<Body> block;    ///< Of kBlock: one.
+  std::uint32_t index = ~0u;  ///< Of an operation: the row of operations.inc; of a successor: the rule, or ~0 for none.
 };
 
 struct Rule {

@@ -18,10 +18,11 @@ enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
 struct OperationRow {
   const char* name;
   /// Ways to call it, between |: a letter an argument. n number (' before it: a share of the scope's size), s string,
-  /// v any value, w one of `words`, a the name of an attribute or material value. * as last: any number of values.
+  /// v any value, w one of `words`, a the name of an attribute or material value.
   const char* signatures;
   const char* words;  ///< Between blanks.
   SelectorKind selectors;
+  bool alters;  ///< Makes a new shape of the current one, so that it needs a successor or is a terminal.
   void (*run)(Execution&, const Statement&, std::span<const Argument>);
   const char* text;  ///< For README.
 };
@@ -32,7 +33,7 @@ int operation_of(const std::string& name);
 
 /// True if `word` is one of `words`, which stand between blanks.
 bool is_among(const std::string& word, const std::string& words);
-/// The signature that these arguments fit: their number, and words where words are asked for; "" if none.
-std::string fitting_signature(const OperationRow& row, std::span<const Expression> arguments, bool& fits);
+/// The first signature that these arguments fit: their number, and words where words are asked for.
+std::string fitting_signature(const OperationRow& row, std::span<const Expression> arguments, bool& found);
 
 }  // namespace citykiln::grammars

@@ -1,0 +1,126 @@
+#include "grammars/derive.h"
+
+#include <algorithm>
+
+#include "grammars/execute.h"
+#include "grammars/lexer.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr std::size_t kMostTroubles = 1000;  // a mistake in a loop says the same thing a million times in new words
+
+std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(Place place) {
+  return {place.file, place.line, place.column};
+}
+
+Shape first_shape(const Run& run) {
+  Shape shape = run.initial;
+  // an id of its own, so that the start's dice are not the attributes'
+  shape.id = stable_id(run.initial.id, "start", 0);
+  return shape;
+}
+
+Outcome begin(Run& run) {
+  const std::string& start = run.options.start.empty() ? run.program.start : run.options.start;
+  const auto rule = run.program.rule_of.find(start);
+  if (rule == run.program.rule_of.end()) return end_as_terminal(run, first_shape(run), start, 0);
+  const Rule& first = run.program.rules[rule->second];
+  // a start rule asks for nothing that nobody gives; missing arguments are zero
+  return apply_rule(run, first_shape(run), first, Frame(first.parameters.size(), Value(0.0)), 1, 0);
+}
+
+void sort_troubles(Run& run) {
+  for (auto& [key, trouble] : run.troubles) run.out.troubles.push_back(std::move(trouble));
+  std::stable_sort(run.out.troubles.begin(), run.out.troubles.end(),
+                   [](const Trouble& a, const Trouble& b) { return order_of(a.place) < order_of(b.place); });
+}
+
+}  // namespace
+
+void Run::trouble(Place place, const std::string& message) {
+  const std::string key = place_name(program.files[place.file], place);
+  const auto found = troubles.find({key, message});
+  if (found != troubles.end()) return void(++found->second.times);
+  if (troubles.size() < kMostTroubles) troubles[{key, message}] = {place, message, 1};
+}
+
+bool Run::spend(std::uint64_t steps) {
+  out.steps += steps;
+  return out.steps <= options.limits.steps;
+}
+
+void Run::hit(LimitKind kind, const std::string& rule, Place place) {
+  for (LimitHit& hit : out.limits)
+    if (hit.kind == kind) return void(++hit.times);
+  out.limits.push_back({kind, rule, place, 1});
+}
+
+std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
+  const auto [entry, is_new] = path_of.emplace(std::pair{parent, rule}, static_cast<std::uint32_t>(out.paths.size()));
+  if (is_new) out.paths.push_back({parent, rule});
+  return entry->second;
+}
+
+std::uint32_t Run::look_index(const Look& look) {
+  const auto found = std::find(out.looks.begin(), out.looks.end(), look);
+  if (found != out.looks.end()) return static_cast<std::uint32_t>(found - out.looks.begin());
+  // as many looks as shapes would make a search through all of them slow
+  spend(out.looks.size());
+  out.looks.push_back(look);
+  return static_cast<std::uint32_t>(out.looks.size() - 1);
+}
+
+double metres(const Argument& argument) { return std::clamp(number_of(argument.value), -kMost_m, kMost_m); }
+
+Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId id,
+          const std::vector<std::size_t>& street) {
+  Shape shape;
+  shape.id = id;
+  Face& face = shape.faces.emplace_back();
+  for (const Vec2 p : footprint.outer) face.outer.push_back(at_height(p, height_m));
+  for (const Ring& hole : footprint.holes) {
+    Ring3& ring = face.holes.emplace_back();
+    for (const Vec2 p : hole) ring.push_back(at_height(p, height_m));
+  }
+  const std::size_t n = face.outer.size();
+  face.street_edges.assign(street.empty() ? 0 : n, 0);
+  for (const std::size_t edge : street) face.street_edges[edge % n] = 1;
+  const Vec3 along = n == 0 ? Vec3{} : face.outer[(front + 1) % n] - face.outer[front % n];
+  const Vec3 x = length(along) > 0 ? unit(along) : Vec3{1, 0, 0};
+  shape.scope = scope_around(shape.faces, {x, Vec3{0, 0, 1}, cross(x, Vec3{0, 0, 1})}, {0, 0, height_m});
+  shape.parent_scope = shape.scope;
+  return shape;
+}
+
+Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options) {
+  Run run{program, options, initial};
+  run.attributes.resize(program.attributes.size());
+  run.attribute_under_way.resize(program.attributes.size());
+  run.out.paths.push_back({0, ""});
+  run.out.shapes = 1;
+  begin(run);
+  sort_troubles(run);
+  for (const Terminal& terminal : run.out.terminals) run.out.error_m = std::max(run.out.error_m, terminal.error_m);
+  return std::move(run.out);
+}
+
+std::string path_name(const Derivation& derivation, std::uint32_t path) {
+  if (path == 0 || path >= derivation.paths.size()) return "";
+  const PathNode& node = derivation.paths[path];
+  return node.parent == 0 ? node.rule : path_name(derivation, node.parent) + "/" + node.rule;
+}
+
+std::string trouble_line(const Program& program, const Trouble& trouble) {
+  const std::string line = place_name(program.files[trouble.place.file], trouble.place) + ": " + trouble.message;
+  return trouble.times == 1 ? line : line + " (" + std::to_string(trouble.times) + " times)";
+}
+
+std::string limit_line(const Program& program, const LimitHit& hit) {
+  constexpr const char* kNames[] = {"depth", "shapes", "steps"};
+  return place_name(program.files[hit.place.file], hit.place) + ": the limit of " +
+         kNames[static_cast<std::size_t>(hit.kind)] + " ended " + std::to_string(hit.times) +
+         " shapes, the first of rule " + hit.rule;
+}
+
+}  // namespace citykiln::grammars

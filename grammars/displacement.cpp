@@ -1,0 +1,76 @@
+#include "grammars/displacement.h"
+
+#include <algorithm>
+#include <map>
+
+namespace citykiln::grammars {
+namespace {
+
+double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return length(p - (a + ab * t));
+}
+
+double farthest_from_segment_m(std::span<const Vec3> points, Vec3 a, Vec3 b) {
+  double farthest_m = 0;
+  for (const Vec3 p : points) farthest_m = std::max(farthest_m, distance_to_segment_m(p, a, b));
+  return farthest_m;
+}
+
+// from a vanished surface to what became of its siblings
+double distance_to_siblings_m(const ChildTrace& vanished, std::span<const ChildTrace> children) {
+  double best_m = kUnbounded_m;
+  for (const ChildTrace& sibling : children) {
+    if (sibling.vanished) continue;
+    const std::size_t n = sibling.vertices.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double gap_m =
+          farthest_from_segment_m(vanished.vertices, sibling.vertices[i], sibling.vertices[(i + 1) % n]);
+      best_m = std::min(best_m, gap_m + sibling.own.back_m);
+    }
+  }
+  return best_m;
+}
+
+}  // namespace
+
+Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to) {
+  const std::vector<Vec3> a = vertices_of(from), b = vertices_of(to);
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
+  return {farthest_m, farthest_m};
+}
+
+Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> to) {
+  if (from.empty() || to.empty()) return {kUnbounded_m, kUnbounded_m};
+  double farthest_m = 0;
+  for (const Vec3 a : from)
+    for (const Vec3 b : to) farthest_m = std::max(farthest_m, length(b - a));
+  return {farthest_m, farthest_m};
+}
+
+std::vector<Vec3> vertices_of(std::span<const Face> faces) {
+  std::vector<Vec3> vertices;
+  vertices.reserve(vertex_count(faces));
+  for (const Face& face : faces) each_vertex(face, [&](Vec3 p) { vertices.push_back(p); });
+  return vertices;
+}
+
+NodeTrace together(std::span<const ChildTrace> children) {
+  NodeTrace node;
+  std::map<std::uint32_t, double> back_of_group_m;
+  for (const ChildTrace& child : children) {
+    node.vanished &= child.vanished;
+    if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
+    const double own_m = child.vanished ? distance_to_siblings_m(child, children) : child.own.back_m;
+    double& back_m = back_of_group_m[child.group];
+    back_m = std::max(back_m, child.before.back_m + own_m);
+  }
+  node.moved.back_m = kUnbounded_m;
+  for (const auto& [group, back_m] : back_of_group_m) node.moved.back_m = std::min(node.moved.back_m, back_m);
+  if (node.vanished) node.moved = {};
+  return node;
+}
+
+}  // namespace citykiln::grammars

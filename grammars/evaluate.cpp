@@ -1,0 +1,308 @@
+#include "grammars/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grammars/builtin.h"
+#include "grammars/mathematics.h"
+#include "grammars/measure.h"
+#include "grammars/text.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr int kMostCalls = 64;
+
+Value finite(double number, Place place, Context& context) {
+  if (std::isfinite(number)) return number;
+  context.run.trouble(place, "the value is not a number or too large");
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  return std::isnan(number) ? 0.0 : std::clamp(number, -kLargest, kLargest);
+}
+
+double number_at(const Expression& expression, Context& context) {
+  const Value value = evaluate(expression, context);
+  if (!std::holds_alternative<double>(value))
+    context.run.trouble(expression.place, std::string("expected a float, found a ") + kind_name(value));
+  return number_of(value);
+}
+
+bool truth_at(const Expression& expression, Context& context) {
+  const Value value = evaluate(expression, context);
+  if (!std::holds_alternative<bool>(value))
+    context.run.trouble(expression.place, std::string("expected a bool, found a ") + kind_name(value));
+  return truth_of(value);
+}
+
+double random_number(Context& context, const double* n, std::size_t given) {
+  const double low = given == 2 ? n[0] : 0, high = given == 2 ? n[1] : given == 1 ? n[0] : 1;
+  return low + (high - low) * draw_unit(context);
+}
+
+bool occluded(Context& context, OcclusionQuery query) {
+  const Occlusion& occlusion = context.run.options.occlusion;
+  // a look at all points of the shape
+  context.run.spend(vertex_count(context.shape.faces) * 2);
+  return occlusion && occlusion(query, context.shape);
+}
+
+Value call_builtin(std::size_t row, const Value* v, const double* n, const std::string* s, std::size_t given,
+                   Context& context) {
+  std::size_t at = 0;
+#define FUNCTION(name, arguments, computes, text) \
+  if (row == at++) return Value(computes);
+#include "grammars/functions.inc"
+#undef FUNCTION
+  return 0.0;
+}
+
+// reads the arguments as the table's letters say
+Value evaluate_builtin(const Expression& call, Context& context) {
+  std::string letters = builtin_functions()[call.index].arguments;
+  std::erase(letters, '/');
+  Value v[3];
+  double n[3] = {0, 0, 0};
+  std::string s[3];
+  for (std::size_t i = 0; i < call.operands.size() && i < 3; ++i) {
+    v[i] = evaluate(call.operands[i], context);
+    const bool fits = letters[i] == 'v' || letters[i] == "nbs"[v[i].index()];
+    if (!fits) context.run.trouble(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
+    n[i] = number_of(v[i]);
+    if (letters[i] == 's') s[i] = text_of(v[i]);
+  }
+  const Value value = call_builtin(call.index, v, n, s, call.operands.size(), context);
+  return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
+}
+
+Value evaluate_function(const Expression& call, Context& context) {
+  if (context.calls >= kMostCalls) {
+    context.run.trouble(call.place, "functions call each other deeper than 64");
+    return 0.0;
+  }
+  const Function& function = context.run.program.functions[call.index];
+  Frame frame;
+  for (const Expression& operand : call.operands) frame.push_back(evaluate(operand, context));
+  Context inner{context.run, context.shape, frame, context.dice, context.calls + 1};
+  return evaluate(function.value, inner);
+}
+
+Value look_value(const std::string& name, const Look& look) {
+#define LOOK_TEXT(key, member) \
+  if (name == key) return look.member;
+#define LOOK_NUMBER(key, member) \
+  if (name == key) return look.member;
+#include "grammars/look_table.inc"
+#undef LOOK_TEXT
+#undef LOOK_NUMBER
+  return 0.0;
+}
+
+Value shape_value(const Expression& name, const Shape& shape) {
+  if (name.index == ~0u) return look_value(name.text, shape.look);
+  std::size_t at = 0;
+#define SHAPE_VALUE(key, computes, text) \
+  if (name.index == at++) return Value(computes);
+#include "grammars/shape_values.inc"
+#undef SHAPE_VALUE
+  return 0.0;
+}
+
+Value evaluate_name(const Expression& name, Context& context) {
+  switch (name.target) {
+    case Target::kLocal:
+      return name.index < context.frame.size() ? context.frame[name.index] : Value(0.0);
+    case Target::kAttribute:
+      return attribute_value(name.index, context);
+    case Target::kFunction:
+      return evaluate_function(name, context);
+    case Target::kBuiltin:
+      return evaluate_builtin(name, context);
+    case Target::kShape:
+      context.run.spend(context.shape.faces.size());
+      return shape_value(name, context.shape);
+    default:
+      return 0.0;
+  }
+}
+
+Value evaluate_unary(const Expression& unary, Context& context) {
+  if (unary.text == "!") return !truth_at(unary.operands[0], context);
+  const double number = number_at(unary.operands[0], context);
+  return unary.text == "-" ? -number : number;
+}
+
+// as strings where one is a string, else as numbers; a float equals no bool
+int compared(const Value& a, const Value& b, Place place, Context& context) {
+  if (a.index() != b.index())
+    context.run.trouble(place, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
+  if (std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b)) {
+    const int order = text_of(a).compare(text_of(b));
+    return order < 0 ? -1 : order > 0 ? 1 : 0;
+  }
+  const double x = number_of(a), y = number_of(b);
+  return x < y ? -1 : x > y ? 1 : 0;
+}
+
+Value compare(const Expression& binary, const Value& a, const Value& b, Context& context) {
+  const int order = compared(a, b, binary.place, context);
+  if (binary.text == "==") return order == 0;
+  if (binary.text == "!=") return order != 0;
+  if (binary.text == "<") return order < 0;
+  if (binary.text == ">") return order > 0;
+  return binary.text == "<=" ? order <= 0 : order >= 0;
+}
+
+// texts that double in every function would fill the memory before a limit sees them
+constexpr std::size_t kLongestText = 4096;
+
+Value add_text(const Expression& binary, const Value& a, const Value& b, Context& context) {
+  std::string text = text_of(a) + text_of(b);
+  if (text.size() > kLongestText) {
+    context.run.trouble(binary.place, "a text of more than 4096 bytes");
+    text.resize(kLongestText);
+  }
+  return text;
+}
+
+double divided(double a, double b, Place place, Context& context) {
+  if (b != 0) return a / b;
+  context.run.trouble(place, "division by zero");
+  return 0;
+}
+
+double remainder_of(double a, double b, Place place, Context& context) {
+  const double quotient = divided(a, b, place, context);
+  return a - b * (quotient < 0 ? std::ceil(quotient) : std::floor(quotient));
+}
+
+Value arithmetic(const Expression& binary, double a, double b, Context& context) {
+  switch (binary.text[0]) {
+    case '+':
+      return finite(a + b, binary.place, context);
+    case '-':
+      return finite(a - b, binary.place, context);
+    case '*':
+      return finite(a * b, binary.place, context);
+    case '/':
+      return finite(divided(a, b, binary.place, context), binary.place, context);
+    default:
+      return finite(remainder_of(a, b, binary.place, context), binary.place, context);
+  }
+}
+
+Value evaluate_binary(const Expression& binary, Context& context) {
+  if (binary.text == "&&") return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
+  if (binary.text == "||") return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
+  const char first = binary.text[0];
+  const bool compares = first == '=' || first == '!' || first == '<' || first == '>';
+  if (!compares && first != '+') {
+    // the left one draws first, whatever the compiler prefers
+    const double left = number_at(binary.operands[0], context);
+    return arithmetic(binary, left, number_at(binary.operands[1], context), context);
+  }
+  const Value a = evaluate(binary.operands[0], context);
+  const Value b = evaluate(binary.operands[1], context);
+  if (compares) return compare(binary, a, b, context);
+  const bool texts = std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b);
+  if (texts) return add_text(binary, a, b, context);
+  return arithmetic(binary, number_of(a), number_of(b), context);
+}
+
+Value evaluate_case(const Expression& cases, Context& context) {
+  std::size_t i = 0;
+  for (; i + 1 < cases.operands.size(); i += 2)
+    if (truth_at(cases.operands[i], context)) return evaluate(cases.operands[i + 1], context);
+  return i < cases.operands.size() ? evaluate(cases.operands[i], context) : Value(0.0);
+}
+
+Value evaluate_chance(const Expression& chances, Context& context) {
+  const double dice = draw_unit(context) * 100;
+  double sum = 0;
+  std::size_t i = 0;
+  for (; i + 1 < chances.operands.size(); i += 2) {
+    sum += number_at(chances.operands[i], context);
+    if (dice < sum) return evaluate(chances.operands[i + 1], context);
+  }
+  return i < chances.operands.size() ? evaluate(chances.operands[i], context) : Value(0.0);
+}
+
+Value evaluate_with(const Expression& with, Context& context) {
+  for (std::size_t i = 0; i + 1 < with.operands.size(); ++i) {
+    Value value = evaluate(with.operands[i], context);
+    context.frame.resize(std::max<std::size_t>(context.frame.size(), with.index + i + 1), Value(0.0));
+    context.frame[with.index + i] = std::move(value);
+  }
+  return evaluate(with.operands.back(), context);
+}
+
+// attributes draw from the building's own dice, by name
+Value initial_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  const Attribute& attribute = run.program.attributes[index];
+  const auto given = run.options.attributes.find(attribute.name);
+  Dice dice{Draw(run.options.seed, run.initial.id, ("attr " + attribute.name).c_str())};
+  Frame frame;
+  Context inner{run, run.initial, frame, dice, context.calls + 1};
+  if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
+  return given->second;
+}
+
+}  // namespace
+
+Value attribute_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  if (context.shape.attributes) {
+    const auto changed = context.shape.attributes->find(index);
+    if (changed != context.shape.attributes->end()) return changed->second;
+  }
+  if (run.attributes[index]) return *run.attributes[index];
+  if (run.attribute_under_way[index] || context.calls >= kMostCalls) {
+    run.trouble(run.program.attributes[index].place, "the attribute's value asks for itself");
+    return 0.0;
+  }
+  run.attribute_under_way[index] = true;
+  run.attributes[index] = initial_value(index, context);
+  run.attribute_under_way[index] = false;
+  return *run.attributes[index];
+}
+
+double draw_unit(Context& context) { return context.dice.draw.unit(context.dice.next++); }
+
+Value evaluate(const Expression& expression, Context& context) {
+  if (!context.run.spend(1)) return 0.0;
+  switch (expression.kind) {
+    case ExpressionKind::kLiteral:
+      return expression.value;
+    case ExpressionKind::kName:
+      return evaluate_name(expression, context);
+    case ExpressionKind::kCall:
+      return expression.target == Target::kFunction ? evaluate_function(expression, context)
+                                                    : evaluate_name(expression, context);
+    case ExpressionKind::kUnary:
+      return evaluate_unary(expression, context);
+    case ExpressionKind::kBinary:
+      return evaluate_binary(expression, context);
+    case ExpressionKind::kCase:
+      return evaluate_case(expression, context);
+    case ExpressionKind::kChance:
+      return evaluate_chance(expression, context);
+    case ExpressionKind::kWithLocals:
+      return evaluate_with(expression, context);
+  }
+  return 0.0;
+}
+
+int chosen_branch(const Body& body, Context& context) {
+  const double dice = body.kind == BodyKind::kChance ? draw_unit(context) * 100 : 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < body.branches.size(); ++i) {
+    const Branch& branch = body.branches[i];
+    if (branch.is_else) return static_cast<int>(i);
+    if (body.kind == BodyKind::kCase && truth_at(branch.test, context)) return static_cast<int>(i);
+    if (body.kind == BodyKind::kChance && dice < (sum += number_at(branch.test, context))) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace citykiln::grammars

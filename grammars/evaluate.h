@@ -1,0 +1,29 @@
+// What an expression is worth for a shape.
+#pragma once
+
+#include "grammars/run.h"
+
+namespace citykiln::grammars {
+
+struct Context {
+  Run& run;
+  const Shape& shape;
+  Frame& frame;
+  Dice& dice;
+  int calls = 0;  ///< Functions in each other.
+};
+
+/// Total: a value of the wrong kind is a trouble and converted; division by zero and overflow are troubles and 0, or
+/// the largest double; functions deeper than 64 in each other are 0.
+Value evaluate(const Expression& expression, Context& context);
+
+/// The value of an attribute or constant for this shape.
+Value attribute_value(std::uint32_t attribute, Context& context);
+
+/// Uniform in [0, 1).
+double draw_unit(Context& context);
+
+/// Which branch of a case or of p% shares to take; -1 for none.
+int chosen_branch(const Body& body, Context& context);
+
+}  // namespace citykiln::grammars

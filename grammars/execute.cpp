@@ -1,0 +1,252 @@
+#include "grammars/execute.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammars/operations/table.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kWorld_m = 1e9;  // beyond it doubles no longer know millimetres
+
+std::vector<Vec3> surface_points(const Shape& shape) {
+  if (shape.asset.empty()) return vertices_of(shape.faces);
+  const auto corners = shape.scope.corners();
+  return {corners.begin(), corners.end()};
+}
+
+// of a survivor the first face's ring: points that its surface surely holds
+std::vector<Vec3> trace_points(const Shape& shape, bool vanished) {
+  if (vanished || shape.faces.empty()) return surface_points(shape);
+  return shape.faces.front().outer;
+}
+
+ChildTrace trace_of(const Shape& shape, Displacement before, const Outcome& outcome, std::uint32_t group) {
+  return {before, outcome.trace.moved, outcome.trace.vanished, group, trace_points(shape, outcome.trace.vanished)};
+}
+
+void join_looks(Execution& execution, const Outcome& outcome) {
+  if (outcome.trace.vanished) return;
+  const bool first = !execution.look && execution.same_look;
+  execution.same_look &= outcome.same_look && (first || execution.look == outcome.look);
+  execution.look = outcome.look;
+}
+
+void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome) {
+  join_looks(execution, outcome);
+  execution.children.push_back(std::move(trace));
+}
+
+Outcome nothing() { return {}; }
+
+StableId child_id(Execution& execution, const std::string& name) {
+  return stable_id(execution.shape.id, name.c_str(), execution.born++);
+}
+
+Dice dice_of(const Run& run, StableId id) { return {Draw(run.options.seed, id, "rule")}; }
+
+Outcome derive_successor(Execution& execution, const Statement& statement, Shape child, Frame arguments) {
+  Run& run = execution.run;
+  if (statement.name == "NIL") return nothing();
+  if (statement.index == ~0u)
+    return end_as_terminal(run, std::move(child), statement.name, run.path(execution.path, statement.name));
+  const Rule& rule = run.program.rules[statement.index];
+  return apply_rule(run, std::move(child), rule, std::move(arguments), execution.depth + 1, execution.path);
+}
+
+void run_successor(Execution& execution, const Statement& statement) {
+  Frame arguments;
+  Context context = context_of(execution);
+  for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
+  Shape child = execution.shape;
+  child.id = child_id(execution, statement.name);
+  ++execution.run.out.shapes;
+  const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments));
+  add_child(execution, trace_of(execution.shape, execution.moved, outcome, execution.groups++), outcome);
+  execution.pending = false;
+}
+
+std::vector<Argument> arguments_of(const Statement& statement, Context& context) {
+  std::vector<Argument> arguments;
+  for (const Expression& expression : statement.arguments) {
+    Argument& argument = arguments.emplace_back();
+    argument.relative = expression.kind == ExpressionKind::kUnary && expression.text == "'";
+    if (expression.target == Target::kWord) {
+      argument.word = &expression;
+    } else {
+      argument.value = evaluate(argument.relative ? expression.operands[0] : expression, context);
+    }
+  }
+  return arguments;
+}
+
+bool is_in_world(const Shape& shape) {
+  const auto fits = [](Vec3 p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < kWorld_m; };
+  bool all = fits(shape.scope.origin) && shape.scope.diagonal_m() < kWorld_m;
+  for (const Face& face : shape.faces) each_vertex(face, [&](Vec3 p) { all &= fits(p); });
+  return all;
+}
+
+void run_operation(Execution& execution, const Statement& statement) {
+  Run& run = execution.run;
+  const OperationRow& row = operation_table()[statement.index];
+  Context context = context_of(execution);
+  const std::vector<Argument> arguments = arguments_of(statement, context);
+  if (!run.spend(1 + vertex_count(execution.shape.faces))) return;
+  if (!row.alters) return row.run(execution, statement, arguments);
+  execution.pending = true;
+  Shape before = execution.shape;
+  row.run(execution, statement, arguments);
+  if (is_in_world(execution.shape)) return;
+  run.trouble(statement.place, "'" + statement.name + "' takes the shape out of the world; it stays as it was");
+  execution.shape = std::move(before);
+}
+
+void pop(Execution& execution) {
+  if (execution.pushed.empty()) return;
+  execution.shape = std::move(execution.pushed.back().first);
+  execution.moved = execution.pushed.back().second;
+  execution.pushed.pop_back();
+}
+
+void run_statement(Execution& execution, const Statement& statement) {
+  switch (statement.kind) {
+    case StatementKind::kOperation:
+      return run_operation(execution, statement);
+    case StatementKind::kSuccessor:
+      return run_successor(execution, statement);
+    case StatementKind::kPush:
+      execution.run.spend(vertex_count(execution.shape.faces));
+      return void(execution.pushed.emplace_back(execution.shape, execution.moved));
+    case StatementKind::kPop:
+      return pop(execution);
+    case StatementKind::kBlock:
+      return run_body(execution, statement.block.front());
+  }
+}
+
+// what the rules have made of the current shape after its last successor
+void end_pending(Execution& execution) {
+  if (!execution.pending) return;
+  Shape leaf = execution.shape;
+  leaf.id = child_id(execution, execution.name);
+  ++execution.run.out.shapes;
+  const Outcome outcome = end_as_terminal(execution.run, std::move(leaf), execution.name, execution.path);
+  add_child(execution, trace_of(execution.shape, execution.moved, outcome, execution.groups++), outcome);
+}
+
+struct Removed {
+  std::size_t vertices = 0;
+  const Terminal* largest = nullptr;  ///< Of the look with the largest area.
+};
+
+Removed weigh(const std::vector<Terminal>& terminals, std::size_t first) {
+  Removed removed;
+  std::map<std::uint32_t, double> area_of_look_m2;
+  double most_m2 = -1;
+  for (std::size_t i = first; i < terminals.size(); ++i) {
+    const Terminal& terminal = terminals[i];
+    // an asset is worth a cut whatever it weighs
+    removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
+    double& area_m2_of = area_of_look_m2[terminal.look];
+    for (const Face& face : terminal.faces) area_m2_of += area_m2(face);
+    if (area_m2_of <= most_m2) continue;
+    most_m2 = area_m2_of;
+    removed.largest = &terminal;
+  }
+  return removed;
+}
+
+bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
+  const double tolerance_m = run.options.tolerance_m;
+  if (!(tolerance_m > 0) || outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
+  if (run.options.keep_looks && !outcome.same_look) return false;
+  return outcome.trace.moved.largest_m() <= tolerance_m;
+}
+
+// puts the node's own surface in the place of all that was made of it, if that is less
+void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Outcome& outcome) {
+  Run& run = execution.run;
+  std::vector<Terminal>& terminals = run.out.terminals;
+  if (!may_be_cut(run, outcome, start)) return;
+  const Removed removed = weigh(terminals, first);
+  if (removed.largest == nullptr || vertex_count(start.faces) >= removed.vertices) return;
+  Terminal terminal{
+      start.id, execution.name, execution.path, removed.largest->look,          start.faces, removed.largest->texture,
+      {},       start.scope,    true,           outcome.trace.moved.largest_m()};
+  terminals.erase(terminals.begin() + static_cast<std::ptrdiff_t>(first), terminals.end());
+  outcome.look = terminal.look;
+  terminals.push_back(std::move(terminal));
+}
+
+Outcome run_node(Execution& execution, const Body& body) {
+  const std::size_t first = execution.run.out.terminals.size();
+  std::optional<Shape> start;
+  if (execution.run.options.tolerance_m > 0) start = execution.shape;
+  run_body(execution, body);
+  end_pending(execution);
+  Outcome outcome{together(execution.children), execution.same_look, execution.look};
+  if (start) cut_if_near(execution, *start, first, outcome);
+  return outcome;
+}
+
+Outcome run_piece(Execution& execution, Shape shape, const Body& body) {
+  Run& run = execution.run;
+  const Dice dice = dice_of(run, shape.id);
+  Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
+  return run_node(inner, body);
+}
+
+}  // namespace
+
+Outcome end_as_terminal(Run& run, Shape shape, const std::string& name, std::uint32_t path) {
+  if (shape.faces.empty() && shape.asset.empty()) return nothing();
+  Outcome outcome{{{}, false}, true, run.look_index(shape.look)};
+  run.out.terminals.push_back({shape.id, name, path, *outcome.look, std::move(shape.faces), shape.texture,
+                               std::move(shape.asset), shape.scope, false, 0});
+  return outcome;
+}
+
+void run_body(Execution& execution, const Body& body) {
+  Context context = context_of(execution);
+  for (const Local& local : body.locals) {
+    Value value = evaluate(local.value, context);
+    execution.frame.resize(std::max<std::size_t>(execution.frame.size(), local.slot + 1), Value(0.0));
+    execution.frame[local.slot] = std::move(value);
+  }
+  if (body.kind == BodyKind::kStatements) {
+    for (const Statement& statement : body.statements) run_statement(execution, statement);
+    return;
+  }
+  const int branch = chosen_branch(body, context);
+  if (branch >= 0) run_body(execution, body.branches[static_cast<std::size_t>(branch)].body);
+}
+
+Outcome apply_rule(Run& run, Shape shape, const Rule& rule, Frame frame, int depth, std::uint32_t parent_path) {
+  const std::uint32_t path = run.path(parent_path, rule.name);
+  const bool too_deep = depth > run.options.limits.depth, too_many = run.out.shapes > run.options.limits.shapes;
+  if (too_deep) run.hit(LimitKind::kDepth, rule.name, rule.place);
+  if (too_many) run.hit(LimitKind::kShapes, rule.name, rule.place);
+  const bool spent = !run.spend(1);
+  if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
+  if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
+  const Dice dice = dice_of(run, shape.id);
+  Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
+  return run_node(execution, rule.body);
+}
+
+void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement moved) {
+  Run& run = execution.run;
+  const std::uint32_t group = execution.groups++;
+  const Displacement before = execution.moved + moved;
+  run.out.shapes += pieces.size();
+  for (Piece& piece : pieces) {
+    piece.shape.id = child_id(execution, "piece");
+    const Outcome outcome = piece.body == nullptr ? nothing() : run_piece(execution, piece.shape, *piece.body);
+    add_child(execution, trace_of(piece.shape, before, outcome, group), outcome);
+  }
+  execution.pending = false;
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,61 @@
+// comp(f): a shape a face.
+#include <cmath>
+
+#include "grammars/evaluate.h"
+#include "grammars/operations/face_parts.h"
+#include "grammars/operations/operations.h"
+
+namespace citykiln::grammars {
+namespace {
+
+bool is_vertical(Vec3 normal) { return std::abs(normal.z) < 0.01; }
+bool is_level(Vec3 normal) { return std::abs(normal.z) > 0.9999; }
+
+// a tag that the maker of the face left says more than its direction: a steep roof is a roof
+std::string side_of(const Scope& scope, const Face& face) {
+  if (face.tag == FaceTag::kTop) return "top";
+  if (face.tag == FaceTag::kBottom) return "bottom";
+  const NearestAxis nearest = nearest_axis(scope, normal_of(face));
+  if (nearest.axis == 1) return nearest.against ? "bottom" : "top";
+  if (nearest.axis == 2) return nearest.against ? "back" : "front";
+  return nearest.against ? "left" : "right";
+}
+
+bool is_side(const std::string& side) { return side != "top" && side != "bottom"; }
+
+bool selects(const std::string& word, const Scope& scope, const Face& face) {
+  const Vec3 normal = normal_of(face);
+  const std::string side = side_of(scope, face);
+  if (word == "all" || word == side) return true;
+  if (word == "side") return is_side(side);
+  if (word == "vertical") return is_vertical(normal);
+  if (word == "horizontal") return is_level(normal);
+  if (word == "aslant") return !is_vertical(normal) && !is_level(normal);
+  if (word == "inside") return face.tag == FaceTag::kInside;
+  if (word == "border") return face.tag == FaceTag::kBorder;
+  if (word == "street" || word == "street.front") return face.street && is_side(side);
+  if (word == "street.back") return !face.street && is_side(side);
+  return false;
+}
+
+constexpr const char* kWords =
+    " all front back left right top bottom side vertical horizontal aslant inside border street street.front "
+    "street.back ";
+
+}  // namespace
+
+void op_comp(Execution& execution, const Statement& statement, Arguments) {
+  const std::vector<Key> keys = keys_of(execution, statement, kWords);
+  std::vector<PartOf> parts;
+  const Scope scope = execution.shape.scope;
+  for (std::size_t i = 0; i < execution.shape.faces.size(); ++i) {
+    const Face& face = execution.shape.faces[i];
+    parts.push_back({face, -1});
+    for (std::size_t k = 0; k < keys.size() && parts.back().selector < 0; ++k)
+      if (keys[k].index ? *keys[k].index == i : selects(keys[k].word, scope, face))
+        parts.back().selector = static_cast<int>(k);
+  }
+  spawn_parts(execution, statement, std::move(parts), {});
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,165 @@
+// Bands along the edges of faces: setback, offset.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/offset_polygon.h"
+#include "grammars/cut.h"
+#include "grammars/operations/face_parts.h"
+#include "grammars/operations/operations.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kSnap_m = 1e-4;  // what comes back from the overlay's grid and was a vertex is that vertex again
+
+struct FaceEdge {
+  Vec3 a, b;
+  bool street = false;
+};
+
+std::vector<FaceEdge> edges_of(const Face& face) {
+  std::vector<FaceEdge> edges;
+  const auto add = [&](const Ring3& ring, const std::vector<std::uint8_t>& street) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      edges.push_back({ring[i], ring[(i + 1) % ring.size()], i < street.size() && street[i] != 0});
+  };
+  add(face.outer, face.street_edges);
+  for (const Ring3& hole : face.holes) add(hole, {});
+  return edges;
+}
+
+std::string side_of(const Scope& scope, const Face& face, const FaceEdge& edge) {
+  const PlanAxes axes = plan_axes(scope, face);
+  const Vec3 outward = cross(unit(edge.b - edge.a), normal_of(face));
+  const double ahead = dot(outward, axes.front), aside = dot(outward, axes.right);
+  if (std::abs(ahead) >= std::abs(aside) - 1e-9) return ahead > 0 ? "front" : "back";
+  return aside > 0 ? "right" : "left";
+}
+
+bool selects(const Key& key, std::size_t index, const Scope& scope, const Face& face, const FaceEdge& edge) {
+  if (key.index) return *key.index == index;
+  if (key.word == "all") return true;
+  if (key.word == "street" || key.word == "street.front") return edge.street;
+  if (key.word == "street.back") return !edge.street;
+  return key.word == side_of(scope, face, edge);
+}
+
+std::vector<int> selectors_of(const std::vector<Key>& keys, const Scope& scope, const Face& face,
+                              const std::vector<FaceEdge>& edges) {
+  std::vector<int> chosen(edges.size(), -1);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = 0; k < keys.size() && chosen[i] < 0; ++k)
+      if (selects(keys[k], i, scope, face, edges[i])) chosen[i] = static_cast<int>(k);
+  return chosen;
+}
+
+double distance_to_line_m(Vec3 p, const FaceEdge& edge) {
+  const Vec3 ab = edge.b - edge.a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - edge.a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return length(p - (edge.a + ab * t));
+}
+
+/// An offset, back in space.
+struct Cut {
+  std::vector<Face> moved;
+  std::vector<std::vector<Face>> bands;  ///< Per edge.
+  double reach_m = 0;  ///< No band's point is farther from its edge: distance to a segment is largest at a vertex.
+};
+
+Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward) {
+  const FaceFrame frame = frame_of(face);
+  const Polygon polygon = flat(face, frame);
+  const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, depth_m);
+  const std::vector<FaceEdge> edges = edges_of(face);
+  Cut cut;
+  for (const Polygon& moved : offset.moved) cut.moved.push_back(lifted(moved, frame, face, kSnap_m));
+  for (std::size_t i = 0; i < offset.bands.size(); ++i) {
+    auto& bands = cut.bands.emplace_back();
+    for (const Polygon& band : offset.bands[i]) {
+      bands.push_back(lifted(band, frame, face, kSnap_m));
+      each_vertex(bands.back(), [&](Vec3 p) { cut.reach_m = std::max(cut.reach_m, distance_to_line_m(p, edges[i])); });
+    }
+  }
+  return cut;
+}
+
+void add_setback(Execution& execution, const std::vector<Key>& keys, int remainder, const Face& face, double depth_m,
+                 std::vector<PartOf>& parts) {
+  const std::vector<FaceEdge> edges = edges_of(face);
+  const std::vector<int> chosen = selectors_of(keys, execution.shape.scope, face, edges);
+  std::vector<double> depths_m;
+  for (const int selector : chosen) depths_m.push_back(selector < 0 ? 0 : depth_m);
+  Cut cut = cut_bands(face, depths_m, false);
+  for (std::size_t i = 0; i < cut.bands.size(); ++i)
+    for (Face& band : cut.bands[i]) parts.push_back({std::move(band), chosen[i]});
+  for (Face& rest : cut.moved) parts.push_back({std::move(rest), remainder});
+}
+
+int index_of(const std::vector<Key>& keys, const std::string& word) {
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (keys[k].word == word) return static_cast<int>(k);
+  return -1;
+}
+
+// snapping and bevels leave the overlay's grid as the parts' distance from the face
+constexpr Displacement kOfTheGrid = {1e-4, 1e-4};
+
+void tag(std::vector<Face>& faces, FaceTag as) {
+  for (Face& face : faces) face.tag = as;
+}
+
+void add_offset(const Face& face, double by_m, const std::string& which, std::vector<Face>& faces, double& reach_m) {
+  Cut cut = cut_bands(face, std::vector<double>(edges_of(face).size(), std::abs(by_m)), by_m > 0);
+  reach_m = std::max(reach_m, cut.reach_m);
+  tag(cut.moved, FaceTag::kInside);
+  for (auto& bands : cut.bands) tag(bands, FaceTag::kBorder);
+  // of an enlarged face and its border, the border lies outside of the face as it was
+  if (by_m > 0 && which == "all") cut.moved = {face}, tag(cut.moved, FaceTag::kInside);
+  if (which != "border") faces.insert(faces.end(), cut.moved.begin(), cut.moved.end());
+  if (which == "inside") return;
+  for (auto& bands : cut.bands) faces.insert(faces.end(), bands.begin(), bands.end());
+}
+
+bool can_spend(Execution& execution, const Statement& statement) {
+  std::uint64_t steps = 0;
+  for (const Face& face : execution.shape.faces) {
+    const std::uint64_t n = vertex_count({&face, 1});
+    steps += n * n;
+  }
+  if (execution.run.spend(steps)) return true;
+  execution.run.hit(LimitKind::kSteps, execution.name, statement.place);
+  return false;
+}
+
+}  // namespace
+
+void op_setback(Execution& execution, const Statement& statement, Arguments arguments) {
+  constexpr const char* kWords = " front back left right all street street.front street.back remainder ";
+  const double depth_m = metres(arguments[0]);
+  if (!can_spend(execution, statement)) return;
+  if (depth_m < 0) return execution.run.trouble(statement.place, "a setback below zero; offset goes outward");
+  std::vector<Key> keys = keys_of(execution, statement, kWords);
+  const int remainder = index_of(keys, "remainder");
+  std::vector<PartOf> parts;
+  for (const Face& face : execution.shape.faces) add_setback(execution, keys, remainder, face, depth_m, parts);
+  spawn_parts(execution, statement, std::move(parts), kOfTheGrid);
+}
+
+void op_offset(Execution& execution, const Statement& statement, Arguments arguments) {
+  const double by_m = metres(arguments[0]);
+  if (std::abs(by_m) <= kSmallest_m || !can_spend(execution, statement)) return;
+  const std::string which = arguments.size() > 1 ? word_of(arguments[1]) : "all";
+  const std::vector<Vec3> before = vertices_of(execution.shape.faces);
+  std::vector<Face> faces;
+  double reach_m = kOfTheGrid.out_m;
+  for (const Face& face : execution.shape.faces) add_offset(face, by_m, which, faces, reach_m);
+  execution.shape.faces = std::move(faces);
+  Displacement moved{by_m > 0 ? reach_m : kOfTheGrid.out_m, kOfTheGrid.back_m};
+  // what is left out may be far from what is kept
+  if (which != "all" && (by_m < 0 || which == "border"))
+    moved = any_displacement(before, vertices_of(execution.shape.faces));
+  execution.moved = execution.moved + moved;
+  fit_scope(execution.shape);
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,127 @@
+// split: pieces along an axis of the scope.
+#include <algorithm>
+
+#include "grammars/cut.h"
+#include "grammars/evaluate.h"
+#include "grammars/operations/operations.h"
+#include "grammars/sizes.h"
+
+namespace citykiln::grammars {
+namespace {
+
+struct Leaves {
+  std::vector<const Selector*> selectors;  ///< By SizeItem::leaf.
+};
+
+SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
+  SizeItem item;
+  item.kind = selector.size;
+  if (selector.size == SizeKind::kRepeat) {
+    for (const Selector& nested : selector.nested) item.nested.push_back(item_of(nested, context, leaves));
+    return item;
+  }
+  const double size = number_of(evaluate(selector.key, context));
+  item.size = std::clamp(size, 0.0, kMost_m);
+  item.leaf = static_cast<std::uint32_t>(leaves.selectors.size());
+  leaves.selectors.push_back(&selector);
+  return item;
+}
+
+std::vector<SizeItem> items_of(const Statement& statement, Context& context, Leaves& leaves) {
+  std::vector<SizeItem> items;
+  for (const Selector& selector : statement.selectors) items.push_back(item_of(selector, context, leaves));
+  if (!statement.repeated) return items;
+  SizeItem all;
+  all.kind = SizeKind::kRepeat;
+  all.nested = std::move(items);
+  return {std::move(all)};
+}
+
+Scope slice_of(const Scope& scope, int axis, double from_m, double to_m) {
+  Scope slice = scope;
+  slice.origin = scope.origin + scope.axis[axis] * from_m;
+  slice.size_m[axis] = to_m - from_m;
+  return slice;
+}
+
+struct Saw {
+  Vec3 along;
+  double start_m = 0;  ///< Of the scope, along the axis.
+  bool closed = false;
+  std::vector<Face> rest;
+
+  /// Takes off what lies before at_m.
+  std::vector<Face> cut(double at_m) {
+    const CutPlane above{along, start_m + at_m}, below{along * -1.0, -(start_m + at_m)};
+    std::vector<Face> piece = solid_above(rest, below, closed);
+    rest = solid_above(rest, above, closed);
+    return piece;
+  }
+};
+
+// a cap's points are no farther from its border than half its shorter side
+Displacement cap_displacement(const Shape& shape, int axis, bool closed) {
+  const Scope box = scope_around(shape.faces, shape.scope.axis, shape.scope.origin);
+  return {closed ? std::min(box.size_m[(axis + 1) % 3], box.size_m[(axis + 2) % 3]) / 2 : 0, 0};
+}
+
+Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool adjust) {
+  Shape shape = from;
+  shape.parent_scope = from.scope;
+  shape.scope = scope;
+  shape.faces = std::move(faces);
+  if (adjust && !shape.faces.empty()) fit_scope(shape);
+  return shape;
+}
+
+std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Interval>& intervals, const Leaves& leaves,
+                          Saw saw, bool adjust) {
+  std::vector<Piece> pieces;
+  const Shape& from = execution.shape;
+  const double end_m = from.scope.size_m[axis];
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    if (!execution.run.spend(2 * vertex_count(saw.rest))) break;
+    const Interval& interval = intervals[i];
+    const bool last = interval.to_m >= end_m - kSliver_m;
+    std::vector<Face> faces = last ? std::move(saw.rest) : saw.cut(interval.to_m);
+    if (last) saw.rest.clear();
+    if (faces.empty()) continue;
+    const Scope slice = slice_of(from.scope, axis, interval.from_m, interval.to_m);
+    const Selector* selector = leaves.selectors[interval.leaf];
+    pieces.push_back({piece_shape(from, slice, std::move(faces), adjust), &selector->body});
+    pieces.back().shape.in_split = {static_cast<double>(i), static_cast<double>(intervals.size())};
+  }
+  const double used_m = intervals.empty() ? 0 : intervals.back().to_m;
+  if (!saw.rest.empty())
+    pieces.push_back(
+        {piece_shape(from, slice_of(from.scope, axis, used_m, end_m), std::move(saw.rest), true), nullptr});
+  return pieces;
+}
+
+}  // namespace
+
+void op_split(Execution& execution, const Statement& statement, Arguments arguments) {
+  Run& run = execution.run;
+  const std::string word = word_of(arguments[0]);
+  const int axis = word == "x" ? 0 : word == "y" ? 1 : 2;
+  const double length_m = execution.shape.scope.size_m[axis];
+  if (execution.shape.faces.empty() || length_m <= kSliver_m)
+    return run.trouble(statement.place, "the shape has no size along " + word + "; it is not split");
+  Leaves leaves;
+  Context context{run, execution.shape, execution.frame, execution.dice};
+  const std::vector<SizeItem> items = items_of(statement, context, leaves);
+  const std::uint64_t most = run.options.limits.shapes;
+  const auto intervals = intervals_of(items, length_m, most > run.out.shapes ? most - run.out.shapes : 0);
+  if (!intervals) return run.hit(LimitKind::kShapes, execution.name, statement.place);
+  const Vec3 along = execution.shape.scope.axis[axis];
+  const bool closed = is_closed(execution.shape.faces);
+  Saw saw{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
+  const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";
+  const Displacement moved = cap_displacement(execution.shape, axis, closed);
+  std::vector<Piece> pieces = saw_up(execution, axis, *intervals, leaves, std::move(saw), adjust);
+  // half sawn is not split: the shape then ends whole
+  if (!run.spend(0)) return run.hit(LimitKind::kSteps, execution.name, statement.place);
+  spawn_pieces(execution, std::move(pieces), moved);
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,88 @@
+// The state of one derivation, and of one node of it. Inside of this room only.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/contract/draw.h"
+#include "grammars/derive.h"
+#include "grammars/displacement.h"
+
+namespace citykiln::grammars {
+
+/// Chance for one purpose of one shape: the index counts what the shape itself has drawn.
+struct Dice {
+  Draw draw;
+  std::uint32_t next = 0;
+};
+
+using Frame = std::vector<Value>;
+
+struct Run {
+  const Program& program;
+  const DeriveOptions& options;
+  const Shape& initial;
+  Derivation out = {};
+  std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, each made when first asked for.
+  std::vector<bool> attribute_under_way = {};
+  std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
+  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> path_of = {};
+  std::set<LimitKind> exhausted = {};
+
+  void trouble(Place place, const std::string& message);
+  /// Counts steps; false once there are too many.
+  bool spend(std::uint64_t steps);
+  void hit(LimitKind kind, const std::string& rule, Place place);
+  std::uint32_t path(std::uint32_t parent, const std::string& rule);
+  std::uint32_t look_index(const Look& look);
+};
+
+/// What a node tells its parent.
+struct Outcome {
+  NodeTrace trace;
+  bool same_look = true;              ///< All that became of it looks alike …
+  std::optional<std::uint32_t> look;  ///< … like this.
+};
+
+/// One node under way: a rule, or the statements behind a selector, applied to a shape.
+struct Execution {
+  Run& run;
+  Shape shape;  ///< As the operations so far have left it.
+  Frame frame;
+  Dice dice;
+  int depth = 0;
+  std::uint32_t path = 0;
+  std::string name;         ///< Of the shape: the rule's.
+  Displacement moved = {};  ///< From the node's surface to shape's.
+  std::vector<std::pair<Shape, Displacement>> pushed = {};
+  std::vector<ChildTrace> children = {};
+  std::uint32_t groups = 0;
+  std::uint64_t born = 0;  ///< Ordinal of the next child.
+  bool pending = true;     ///< No successor has been made of the shape as it is now.
+  bool same_look = true;
+  std::optional<std::uint32_t> look = {};
+};
+
+/// A shape taken out of the current one, with what becomes of it. `body` null: nothing.
+struct Piece {
+  Shape shape;
+  const Body* body = nullptr;
+};
+
+/// Hands the pieces to their bodies. Together they have to cover the current shape's surface, but for `moved`.
+void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement moved = {});
+
+/// The evaluated argument of an operation.
+struct Argument {
+  Value value = 0.0;
+  bool relative = false;             ///< Written with ': a share of the scope's size.
+  const Expression* word = nullptr;  ///< A word or settable name, not evaluated.
+};
+
+/// Numbers of operations, kept within what a city can hold.
+double metres(const Argument& argument);
+inline constexpr double kMost_m = 1e6;
+
+}  // namespace citykiln::grammars
