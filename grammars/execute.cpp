@@ -93,7 +93,8 @@ void run_operation(Execution& execution, const Statement& statement) {
   const OperationRow& row = operation_table()[statement.index];
   Context context = context_of(execution);
   const std::vector<Argument> arguments = arguments_of(statement, context);
-  if (!run.spend(1 + vertex_count(execution.shape.faces))) return;
+  if (!run.spend(1 + vertex_count(execution.shape.faces)))
+    return run.hit(LimitKind::kSteps, execution.name, statement.place);
   if (!row.alters) return row.run(execution, statement, arguments);
   execution.pending = true;
   Shape before = execution.shape;

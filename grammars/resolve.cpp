@@ -51,17 +51,6 @@ bool is_builtin(std::span<const BuiltinRow> rows, Target target, Expression& nam
 
 std::string counted(std::size_t count) { return std::to_string(count) + (count == 1 ? " argument" : " arguments"); }
 
-void resolve_name(Resolver& names, Expression& name) {
-  if (is_local(names, name)) return;
-  if (found_in(names.program.attribute_of, names.prefix + name.text, Target::kAttribute, name)) return;
-  if (is_builtin(shape_values(), Target::kShape, name)) return;
-  if (is_look_value(name.text)) return void(name.target = Target::kShape), void(name.index = ~0u);
-  if (!found_in(names.program.function_of, names.prefix + name.text, Target::kFunction, name))
-    return names.fail(name.place, "nothing defines the value '" + name.text + "'");
-  const std::size_t wants = names.program.functions[name.index].parameters.size();
-  if (wants != 0) names.fail(name.place, "expected " + counted(wants) + " of '" + name.text + "', found none");
-}
-
 void check_arity(Resolver& names, const Expression& call, Arity arity) {
   const std::size_t given = call.operands.size();
   if (given >= arity.least && given <= arity.most) return;
@@ -70,14 +59,28 @@ void check_arity(Resolver& names, const Expression& call, Arity arity) {
   names.fail(call.place, "expected " + wants + " of '" + call.text + "', found " + std::to_string(given));
 }
 
+Arity arity_of_row(const Expression& call) { return arity_of(builtin_functions()[call.index].arguments); }
+
+void resolve_name(Resolver& names, Expression& name) {
+  if (is_local(names, name)) return;
+  if (found_in(names.program.attribute_of, names.prefix + name.text, Target::kAttribute, name)) return;
+  if (is_builtin(shape_values(), Target::kShape, name)) return;
+  // rand is written with and without parentheses
+  if (is_builtin(builtin_functions(), Target::kBuiltin, name)) return check_arity(names, name, arity_of_row(name));
+  if (is_look_value(name.text)) return void(name.target = Target::kShape), void(name.index = ~0u);
+  if (!found_in(names.program.function_of, names.prefix + name.text, Target::kFunction, name))
+    return names.fail(name.place, "nothing defines the value '" + name.text + "'");
+  const std::size_t wants = names.program.functions[name.index].parameters.size();
+  if (wants != 0) names.fail(name.place, "expected " + counted(wants) + " of '" + name.text + "', found none");
+}
+
 void resolve_call(Resolver& names, Expression& call) {
   for (Expression& operand : call.operands) resolve(names, operand);
   if (found_in(names.program.function_of, names.prefix + call.text, Target::kFunction, call)) {
     const std::size_t wants = names.program.functions[call.index].parameters.size();
     return check_arity(names, call, {wants, wants});
   }
-  if (is_builtin(builtin_functions(), Target::kBuiltin, call))
-    return check_arity(names, call, arity_of(builtin_functions()[call.index].arguments));
+  if (is_builtin(builtin_functions(), Target::kBuiltin, call)) return check_arity(names, call, arity_of_row(call));
   // geometry.area() is written with and without parentheses
   if (call.operands.empty() && is_builtin(shape_values(), Target::kShape, call)) return;
   names.fail(call.place, "nothing defines the function '" + call.text + "'");
@@ -150,6 +153,8 @@ void resolve_settable(Resolver& names, Expression& name) {
     return names.fail(name.place, "expected the name of an attribute or material value");
   name.target = Target::kWord;
   name.index = ~0u;
+  // rand is written with and without parentheses
+  if (is_builtin(builtin_functions(), Target::kBuiltin, name)) return check_arity(names, name, arity_of_row(name));
   if (is_look_value(name.text)) return;
   const auto found = names.program.attribute_of.find(names.prefix + name.text);
   if (found == names.program.attribute_of.end())

@@ -60,6 +60,17 @@ Polygon band_between(const Ring& ring, const Ring& moved, std::size_t i) {
   return band;
 }
 
+// rings that do not touch may still have passed each other
+bool is_nested(const Polygon& polygon) {
+  const auto inside = [](const Ring& ring, const Ring& other) { return winding_number(ring, other.front()) != 0; };
+  for (const Ring& hole : polygon.holes) {
+    if (!inside(polygon.outer, hole)) return false;
+    for (const Ring& other : polygon.holes)
+      if (&other != &hole && inside(other, hole)) return false;
+  }
+  return true;
+}
+
 bool apart(const Polygon& polygon) {
   const auto rings = rings_of(polygon);
   for (std::size_t i = 0; i < rings.size(); ++i) {
@@ -91,7 +102,7 @@ std::optional<OffsetPolygon> offset_by_corners(const Polygon& polygon, std::span
     }
     (ring == &polygon.outer ? moved.outer : moved.holes.emplace_back()) = *made;
   }
-  if (!apart(moved) || !adds_up(polygon, offset)) return std::nullopt;
+  if (!apart(moved) || !is_nested(moved) || !adds_up(polygon, offset)) return std::nullopt;
   return offset;
 }
 

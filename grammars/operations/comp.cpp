@@ -16,6 +16,10 @@ std::string side_of(const Scope& scope, const Face& face) {
   if (face.tag == FaceTag::kTop) return "top";
   if (face.tag == FaceTag::kBottom) return "bottom";
   const NearestAxis nearest = nearest_axis(scope, normal_of(face));
+  // over a level face, whose z is up, y points to the back
+  const bool lies = std::abs(scope.axis[1].z) < 0.01 && std::abs(scope.axis[2].z) > 0.9;
+  if (lies && nearest.axis == 2) return nearest.against ? "bottom" : "top";
+  if (lies && nearest.axis == 1) return nearest.against ? "front" : "back";
   if (nearest.axis == 1) return nearest.against ? "bottom" : "top";
   if (nearest.axis == 2) return nearest.against ? "back" : "front";
   return nearest.against ? "left" : "right";

@@ -137,7 +137,7 @@ std::vector<double> stops_of(const Polygon& polygon, bool along_x) {
   const double low = stops.front(), high = stops.back();
   stops.erase(std::unique(stops.begin(), stops.end(), [](double a, double b) { return b - a < 1e-6; }), stops.end());
   if (stops.size() > kMostStops / 2) stops = {low, high};
-  if (polygon.outer.size() > 4 || stops.size() > 2)
+  if (polygon.outer.size() != 4 || stops.size() > 2)
     for (int i = 1; i < 7; ++i) stops.push_back(low + (high - low) * i / 7);
   std::sort(stops.begin(), stops.end());
   return stops;

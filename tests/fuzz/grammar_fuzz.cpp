@@ -1,0 +1,43 @@
+// Rules and derivations: whatever the text, a program or one line; whatever the program, a derivation within its limits
+// that says the same of itself at a tolerance.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "grammars/derive.h"
+#include "grammars/link.h"
+
+namespace {
+
+using namespace citykiln;
+using namespace citykiln::grammars;
+
+Derivation derived(const Program& program, double tolerance_m) {
+  DeriveOptions options;
+  options.limits = {24, 400, 60'000};
+  options.tolerance_m = tolerance_m;
+  const Polygon footprint{{{0, 0}, {12, 0}, {12, 5}, {5, 5}, {5, 9}, {0, 9}}, {}};
+  return derive(program, lot(footprint, 2, 0, StableId{7}, {0}), options);
+}
+
+bool is_finite(const Derivation& derivation) {
+  bool all = true;
+  for (const Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces)
+      each_vertex(face, [&](Vec3 p) { all &= std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+  return all;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const Result<Program> program = read_rules_of(text, "fuzz.cga");
+  if (!program) return 0;
+  const Derivation full = derived(*program, 0), cut = derived(*program, 0.5);
+  if (!is_finite(full) || !is_finite(cut)) std::abort();
+  if (full.shapes != cut.shapes || full.steps != cut.steps || full.limits.size() != cut.limits.size()) std::abort();
+  if (!(cut.error_m <= 0.5) || cut.terminals.empty() != full.terminals.empty()) std::abort();
+  return 0;
+}

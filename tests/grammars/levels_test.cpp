@@ -1,0 +1,242 @@
+// Certified levels: what is cut at a tolerance lies within the error that is stated for it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "compiler/geometry/triangulate.h"
+#include "tests/grammars/on_lot.h"
+
+namespace citykiln::grammars {
+namespace {
+
+struct Triangle3 {
+  Vec3 a, b, c;
+};
+
+std::vector<Triangle3> triangles_of(const Derivation& derivation) {
+  std::vector<Triangle3> made;
+  for (const Terminal& terminal : derivation.terminals) {
+    for (const Face& face : terminal.faces) {
+      const FaceFrame frame = frame_of(face);
+      const PlaneTriangles flat_ones = triangulate(flat(face, frame));
+      for (const Triangle& t : flat_ones.triangles)
+        made.push_back({frame.to_space(flat_ones.points[t[0]]), frame.to_space(flat_ones.points[t[1]]),
+                        frame.to_space(flat_ones.points[t[2]])});
+    }
+  }
+  return made;
+}
+
+// Source: Ericson, Real-Time Collision Detection, 5.1.5.
+double distance_m(Vec3 p, const Triangle3& t) {
+  const Vec3 ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return length(ap);
+  const Vec3 bp = p - t.b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return length(bp);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return length(p - (t.a + ab * (d1 / (d1 - d3))));
+  const Vec3 cp = p - t.c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return length(cp);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return length(p - (t.a + ac * (d2 / (d2 - d6))));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return length(p - (t.b + (t.c - t.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))));
+  const double denominator = va + vb + vc;
+  return length(p - (t.a + ab * (vb / denominator) + ac * (vc / denominator)));
+}
+
+double distance_m(Vec3 p, const std::vector<Triangle3>& surface) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Triangle3& t : surface) nearest_m = std::min(nearest_m, distance_m(p, t));
+  return nearest_m;
+}
+
+struct Levels : testing::Test {
+  std::mt19937 chance{2};
+  double unit() { return static_cast<double>(chance()) / 4294967296.0; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  std::string metres_text(double low, double high) { return std::to_string(between(low, high)); }
+
+  Vec3 point_on(const Triangle3& t) {
+    double u = unit(), v = unit();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    // corners and edges are where distances are largest
+    if (chance() % 4 == 0) u = 0;
+    if (chance() % 4 == 0) v = 0;
+    return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
+  }
+
+  /// The largest distance found from points of one surface to the other.
+  double sampled_m(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to) {
+    double farthest_m = 0;
+    for (int i = 0; i < 300; ++i)
+      farthest_m = std::max(farthest_m, distance_m(point_on(from[chance() % from.size()]), to));
+    return farthest_m;
+  }
+
+  /// A rule's name below `level`, or a terminal or nothing.
+  std::string successor(int level) {
+    const unsigned kind = chance() % 8;
+    if (kind == 0) return "NIL";
+    if (kind == 1 || level >= 5) return "End.";
+    return "R" + std::to_string(level + 1 + chance() % (5 - level));
+  }
+
+  std::string parts(int level, std::vector<std::string> selectors) {
+    std::string text = " { ";
+    for (std::size_t i = 0; i < selectors.size(); ++i)
+      text += (i ? " | " : "") + selectors[i] + (chance() % 5 == 0 ? " = " : " : ") + successor(level);
+    return text + " }";
+  }
+
+  std::string division(int level) {
+    std::string text = " { ";
+    for (unsigned i = 0, n = 1 + chance() % 3; i < n; ++i) {
+      const char* const kSigns[] = {"", "'", "~"};
+      const unsigned kind = chance() % 3;
+      text += (i ? " | " : "") + std::string(kSigns[kind]) + metres_text(0.1, kind == 1 ? 0.6 : 3) + " : " +
+              successor(level);
+    }
+    if (chance() % 2) text += " | { ~" + metres_text(0.5, 3) + " : " + successor(level) + " }*";
+    return text + " }";
+  }
+
+  /// Ends a rule: splits and the like.
+  std::string ending(int level) {
+    switch (chance() % 8) {
+      case 0:
+        return parts(level, {"front", "top", "side"}).insert(0, "comp(f)");
+      case 1:
+        return parts(level, {"all"}).insert(0, "comp(f)");
+      case 2:
+        return parts(level, {"all", "remainder"}).insert(0, "setback(" + metres_text(0.05, 1) + ")");
+      case 3:
+        return parts(level, {"front", "left", "remainder"}).insert(0, "setback(" + metres_text(0.05, 1) + ")");
+      case 4:
+        return parts(level, {"shape", "remainder"})
+            .insert(0, "shapeL(" + metres_text(0.2, 2) + ", " + metres_text(0.2, 2) + ")");
+      case 5:
+        return successor(level) + " " + successor(level);
+      default:
+        return std::string("split(") + "xyz"[chance() % 3] + ")" + division(level);
+    }
+  }
+
+  std::string operation() {
+    switch (chance() % 12) {
+      case 0:
+        return "t(" + metres_text(-0.3, 0.3) + ", " + metres_text(-0.3, 0.3) + ", " + metres_text(-0.3, 0.3) + ")";
+      case 1:
+        return "r(scopeCenter, 0, 0, " + metres_text(-8, 8) + ")";
+      case 2:
+        return "s('" + metres_text(0.8, 1.1) + ", '" + metres_text(0.8, 1.1) + ", '1)";
+      case 3:
+        return "extrude(" + metres_text(-0.6, 0.6) + ")";
+      case 4:
+        return "extrude(world.up, " + metres_text(0.1, 2) + ")";
+      case 5:
+        return "taper(" + metres_text(0.1, 1) + ")";
+      case 6:
+        return "offset(" + metres_text(-0.5, 0.5) + ")";
+      case 7:
+        return "offset(" + metres_text(-0.5, 0.5) + ", inside)";
+      case 8:
+        return "roofPyramid(30)";
+      case 9:
+        return "primitiveCube()";
+      case 10:
+        return "center(xyz)";
+      default:
+        return "color(rand, rand, rand)";
+    }
+  }
+
+  std::string rules() {
+    std::string text = "Lot --> extrude(" + metres_text(2, 9) + ") " + ending(0);
+    for (int level = 1; level <= 5; ++level) {
+      text += "\nR" + std::to_string(level) + " --> ";
+      if (chance() % 2) text += operation() + " ";
+      if (chance() % 4 == 0) text += "[ " + operation() + " " + successor(level) + " ] ";
+      text += ending(level);
+    }
+    return text;
+  }
+};
+
+TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
+  int cut_ones = 0;
+  double tightest = 0;
+  for (int round = 0; round < 600; ++round) {
+    const std::string text = rules();
+    const Program program = program_of(text);
+    const Shape first = lot_of(between(3, 12), between(3, 12));
+    DeriveOptions options;
+    options.limits.shapes = 400;
+    const auto full = triangles_of(derive(program, first, options));
+    if (full.empty() || full.size() > 2500) continue;
+    for (const double tolerance_m : {0.05, 0.2, 0.6, 2.0, 8.0}) {
+      options.tolerance_m = tolerance_m;
+      const Derivation derivation = derive(program, first, options);
+      const auto cut = triangles_of(derivation);
+      ASSERT_LE(derivation.error_m, tolerance_m);
+      ASSERT_FALSE(cut.empty());
+      if (derivation.error_m == 0) continue;
+      ++cut_ones;
+      const double measured_m = std::max(sampled_m(full, cut), sampled_m(cut, full));
+      ASSERT_LE(measured_m, derivation.error_m + 1e-6) << "round " << round << " tolerance " << tolerance_m << "\n"
+                                                       << text;
+      tightest = std::max(tightest, measured_m / derivation.error_m);
+    }
+  }
+  // the claim is about something, and is not idle
+  EXPECT_GT(cut_ones, 200);
+  EXPECT_GT(tightest, 0.9);
+}
+
+const char* const kWall =
+    "Lot --> extrude(6) comp(f) { side : Facade | all : Roof. }\n"
+    "Facade --> color(\"#808080\") split(y) { { ~3 : split(x) { { ~2 : Tile }* } }* }\n"
+    "Tile --> split(x) { ~1 : Wall. | 1 : split(y) { 1 : Wall. | 1.2 : Window | ~1 : Wall. } | ~1 : Wall. }\n"
+    "Window --> extrude(-0.2) comp(f) { front : NIL | back : color(\"#203040\") Glass. | all : Wall. }";
+
+TEST_F(Levels, AWindowIsCutOnceItsDepthIsWithinTheTolerance) {
+  DeriveOptions options;
+  const auto full = derived(kWall, 10, 8, options);
+  options.tolerance_m = 0.1;
+  EXPECT_EQ(derived(kWall, 10, 8, options).terminals.size(), full.terminals.size());
+  options.tolerance_m = 1.3;
+  const auto cut = derived(kWall, 10, 8, options);
+  EXPECT_EQ(cut.terminals.size(), 6u);
+  EXPECT_LE(cut.error_m, 1.3);
+  EXPECT_EQ(count_named(cut, "Facade"), 4u);
+}
+
+TEST_F(Levels, ACutNodeLooksAsMostOfItDoes) {
+  DeriveOptions options;
+  options.tolerance_m = 1.3;
+  const auto cut = derived(kWall, 10, 8, options);
+  EXPECT_NEAR(cut.looks[named(cut, "Facade").at(0)->look].red, 128 / 255.0, 1e-9);
+}
+
+TEST_F(Levels, LooksAreKeptWhereAsked) {
+  DeriveOptions options;
+  options.tolerance_m = 1.3;
+  options.keep_looks = true;
+  const auto cut = derived(kWall, 10, 8, options);
+  EXPECT_GT(count_named(cut, "Glass"), 0u);
+}
+
+TEST_F(Levels, TheErrorIsZeroWithoutATolerance) {
+  const auto full = derived(kWall);
+  EXPECT_EQ(full.error_m, 0);
+  for (const Terminal& terminal : full.terminals) EXPECT_FALSE(terminal.cut);
+}
+
+}  // namespace
+}  // namespace citykiln::grammars

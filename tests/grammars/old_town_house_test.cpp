@@ -1,0 +1,125 @@
+// The rules we ship, from the file to the house.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "grammars/cut.h"
+#include "tests/grammars/on_lot.h"
+
+namespace citykiln::grammars {
+namespace {
+
+Result<std::string> shipped(const std::string& file) {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/rules/" + file);
+  if (!in) return Error{file, "cannot be read"};
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+struct OldTownHouse : testing::Test {
+  Result<Program> program = read_rules("old_town_house.cga", shipped);
+
+  Derivation house(double width_m, double depth_m, DeriveOptions options = {}, std::uint64_t id = 1) {
+    EXPECT_TRUE(program) << to_string(program.error());
+    return program ? derive(*program, lot_of(width_m, depth_m, id), options) : Derivation{};
+  }
+};
+
+/// Of a closed surface, however its faces meet, all area vectors add up to nothing.
+Vec3 open_m2(const Derivation& derivation) {
+  Vec3 sum;
+  for (const Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face) * 0.5;
+  return sum;
+}
+
+double volume_of(const Derivation& derivation) {
+  double sum = 0;
+  for (const Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) sum += dot(area_vector_m2(face) * 0.5, face.outer.front()) / 3;
+  return sum;
+}
+
+TEST_F(OldTownHouse, HasItsWindowsDoorAndShop) {
+  const Derivation derivation = house(11, 9);
+  // three floors of five tiles; two panes in each window
+  EXPECT_EQ(derivation.reports.size(), 1u);
+  std::size_t window_panes = 0;
+  for (const Terminal* pane : named(derivation, "GlassPane"))
+    window_panes += path_name(derivation, pane->path).find("/Window/") != std::string::npos;
+  EXPECT_EQ(window_panes, 3u * 5u * 2u);
+  EXPECT_EQ(count_named(derivation, "DoorFrame"), 1u);
+  EXPECT_EQ(count_named(derivation, "PlainFacade") + count_named(derivation, "StreetFacade"), 0u);
+  EXPECT_TRUE(derivation.limits.empty());
+}
+
+TEST_F(OldTownHouse, IsClosedAtEveryTolerance) {
+  for (const double tolerance_m : {0.0, 0.02, 0.1, 0.5, 2.5}) {
+    DeriveOptions options;
+    options.tolerance_m = tolerance_m;
+    const Derivation derivation = house(11, 9, options);
+    const Vec3 open = open_m2(derivation);
+    EXPECT_NEAR(length(open), 0, 1e-6) << tolerance_m;
+    // reveals take a little of the block, cornices and sills add a little
+    EXPECT_NEAR(volume_of(derivation), 11 * 9 * 13.2, 11 * 9 * 13.2 * 0.02) << tolerance_m;
+  }
+}
+
+TEST_F(OldTownHouse, LosesFacesWithTheTolerance) {
+  std::size_t before = ~std::size_t{0};
+  for (const double tolerance_m : {0.0, 0.1, 0.5, 2.5}) {
+    DeriveOptions options;
+    options.tolerance_m = tolerance_m;
+    const std::size_t faces = house(11, 9, options).terminals.size();
+    EXPECT_LT(faces, before) << tolerance_m;
+    before = faces;
+  }
+  EXPECT_EQ(before, 6u);
+}
+
+TEST_F(OldTownHouse, WindowsAreNeverCutAtAWallsEnd) {
+  for (double width_m = 3; width_m < 30; width_m += 0.37) {
+    for (const Terminal* reveal : named(house(width_m, 9), "Reveal")) {
+      const bool of_window = path_name(house(1, 1), 0).empty() && reveal->scope.size_m[1] > 1.7;
+      if (of_window && reveal->scope.size_m[1] < 1.8) {
+        EXPECT_NEAR(reveal->scope.size_m[1], 1.75, 1e-9) << width_m;
+      }
+    }
+  }
+}
+
+TEST_F(OldTownHouse, NeighboursDiffer) {
+  std::set<double> reds;
+  for (std::uint64_t id = 1; id <= 20; ++id) {
+    const Derivation derivation = house(11, 9, {}, id);
+    reds.insert(derivation.looks[named(derivation, "Wall").at(0)->look].red);
+  }
+  EXPECT_GT(reds.size(), 2u);
+}
+
+TEST_F(OldTownHouse, StandsOnAnyFootprint) {
+  const std::vector<Polygon> footprints = {
+      {{{0, 0}, {14, 0}, {14, 6}, {6, 6}, {6, 12}, {0, 12}}, {}},
+      {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}, {{{6, 5}, {6, 11}, {14, 11}, {14, 5}}}},
+      {{{0, 0}, {9, 1}, {4, 7}}, {}},
+      {{{0, 0}, {0.3, 0}, {0.3, 9}, {0, 9}}, {}},
+  };
+  ASSERT_TRUE(program);
+  for (const Polygon& footprint : footprints) {
+    const Derivation derivation = derive(*program, lot(footprint, 3, 0, StableId{1}, {0, 1}), {});
+    EXPECT_GT(derivation.terminals.size(), 3u);
+    EXPECT_NEAR(length(open_m2(derivation)), 0, 1e-6);
+  }
+}
+
+TEST_F(OldTownHouse, PartyWallsCarryNoWindows) {
+  DeriveOptions options;
+  options.occlusion = occlusion_by({{{{{11, -1}, {20, -1}, {20, 10}, {11, 10}}, {}}, 0, 15}});
+  const Derivation derivation = house(11, 9, options);
+  EXPECT_EQ(count_named(derivation, "Wall"), count_named(house(11, 9), "Wall"));
+}
+
+}  // namespace
+}  // namespace citykiln::grammars
