@@ -1,7 +1,6 @@
 #include "grammars/displacement.h"
 
 #include <algorithm>
-#include <map>
 
 namespace citykiln::grammars {
 namespace {
@@ -59,16 +58,19 @@ std::vector<Vec3> vertices_of(std::span<const Face> faces) {
 
 NodeTrace together(std::span<const ChildTrace> children) {
   NodeTrace node;
-  std::map<std::uint32_t, double> back_of_group_m;
+  std::vector<double> back_of_group_m;
   for (const ChildTrace& child : children) {
     node.vanished &= child.vanished;
     if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
     const double own_m = child.vanished ? distance_to_siblings_m(child, children) : child.own.back_m;
+    if (child.group >= back_of_group_m.size()) back_of_group_m.resize(child.group + 1, -1);
     double& back_m = back_of_group_m[child.group];
     back_m = std::max(back_m, child.before.back_m + own_m);
   }
   node.moved.back_m = kUnbounded_m;
-  for (const auto& [group, back_m] : back_of_group_m) node.moved.back_m = std::min(node.moved.back_m, back_m);
+  // a number without children is no group
+  for (const double back_m : back_of_group_m)
+    if (back_m >= 0) node.moved.back_m = std::min(node.moved.back_m, back_m);
   if (node.vanished) node.moved = {};
   return node;
 }

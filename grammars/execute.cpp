@@ -16,15 +16,19 @@ std::vector<Vec3> surface_points(const Shape& shape) {
   return {corners.begin(), corners.end()};
 }
 
-// of a survivor the first face's ring: points that its surface surely holds
-std::vector<Vec3> trace_points(const Shape& shape, bool vanished) {
-  if (vanished || shape.faces.empty()) return surface_points(shape);
-  return shape.faces.front().outer;
+/// What a parent keeps of a child before it is derived: all points of its surface, the first face's ring first.
+ChildTrace trace_of(const Shape& shape, Displacement before, std::uint32_t group) {
+  return {before, {}, false, group, surface_points(shape)};
 }
 
-ChildTrace trace_of(const Shape& shape, Displacement before, const Outcome& outcome, std::uint32_t group) {
-  return {before, outcome.trace.moved, outcome.trace.vanished, group, trace_points(shape, outcome.trace.vanished)};
+// of a survivor the first face's ring is enough: points that its surface surely holds
+void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring) {
+  trace.own = outcome.trace.moved;
+  trace.vanished = outcome.trace.vanished;
+  if (!trace.vanished && first_ring > 0) trace.vertices.resize(first_ring);
 }
+
+std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
 
 void join_looks(Execution& execution, const Outcome& outcome) {
   if (outcome.trace.vanished) return;
@@ -33,8 +37,9 @@ void join_looks(Execution& execution, const Outcome& outcome) {
   execution.look = outcome.look;
 }
 
-void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome) {
+void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, std::size_t first_ring) {
   join_looks(execution, outcome);
+  complete(trace, outcome, first_ring);
   execution.children.push_back(std::move(trace));
 }
 
@@ -55,15 +60,19 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   return apply_rule(run, std::move(child), rule, std::move(arguments), execution.depth + 1, execution.path);
 }
 
-void run_successor(Execution& execution, const Statement& statement) {
+// `last`: nothing asks for the current shape any more
+void run_successor(Execution& execution, const Statement& statement, bool last) {
   Frame arguments;
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
-  Shape child = execution.shape;
-  child.id = child_id(execution, statement.name);
+  ChildTrace trace = trace_of(execution.shape, execution.moved, execution.groups++);
+  const std::size_t first_ring = first_ring_of(execution.shape);
+  const StableId id = child_id(execution, statement.name);
+  Shape child = last ? std::move(execution.shape) : execution.shape;
+  child.id = id;
   ++execution.run.out.shapes;
   const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments));
-  add_child(execution, trace_of(execution.shape, execution.moved, outcome, execution.groups++), outcome);
+  add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
 }
 
@@ -95,8 +104,8 @@ void run_operation(Execution& execution, const Statement& statement) {
   const std::vector<Argument> arguments = arguments_of(statement, context);
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
-  if (!row.alters) return row.run(execution, statement, arguments);
-  execution.pending = true;
+  execution.pending |= row.alters != Alters::kNothing;
+  if (row.alters != Alters::kSurface) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
   if (is_in_world(execution.shape)) return;
@@ -111,30 +120,31 @@ void pop(Execution& execution) {
   execution.pushed.pop_back();
 }
 
-void run_statement(Execution& execution, const Statement& statement) {
+void run_statement(Execution& execution, const Statement& statement, bool last) {
   switch (statement.kind) {
     case StatementKind::kOperation:
       return run_operation(execution, statement);
     case StatementKind::kSuccessor:
-      return run_successor(execution, statement);
+      return run_successor(execution, statement, last);
     case StatementKind::kPush:
       execution.run.spend(vertex_count(execution.shape.faces));
       return void(execution.pushed.emplace_back(execution.shape, execution.moved));
     case StatementKind::kPop:
       return pop(execution);
     case StatementKind::kBlock:
-      return run_body(execution, statement.block.front());
+      return run_body(execution, statement.block.front(), false);
   }
 }
 
 // what the rules have made of the current shape after its last successor
 void end_pending(Execution& execution) {
   if (!execution.pending) return;
-  Shape leaf = execution.shape;
-  leaf.id = child_id(execution, execution.name);
+  ChildTrace trace = trace_of(execution.shape, execution.moved, execution.groups++);
+  const std::size_t first_ring = first_ring_of(execution.shape);
+  execution.shape.id = child_id(execution, execution.name);
   ++execution.run.out.shapes;
-  const Outcome outcome = end_as_terminal(execution.run, std::move(leaf), execution.name, execution.path);
-  add_child(execution, trace_of(execution.shape, execution.moved, outcome, execution.groups++), outcome);
+  const Outcome outcome = end_as_terminal(execution.run, std::move(execution.shape), execution.name, execution.path);
+  add_child(execution, std::move(trace), outcome, first_ring);
 }
 
 struct Removed {
@@ -185,7 +195,7 @@ Outcome run_node(Execution& execution, const Body& body) {
   const std::size_t first = execution.run.out.terminals.size();
   std::optional<Shape> start;
   if (execution.run.options.tolerance_m > 0) start = execution.shape;
-  run_body(execution, body);
+  run_body(execution, body, true);
   end_pending(execution);
   Outcome outcome{together(execution.children), execution.same_look, execution.look};
   if (start) cut_if_near(execution, *start, first, outcome);
@@ -209,7 +219,7 @@ Outcome end_as_terminal(Run& run, Shape shape, const std::string& name, std::uin
   return outcome;
 }
 
-void run_body(Execution& execution, const Body& body) {
+void run_body(Execution& execution, const Body& body, bool last) {
   Context context = context_of(execution);
   for (const Local& local : body.locals) {
     Value value = evaluate(local.value, context);
@@ -217,11 +227,12 @@ void run_body(Execution& execution, const Body& body) {
     execution.frame[local.slot] = std::move(value);
   }
   if (body.kind == BodyKind::kStatements) {
-    for (const Statement& statement : body.statements) run_statement(execution, statement);
+    for (const Statement& statement : body.statements)
+      run_statement(execution, statement, last && &statement == &body.statements.back());
     return;
   }
   const int branch = chosen_branch(body, context);
-  if (branch >= 0) run_body(execution, body.branches[static_cast<std::size_t>(branch)].body);
+  if (branch >= 0) run_body(execution, body.branches[static_cast<std::size_t>(branch)].body, last);
 }
 
 Outcome apply_rule(Run& run, Shape shape, const Rule& rule, Frame frame, int depth, std::uint32_t parent_path) {
@@ -244,8 +255,11 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
     piece.shape.id = child_id(execution, "piece");
-    const Outcome outcome = piece.body == nullptr ? nothing() : run_piece(execution, piece.shape, *piece.body);
-    add_child(execution, trace_of(piece.shape, before, outcome, group), outcome);
+    ChildTrace trace = trace_of(piece.shape, before, group);
+    const std::size_t first_ring = first_ring_of(piece.shape);
+    const Outcome outcome =
+        piece.body == nullptr ? nothing() : run_piece(execution, std::move(piece.shape), *piece.body);
+    add_child(execution, std::move(trace), outcome, first_ring);
   }
   execution.pending = false;
 }

@@ -50,6 +50,12 @@ struct Shape {
   std::shared_ptr<const std::map<std::uint32_t, Value>> attributes;
 };
 
+/// All that a successor inherits, but for the faces: those are its own.
+inline Shape heir_of(const Shape& from) {
+  return {from.id,    from.scope,    {},           from.parent_scope, from.look, from.projection, from.texture,
+          from.asset, from.in_split, from.in_comp, from.attributes};
+}
+
 /// Fits the scope to the faces, keeping its axes.
 inline void fit_scope(Shape& shape) { shape.scope = scope_around(shape.faces, shape.scope.axis, shape.scope.origin); }
 

@@ -9,19 +9,20 @@ namespace citykiln::grammars {
 namespace {
 
 Shape part_shape(const Shape& from, std::vector<Face> faces) {
-  Shape part = from;
+  Shape part = heir_of(from);
   part.parent_scope = from.scope;
   part.scope = scope_around(faces, faces.size() == 1 ? axes_of(faces.front()) : from.scope.axis, from.scope.origin);
   part.faces = std::move(faces);
   return part;
 }
 
-std::vector<std::vector<Face>> groups_of(const std::vector<PartOf>& parts, int selector, bool together) {
+// takes the faces out of `parts`
+std::vector<std::vector<Face>> groups_of(std::vector<PartOf>& parts, int selector, bool together) {
   std::vector<std::vector<Face>> groups;
-  for (const PartOf& part : parts) {
+  for (PartOf& part : parts) {
     if (part.selector != selector) continue;
     if (groups.empty() || !together) groups.emplace_back();
-    groups.back().push_back(part.face);
+    groups.back().push_back(std::move(part.face));
   }
   return groups;
 }

@@ -66,7 +66,7 @@ Displacement cap_displacement(const Shape& shape, int axis, bool closed) {
 }
 
 Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool adjust) {
-  Shape shape = from;
+  Shape shape = heir_of(from);
   shape.parent_scope = from.scope;
   shape.scope = scope;
   shape.faces = std::move(faces);

@@ -15,6 +15,10 @@ struct Argument;
 
 enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
 
+/// What an operation changes of the current shape. Where it changes anything, the shape needs a successor or is a
+/// terminal.
+enum class Alters : std::uint8_t { kNothing, kLook, kSurface };
+
 struct OperationRow {
   const char* name;
   /// Ways to call it, between |: a letter an argument. n number (' before it: a share of the scope's size), s string,
@@ -22,7 +26,7 @@ struct OperationRow {
   const char* signatures;
   const char* words;  ///< Between blanks.
   SelectorKind selectors;
-  bool alters;  ///< Makes a new shape of the current one, so that it needs a successor or is a terminal.
+  Alters alters;
   void (*run)(Execution&, const Statement&, std::span<const Argument>);
   const char* text;  ///< For README.
 };
