@@ -169,7 +169,7 @@ std::vector<Polygon> scaled_back(std::vector<Polygon> polygons, double scale) {
 }
 
 OffsetPolygon taken_from(std::vector<std::vector<Polygon>> owned, std::size_t edges, double scale) {
-  OffsetPolygon offset;
+  OffsetPolygon offset{{}, {}, true};
   for (std::size_t i = 0; i < edges; ++i) offset.bands.push_back(scaled_back(std::move(owned[1 + i]), scale));
   if (owned.size() > edges + 1) offset.moved = scaled_back(std::move(owned[edges + 1]), scale);
   return offset;
@@ -233,7 +233,7 @@ OffsetPolygon bands_put_back(OffsetPolygon offset, const Cleaned& clean, std::si
 
 OffsetPolygon inset(const Polygon& polygon, std::span<const double> depth_m) {
   const Cleaned clean = cleaned(polygon, depth_m);
-  if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size())};
+  if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size()), false};
   auto offset = offset_by_corners(clean.polygon, clean.depth_m);
   if (!offset) offset = inset_by_strips(clean.polygon, clean.depth_m);
   return bands_put_back(std::move(*offset), clean, depth_m.size());
@@ -241,7 +241,7 @@ OffsetPolygon inset(const Polygon& polygon, std::span<const double> depth_m) {
 
 OffsetPolygon outset(const Polygon& polygon, std::span<const double> depth_m) {
   Cleaned clean = cleaned(polygon, depth_m);
-  if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size())};
+  if (clean.polygon.outer.size() < 3) return {{}, std::vector<std::vector<Polygon>>(depth_m.size()), false};
   for (double& d_m : clean.depth_m) d_m = -d_m;
   auto offset = offset_by_corners(clean.polygon, clean.depth_m);
   if (!offset) offset = outset_by_strips(clean.polygon, clean.depth_m);

@@ -17,6 +17,7 @@ namespace citykiln {
 struct OffsetPolygon {
   std::vector<Polygon> moved;               ///< The polygon with its border moved: smaller, larger, none, or several.
   std::vector<std::vector<Polygon>> bands;  ///< Between old and new border: per edge of outer, then of each hole.
+  bool on_grid = false;                     ///< Made by the overlay, so that the old border has moved by its grid.
 };
 
 /// No corner that a border goes around reaches farther than this times the depth; sharper ones are bevelled.

@@ -63,6 +63,7 @@ double distance_to_line_m(Vec3 p, const FaceEdge& edge) {
 struct Cut {
   std::vector<Face> moved;
   std::vector<std::vector<Face>> bands;  ///< Per edge.
+  bool on_grid = false;
   double reach_m = 0;  ///< No band's point is farther from its edge: distance to a segment is largest at a vertex.
 };
 
@@ -72,6 +73,7 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
   const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, depth_m);
   const std::vector<FaceEdge> edges = edges_of(face);
   Cut cut;
+  cut.on_grid = offset.on_grid;
   for (const Polygon& moved : offset.moved) cut.moved.push_back(lifted(moved, frame, face, kSnap_m));
   for (std::size_t i = 0; i < offset.bands.size(); ++i) {
     auto& bands = cut.bands.emplace_back();
@@ -83,7 +85,8 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
   return cut;
 }
 
-void add_setback(Execution& execution, const std::vector<Key>& keys, int remainder, const Face& face, double depth_m,
+// true if the parts lie on the overlay's grid
+bool add_setback(Execution& execution, const std::vector<Key>& keys, int remainder, const Face& face, double depth_m,
                  std::vector<PartOf>& parts) {
   const std::vector<FaceEdge> edges = edges_of(face);
   const std::vector<int> chosen = selectors_of(keys, execution.shape.scope, face, edges);
@@ -93,6 +96,7 @@ void add_setback(Execution& execution, const std::vector<Key>& keys, int remaind
   for (std::size_t i = 0; i < cut.bands.size(); ++i)
     for (Face& band : cut.bands[i]) parts.push_back({std::move(band), chosen[i]});
   for (Face& rest : cut.moved) parts.push_back({std::move(rest), remainder});
+  return cut.on_grid;
 }
 
 int index_of(const std::vector<Key>& keys, const std::string& word) {
@@ -101,7 +105,7 @@ int index_of(const std::vector<Key>& keys, const std::string& word) {
   return -1;
 }
 
-// snapping and bevels leave the overlay's grid as the parts' distance from the face
+// the overlay's grid, and what it bends: the parts' distance from the face
 constexpr Displacement kOfTheGrid = {1e-4, 1e-4};
 
 void tag(std::vector<Face>& faces, FaceTag as) {
@@ -141,8 +145,10 @@ void op_setback(Execution& execution, const Statement& statement, Arguments argu
   std::vector<Key> keys = keys_of(execution, statement, kWords);
   const int remainder = index_of(keys, "remainder");
   std::vector<PartOf> parts;
-  for (const Face& face : execution.shape.faces) add_setback(execution, keys, remainder, face, depth_m, parts);
-  spawn_parts(execution, statement, std::move(parts), kOfTheGrid);
+  bool on_grid = false;
+  for (const Face& face : execution.shape.faces)
+    on_grid |= add_setback(execution, keys, remainder, face, depth_m, parts);
+  spawn_parts(execution, statement, std::move(parts), on_grid ? kOfTheGrid : Displacement{});
 }
 
 void op_offset(Execution& execution, const Statement& statement, Arguments arguments) {

@@ -1,0 +1,49 @@
+// What the README shows is what the room does.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "grammars/builtin.h"
+#include "grammars/operations/table.h"
+#include "tests/grammars/on_lot.h"
+
+namespace citykiln::grammars {
+namespace {
+
+std::string readme() {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/README.md");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> examples() {
+  std::vector<std::string> found;
+  const std::string text = readme();
+  for (std::size_t at = text.find("```cga\n"); at != std::string::npos; at = text.find("```cga\n", at)) {
+    at += 7;
+    found.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return found;
+}
+
+TEST(Readme, ItsTwelveExamplesAreDerivedWithoutTrouble) {
+  EXPECT_EQ(examples().size(), 12u);
+  for (const std::string& text : examples()) {
+    const Result<Program> program = read_rules_of(text, "README");
+    ASSERT_TRUE(program) << to_string(program.error()) << "\n" << text;
+    const Derivation derivation = derive(*program, lot_of(12, 9), {});
+    EXPECT_FALSE(derivation.terminals.empty()) << text;
+    EXPECT_TRUE(derivation.limits.empty()) << text;
+    for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble) << "\n" << text;
+  }
+}
+
+TEST(Readme, NamesEveryOperation) {
+  const std::string text = readme();
+  for (const OperationRow& row : operation_table()) EXPECT_NE(text.find(row.name), std::string::npos) << row.name;
+}
+
+}  // namespace
+}  // namespace citykiln::grammars
