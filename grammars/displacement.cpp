@@ -37,7 +37,7 @@ double distance_to_siblings_m(const ChildTrace& vanished, std::span<const ChildT
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to) {
   const std::vector<Vec3> a = vertices_of(from), b = vertices_of(to);
   double farthest_m = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
   return {farthest_m, farthest_m};
 }
 

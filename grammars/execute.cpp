@@ -17,15 +17,15 @@ std::vector<Vec3> surface_points(const Shape& shape) {
 }
 
 /// What a parent keeps of a child before it is derived: all points of its surface, the first face's ring first.
-ChildTrace trace_of(const Shape& shape, Displacement before, std::uint32_t group) {
-  return {before, {}, false, group, surface_points(shape)};
+ChildTrace trace_of(const Run& run, const Shape& shape, Displacement before, std::uint32_t group) {
+  return {before, {}, false, group, run.measures() ? surface_points(shape) : std::vector<Vec3>{}};
 }
 
 // of a survivor the first face's ring is enough: points that its surface surely holds
 void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring) {
   trace.own = outcome.trace.moved;
   trace.vanished = outcome.trace.vanished;
-  if (!trace.vanished && first_ring > 0) trace.vertices.resize(first_ring);
+  if (!trace.vanished && trace.vertices.size() > first_ring && first_ring > 0) trace.vertices.resize(first_ring);
 }
 
 std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
@@ -65,7 +65,7 @@ void run_successor(Execution& execution, const Statement& statement, bool last) 
   Frame arguments;
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
-  ChildTrace trace = trace_of(execution.shape, execution.moved, execution.groups++);
+  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   const StableId id = child_id(execution, statement.name);
   Shape child = last ? std::move(execution.shape) : execution.shape;
@@ -139,7 +139,7 @@ void run_statement(Execution& execution, const Statement& statement, bool last) 
 // what the rules have made of the current shape after its last successor
 void end_pending(Execution& execution) {
   if (!execution.pending) return;
-  ChildTrace trace = trace_of(execution.shape, execution.moved, execution.groups++);
+  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   execution.shape.id = child_id(execution, execution.name);
   ++execution.run.out.shapes;
@@ -170,10 +170,9 @@ Removed weigh(const std::vector<Terminal>& terminals, std::size_t first) {
 }
 
 bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
-  const double tolerance_m = run.options.tolerance_m;
-  if (!(tolerance_m > 0) || outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
+  if (outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
   if (run.options.keep_looks && !outcome.same_look) return false;
-  return outcome.trace.moved.largest_m() <= tolerance_m;
+  return outcome.trace.moved.largest_m() <= run.options.tolerance_m;
 }
 
 // puts the node's own surface in the place of all that was made of it, if that is less
@@ -191,13 +190,19 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
   terminals.push_back(std::move(terminal));
 }
 
+NodeTrace traced(const Execution& execution) {
+  if (execution.run.measures()) return together(execution.children);
+  const auto vanished = [](const ChildTrace& child) { return child.vanished; };
+  return {{}, std::all_of(execution.children.begin(), execution.children.end(), vanished)};
+}
+
 Outcome run_node(Execution& execution, const Body& body) {
   const std::size_t first = execution.run.out.terminals.size();
   std::optional<Shape> start;
-  if (execution.run.options.tolerance_m > 0) start = execution.shape;
+  if (execution.run.measures()) start = execution.shape;
   run_body(execution, body, true);
   end_pending(execution);
-  Outcome outcome{together(execution.children), execution.same_look, execution.look};
+  Outcome outcome{traced(execution), execution.same_look, execution.look};
   if (start) cut_if_near(execution, *start, first, outcome);
   return outcome;
 }
@@ -255,7 +260,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
     piece.shape.id = child_id(execution, "piece");
-    ChildTrace trace = trace_of(piece.shape, before, group);
+    ChildTrace trace = trace_of(run, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);
     const Outcome outcome =
         piece.body == nullptr ? nothing() : run_piece(execution, std::move(piece.shape), *piece.body);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -29,8 +28,9 @@ struct Run {
   std::vector<bool> attribute_under_way = {};
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
   std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> path_of = {};
-  std::set<LimitKind> exhausted = {};
 
+  /// Without a tolerance nobody asks how far surfaces move.
+  bool measures() const { return options.tolerance_m > 0; }
   void trouble(Place place, const std::string& message);
   /// Counts steps; false once there are too many.
   bool spend(std::uint64_t steps);

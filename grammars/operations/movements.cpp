@@ -11,7 +11,8 @@ namespace {
 /// Moves every vertex of the shape and accounts for it.
 template <typename Move>
 void move_vertices(Execution& execution, Move move) {
-  std::vector<Face> before = execution.shape.faces;
+  std::vector<Face> before;
+  if (execution.run.measures()) before = execution.shape.faces;
   for (Face& face : execution.shape.faces) each_vertex(face, [&](Vec3& p) { p = move(p); });
   execution.moved = execution.moved + affine_displacement(before, execution.shape.faces);
 }
