@@ -80,7 +80,7 @@ std::vector<Argument> arguments_of(const Statement& statement, Context& context)
   std::vector<Argument> arguments;
   for (const Expression& expression : statement.arguments) {
     Argument& argument = arguments.emplace_back();
-    argument.relative = expression.kind == ExpressionKind::kUnary && expression.text == "'";
+    argument.relative = is_share(expression);
     if (expression.target == Target::kWord) {
       argument.word = &expression;
     } else {

@@ -65,7 +65,8 @@ Statement parse_call(Parser& parser) {
   Statement made;
   made.place = parser.peek().place;
   made.name = parser.take().text;
-  made.has_arguments = parser.sees("(");
+  // in "A (100 - x)% : B" a share follows, no arguments
+  made.has_arguments = parser.sees("(") && !begins_chance(parser);
   if (made.has_arguments) made.arguments = parse_arguments(parser);
   made.has_selectors = made.has_arguments && parser.sees("{");
   if (made.has_selectors) made.selectors = parse_selectors(parser);

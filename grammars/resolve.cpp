@@ -102,6 +102,7 @@ void resolve_with(Resolver& names, Expression& with) {
 }
 
 void resolve(Resolver& names, Expression& expression) {
+  if (is_share(expression)) names.fail(expression.place, "a share ' of the scope's size cannot stand here");
   switch (expression.kind) {
     case ExpressionKind::kLiteral:
       return;
@@ -120,6 +121,8 @@ const char* word_for(char letter) {
   switch (letter) {
     case 'n':
       return "number";
+    case 'm':
+      return "size";
     case 's':
       return "string";
     case 'w':
@@ -172,7 +175,8 @@ void resolve_arguments(Resolver& names, Statement& statement, const std::string&
     } else if (letter == 'a') {
       resolve_settable(names, statement.arguments[i]);
     } else {
-      resolve(names, statement.arguments[i]);
+      const bool share = is_share(statement.arguments[i]);
+      resolve(names, share ? statement.arguments[i].operands[0] : statement.arguments[i]);
     }
   }
 }

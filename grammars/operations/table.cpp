@@ -17,6 +17,7 @@ bool fits(const std::string& signature, const std::string& words, std::span<cons
   for (std::size_t i = 0; i < signature.size(); ++i) {
     const bool is_word = arguments[i].kind == ExpressionKind::kName && is_among(arguments[i].text, words);
     if ((signature[i] == 'w') != is_word && signature[i] != 'a') return false;
+    if (is_share(arguments[i]) && signature[i] != 'm') return false;
   }
   return true;
 }

@@ -21,8 +21,8 @@ enum class Alters : std::uint8_t { kNothing, kLook, kSurface };
 
 struct OperationRow {
   const char* name;
-  /// Ways to call it, between |: a letter an argument. n number (' before it: a share of the scope's size), s string,
-  /// v any value, w one of `words`, a the name of an attribute or material value.
+  /// Ways to call it, between |: a letter an argument. n number, m number or, with ' before it, a share of the scope's
+  /// size, s string, v any value, w one of `words`, a the name of an attribute or material value.
   const char* signatures;
   const char* words;  ///< Between blanks.
   SelectorKind selectors;
@@ -30,6 +30,9 @@ struct OperationRow {
   void (*run)(Execution&, const Statement&, std::span<const Argument>);
   const char* text;  ///< For README.
 };
+
+/// '0.5: of the scope's size.
+inline bool is_share(const Expression& e) { return e.kind == ExpressionKind::kUnary && e.text == "'"; }
 
 std::span<const OperationRow> operation_table();
 /// The row of this name, or -1.

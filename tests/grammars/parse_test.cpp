@@ -76,6 +76,10 @@ const Mistake kMistakes[] = {
     {"f(a, b) = a\nA --> extrude(f(1))", "x.cga:2:15: expected 2 arguments of 'f', found 1"},
     {"A --> extrude(sin(1, 2))", "x.cga:1:15: expected 1 argument of 'sin', found 2"},
     {"A --> extrude(rand(1, 2, 3))", "x.cga:1:15: expected 0 to 2 arguments of 'rand', found 3"},
+    {"A --> extrude('0.5)",
+     "x.cga:1:7: expected extrude(number) or extrude(word, number); words: face.normal world.up "
+     "world.up.flatTop "},
+    {"A --> t(1 + '0.5, 0, 0)", "x.cga:1:13: a share ' of the scope's size cannot stand here"},
     {"const c = 1\nA --> set(c, 2)", "x.cga:2:11: 'c' is a constant; only attributes can be set"},
     {"A --> set(material.colour, 2)", "x.cga:1:11: expected an attribute or material value, found 'material.colour'"},
     {"import w : \"w.cga\"", "w.cga: there is no such rule file"},
@@ -108,7 +112,7 @@ Lot --> extrude(height) comp(f) { front : Front(1, true) | side = Side | 3 : Oth
 Front(n, flag) -->
   case n > 2 && !flag : split(x) { 'n : A | ~2 : B | { ~1 : C | 0.5 : D }* | 1 : E }
   else : [ t('0.5, 0, -1) r(scopeCenter, 0, 90, 0) w.Window ] Side
-Side --> 30% : split(y) { 2 : A }* (100 - 40)% : B else : { C D }
+Side --> 30% : split(y) { 2 : A }* C (100 - 40)% : B else : { C D }
 )",
                           "x.cga");
   ASSERT_TRUE(tree) << to_string(tree.error());
