@@ -14,7 +14,8 @@ namespace citykiln::grammars {
 
 enum class RoofKind : std::uint8_t { kGable, kHip, kPyramid, kShed, kMansard };
 
-/// In the frame of the roofed face: its plane is z = 0, +z the way its normal points; metres.
+/// In the frame of the roofed face: its plane is z = 0, +z the way its normal points; metres. Over a level face, x and
+/// y are the plane's own.
 struct RoofRequest {
   RoofKind kind = RoofKind::kHip;
   Polygon footprint;           ///< Outer counter-clockwise, holes clockwise.

@@ -25,8 +25,15 @@ Face in_space(const Face& face, const FaceFrame& frame) {
   return made;
 }
 
-std::optional<std::vector<Face>> roof_over(const Execution& execution, const Face& face, RoofRequest request) {
+// over a level face x is east and y north, so that the footprint has the map's own coordinates, bit for bit
+FaceFrame roof_frame(const Face& face) {
   const FaceFrame frame = frame_of(face);
+  if (frame.z.z < 1 - 1e-9) return frame;
+  return {{0, 0, frame.origin.z}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+}
+
+std::optional<std::vector<Face>> roof_over(const Execution& execution, const Face& face, RoofRequest request) {
+  const FaceFrame frame = roof_frame(face);
   request.footprint = flat(face, frame);
   const RoofBuilder& builder = execution.run.options.roofs;
   auto roof = builder ? builder(request) : plain_roof(request);
