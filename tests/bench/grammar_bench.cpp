@@ -2,6 +2,7 @@
 // core.
 #include <benchmark/benchmark.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,7 +13,7 @@ namespace citykiln::grammars {
 namespace {
 
 Result<std::string> shipped(const std::string& file) {
-  std::ifstream in(std::string(CITYKILN_RULES) + "/" + file);
+  std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "../../grammars/rules" / file);
   if (!in) return Error{file, "cannot be read"};
   std::ostringstream text;
   text << in.rdbuf();
