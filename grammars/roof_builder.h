@@ -28,8 +28,8 @@ struct RoofRequest {
   std::size_t edge = 0;   ///< kShed: the outer ring's edge at which the plane begins.
 };
 
-/// Faces of the roof's solid, outward, tagged kTop (roof planes), kSide or kVertical (gables), kBottom (the base, and
-/// the undersides of overhangs); in the request's frame.
+/// Faces of the roof's solid, outward, tagged kTop (roof planes), kSide (gables), kBorder (rims and undersides of
+/// overhangs), kBottom (the base); in the request's frame.
 ///
 /// Has to guarantee: no point lies above the highest vertex, or in plan farther outside of the footprint than
 /// kMostReach times the overhang; the base covers the footprint at z = 0. std::nullopt: this roof is not built; the
