@@ -31,7 +31,7 @@ struct DeriveOptions {
   std::map<std::string, Value> attributes;  ///< Take the place of `attr` values of these names.
   std::uint64_t seed = 0;
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
-  bool keep_looks = false;  ///< A node is cut only where all that it becomes looks as it does.
+  bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
   RoofBuilder roofs;    ///< None: plain_roof().

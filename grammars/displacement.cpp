@@ -1,6 +1,7 @@
 #include "grammars/displacement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace citykiln::grammars {
 namespace {
@@ -17,17 +18,50 @@ double farthest_from_segment_m(std::span<const Vec3> points, Vec3 a, Vec3 b) {
   return farthest_m;
 }
 
+bool is_convex(std::span<const Vec3> ring, Vec3 normal) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 in = ring[(i + 1) % n] - ring[i], out = ring[(i + 2) % n] - ring[(i + 1) % n];
+    if (dot(normal, cross(in, out)) < 0) return false;
+  }
+  return n >= 3;
+}
+
+// 0 inside of the prism over the ring, so that only the height over its plane is left
+double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
+  double nearest_m = kUnbounded_m;
+  bool over = true;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
+    over &= dot(normal, cross(b - a, p - a)) >= 0;
+    nearest_m = std::min(nearest_m, distance_to_segment_m(p, a, b));
+  }
+  return over ? std::abs(dot(normal, p - ring[0])) : nearest_m;
+}
+
+double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring) {
+  const Vec3 normal = unit(area_vector_m2(ring));
+  if (!is_convex(ring, normal)) return kUnbounded_m;
+  double farthest_m = 0;
+  for (const Vec3 p : points) farthest_m = std::max(farthest_m, distance_to_convex_m(p, ring, normal));
+  return farthest_m;
+}
+
+double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling) {
+  const std::size_t n = sibling.vertices.size();
+  double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices) : kUnbounded_m;
+  for (std::size_t i = 0; i < n; ++i)
+    best_m = std::min(best_m, farthest_from_segment_m(points, sibling.vertices[i], sibling.vertices[(i + 1) % n]));
+  return best_m;
+}
+
 // from a vanished surface to what became of its siblings
 double distance_to_siblings_m(const ChildTrace& vanished, std::span<const ChildTrace> children) {
   double best_m = kUnbounded_m;
   for (const ChildTrace& sibling : children) {
-    if (sibling.vanished) continue;
-    const std::size_t n = sibling.vertices.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const double gap_m =
-          farthest_from_segment_m(vanished.vertices, sibling.vertices[i], sibling.vertices[(i + 1) % n]);
-      best_m = std::min(best_m, gap_m + sibling.own.back_m);
-    }
+    // one that is worse than the best for itself need not be measured
+    if (sibling.vanished || sibling.own.back_m >= best_m) continue;
+    best_m = std::min(best_m, farthest_from_m(vanished.vertices, sibling) + sibling.own.back_m);
   }
   return best_m;
 }

@@ -37,6 +37,7 @@ struct ChildTrace {
   Displacement own;            ///< From the child's surface to what its derivation made of it.
   bool vanished = false;       ///< Its derivation made nothing of it (NIL, a component nobody asked for).
   std::uint32_t group = 0;     ///< The children of a group cover, together, the shape they were taken out of.
+  bool filled = false;         ///< `vertices` are the ring of a face without holes.
   std::vector<Vec3> vertices;  ///< If vanished: a hull of its surface. Else: some of the corners of one of its faces.
 };
 
@@ -51,8 +52,9 @@ struct NodeTrace {
 /// out: a point of the result lies within own.out of its child's surface, which lies within before.out of the parent's.
 /// back: a point of the parent lies within before.back of the shape a group was taken out of, thus of a point of one of
 /// the group's children; that lies within own.back of what became of the child; or, if the child vanished, within the
-/// distance to an edge of a sibling that did not, and from there within that sibling's own.back. Any one group will do,
-/// so the best counts. Distance to a segment is convex: it is largest at a vertex of the vanished hull.
+/// distance to a convex face, or an edge, of a sibling that did not, and from there within that sibling's own.back. Any
+/// one group will do, so the best counts. Distance to what is convex is convex: it is largest at a vertex of the
+/// vanished hull.
 NodeTrace together(std::span<const ChildTrace> children);
 
 }  // namespace citykiln::grammars

@@ -18,7 +18,12 @@ std::vector<Vec3> surface_points(const Shape& shape) {
 
 /// What a parent keeps of a child before it is derived: all points of its surface, the first face's ring first.
 ChildTrace trace_of(const Run& run, const Shape& shape, Displacement before, std::uint32_t group) {
-  return {before, {}, false, group, run.measures() ? surface_points(shape) : std::vector<Vec3>{}};
+  return {before,
+          {},
+          false,
+          group,
+          shape.faces.size() > 0 && shape.faces.front().holes.empty(),
+          run.measures() ? surface_points(shape) : std::vector<Vec3>{}};
 }
 
 // of a survivor the first face's ring is enough: points that its surface surely holds
@@ -30,15 +35,7 @@ void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring)
 
 std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
 
-void join_looks(Execution& execution, const Outcome& outcome) {
-  if (outcome.trace.vanished) return;
-  const bool first = !execution.look && execution.same_look;
-  execution.same_look &= outcome.same_look && (first || execution.look == outcome.look);
-  execution.look = outcome.look;
-}
-
 void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, std::size_t first_ring) {
-  join_looks(execution, outcome);
   complete(trace, outcome, first_ring);
   execution.children.push_back(std::move(trace));
 }
@@ -147,47 +144,109 @@ void end_pending(Execution& execution) {
   add_child(execution, std::move(trace), outcome, first_ring);
 }
 
+double area_m2_of(const Terminal& terminal) {
+  double sum_m2 = 0;
+  for (const Face& face : terminal.faces) sum_m2 += area_m2(face);
+  return sum_m2;
+}
+
+/// What would go if a node were cut.
 struct Removed {
   std::size_t vertices = 0;
-  const Terminal* largest = nullptr;  ///< Of the look with the largest area.
+  LookAreas areas_m2;                   ///< Of all detail, also of what was cut before.
+  std::uint32_t look = 0;               ///< Of most of it.
+  std::optional<TextureFrame> texture;  ///< Of the largest that looks so.
 };
 
-Removed weigh(const std::vector<Terminal>& terminals, std::size_t first) {
-  Removed removed;
-  std::map<std::uint32_t, double> area_of_look_m2;
+void weigh(const Run& run, std::size_t i, Removed& removed) {
+  const Terminal& terminal = run.out.terminals[i];
+  // an asset is worth a cut whatever it weighs
+  removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
+  if (run.stands_for[i].empty()) {
+    removed.areas_m2[terminal.look] += area_m2_of(terminal);
+  } else {
+    for (const auto& [look, m2] : run.stands_for[i]) removed.areas_m2[look] += m2;
+  }
+}
+
+std::uint32_t look_of_most(const LookAreas& areas_m2) {
   double most_m2 = -1;
-  for (std::size_t i = first; i < terminals.size(); ++i) {
-    const Terminal& terminal = terminals[i];
-    // an asset is worth a cut whatever it weighs
-    removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
-    double& area_m2_of = area_of_look_m2[terminal.look];
-    for (const Face& face : terminal.faces) area_m2_of += area_m2(face);
-    if (area_m2_of <= most_m2) continue;
-    most_m2 = area_m2_of;
-    removed.largest = &terminal;
+  std::uint32_t look = 0;
+  for (const auto& [each, m2] : areas_m2)
+    if (m2 > most_m2) most_m2 = m2, look = each;
+  return look;
+}
+
+Removed weigh_from(const Run& run, std::size_t first) {
+  Removed removed;
+  for (std::size_t i = first; i < run.out.terminals.size(); ++i) weigh(run, i, removed);
+  removed.look = look_of_most(removed.areas_m2);
+  double largest_m2 = -1;
+  for (std::size_t i = first; i < run.out.terminals.size(); ++i) {
+    const Terminal& terminal = run.out.terminals[i];
+    if (terminal.look != removed.look || area_m2_of(terminal) <= largest_m2) continue;
+    largest_m2 = area_m2_of(terminal);
+    removed.texture = terminal.texture;
   }
   return removed;
 }
 
+double length_around_m(std::span<const Vec3> ring) {
+  double sum_m = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum_m += length(ring[(i + 1) % ring.size()] - ring[i]);
+  return sum_m;
+}
+
+// the shorter side of its box; of a frame around a hole, the frame's own width
+double width_m(const Face& face) {
+  const auto size_m = scope_around({&face, 1}, axes_of(face), {}).size_m;
+  double border_m = length_around_m(face.outer);
+  for (const Ring3& hole : face.holes) border_m += length_around_m(hole);
+  const bool is_frame = !face.holes.empty() && border_m > 0;
+  return is_frame ? 2 * area_m2(face) / border_m : std::min(size_m[0], size_m[1]);
+}
+
+double width_m(const Terminal& terminal) {
+  double widest_m = terminal.asset.empty() ? 0 : terminal.scope.diagonal_m();
+  for (const Face& face : terminal.faces) widest_m = std::max(widest_m, width_m(face));
+  return widest_m;
+}
+
+// true if something is wide enough to be seen and looks otherwise
+bool shows(std::span<const Terminal> terminals, std::uint32_t look, double tolerance_m) {
+  return std::any_of(terminals.begin(), terminals.end(), [&](const Terminal& terminal) {
+    return terminal.look != look && width_m(terminal) > tolerance_m;
+  });
+}
+
 bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
   if (outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
-  if (run.options.keep_looks && !outcome.same_look) return false;
   return outcome.trace.moved.largest_m() <= run.options.tolerance_m;
 }
 
 // puts the node's own surface in the place of all that was made of it, if that is less
-void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Outcome& outcome) {
+void cut_if_near(Execution& execution, const Shape& start, std::size_t first, const Outcome& outcome) {
   Run& run = execution.run;
   std::vector<Terminal>& terminals = run.out.terminals;
   if (!may_be_cut(run, outcome, start)) return;
-  const Removed removed = weigh(terminals, first);
-  if (removed.largest == nullptr || vertex_count(start.faces) >= removed.vertices) return;
-  Terminal terminal{
-      start.id, execution.name, execution.path, removed.largest->look,          start.faces, removed.largest->texture,
-      {},       start.scope,    true,           outcome.trace.moved.largest_m()};
-  terminals.erase(terminals.begin() + static_cast<std::ptrdiff_t>(first), terminals.end());
-  outcome.look = terminal.look;
+  Removed removed = weigh_from(run, first);
+  if (vertex_count(start.faces) >= removed.vertices) return;
+  const std::span<const Terminal> below = std::span(terminals).subspan(first);
+  if (run.options.keep_looks && shows(below, removed.look, run.options.tolerance_m)) return;
+  Terminal terminal{start.id,
+                    execution.name,
+                    execution.path,
+                    removed.look,
+                    start.faces,
+                    removed.texture,
+                    {},
+                    start.scope,
+                    true,
+                    outcome.trace.moved.largest_m()};
+  terminals.resize(first);
+  run.stands_for.resize(first);
   terminals.push_back(std::move(terminal));
+  run.stands_for.push_back(std::move(removed.areas_m2));
 }
 
 NodeTrace traced(const Execution& execution) {
@@ -202,7 +261,7 @@ Outcome run_node(Execution& execution, const Body& body) {
   if (execution.run.measures()) start = execution.shape;
   run_body(execution, body, true);
   end_pending(execution);
-  Outcome outcome{traced(execution), execution.same_look, execution.look};
+  const Outcome outcome{traced(execution)};
   if (start) cut_if_near(execution, *start, first, outcome);
   return outcome;
 }
@@ -218,10 +277,11 @@ Outcome run_piece(Execution& execution, Shape shape, const Body& body) {
 
 Outcome end_as_terminal(Run& run, Shape shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
-  Outcome outcome{{{}, false}, true, run.look_index(shape.look)};
-  run.out.terminals.push_back({shape.id, name, path, *outcome.look, std::move(shape.faces), shape.texture,
+  const std::uint32_t look = run.look_index(shape.look);
+  run.stands_for.emplace_back();
+  run.out.terminals.push_back({shape.id, name, path, look, std::move(shape.faces), shape.texture,
                                std::move(shape.asset), shape.scope, false, 0});
-  return outcome;
+  return {{{}, false}};
 }
 
 void run_body(Execution& execution, const Body& body, bool last) {

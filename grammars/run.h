@@ -19,11 +19,15 @@ struct Dice {
 
 using Frame = std::vector<Value>;
 
+/// Square metres by look.
+using LookAreas = std::map<std::uint32_t, double>;
+
 struct Run {
   const Program& program;
   const DeriveOptions& options;
   const Shape& initial;
   Derivation out = {};
+  std::vector<LookAreas> stands_for = {};             ///< By terminal: of one that was cut, what its detail looks like.
   std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, each made when first asked for.
   std::vector<bool> attribute_under_way = {};
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
@@ -42,8 +46,6 @@ struct Run {
 /// What a node tells its parent.
 struct Outcome {
   NodeTrace trace;
-  bool same_look = true;              ///< All that became of it looks alike …
-  std::optional<std::uint32_t> look;  ///< … like this.
 };
 
 /// One node under way: a rule, or the statements behind a selector, applied to a shape.
@@ -61,8 +63,6 @@ struct Execution {
   std::uint32_t groups = 0;
   std::uint64_t born = 0;  ///< Ordinal of the next child.
   bool pending = true;     ///< No successor has been made of the shape as it is now.
-  bool same_look = true;
-  std::optional<std::uint32_t> look = {};
 };
 
 /// A shape taken out of the current one, with what becomes of it. `body` null: nothing.

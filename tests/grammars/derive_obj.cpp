@@ -64,6 +64,7 @@ int main(int count, char** arguments) {
   if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), 1;
   const double width_m = count > 3 ? std::stod(arguments[3]) : 11, depth_m = count > 4 ? std::stod(arguments[4]) : 9;
   DeriveOptions options;
+  options.keep_looks = true;
   options.tolerance_m = count > 5 ? std::stod(arguments[5]) : 0;
   options.seed = count > 6 ? std::stoull(arguments[6]) : 0;
   const Polygon footprint{{{0, 0}, {width_m, 0}, {width_m, depth_m}, {0, depth_m}}, {}};

@@ -9,9 +9,9 @@ const std::vector<Vec3> kNear = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const std::vector<Vec3> kBeside = {{1, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}};
 
 ChildTrace kept(Displacement before, Displacement own, std::uint32_t group = 0) {
-  return {before, own, false, group, kNear};
+  return {before, own, false, group, true, kNear};
 }
-ChildTrace gone(Displacement before, std::uint32_t group = 0) { return {before, {}, true, group, kBeside}; }
+ChildTrace gone(Displacement before, std::uint32_t group = 0) { return {before, {}, true, group, true, kBeside}; }
 
 TEST(Displacement, StepsAddUpEachWay) {
   const Displacement sum = Displacement{1, 2} + Displacement{3, 5};
@@ -37,6 +37,12 @@ TEST(Displacement, WhatVanishedIsAsFarAsItsFarthestCornerFromASibling) {
   const NodeTrace node = together(std::vector{kept({0, 0}, {0, 0.5}), gone({0, 0})});
   // from x = 3 to the sibling's edge at x = 1, and then on to what became of the sibling
   EXPECT_DOUBLE_EQ(node.moved.back_m, 2.5);
+}
+
+TEST(Displacement, WhatVanishedBeforeAFaceIsAsFarAsItIsBefore) {
+  ChildTrace before_it = gone({0, 0});
+  before_it.vertices = {{0, 0, 0.25}, {1, 0, 0.25}, {1, 1, 0.25}, {0, 1, 0.25}};
+  EXPECT_DOUBLE_EQ(together(std::vector{kept({0, 0}, {0, 0}), before_it}).moved.back_m, 0.25);
 }
 
 TEST(Displacement, WithoutSurvivorsTheNodeVanishes) {
