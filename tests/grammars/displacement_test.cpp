@@ -45,6 +45,14 @@ TEST(Displacement, WhatVanishedBeforeAFaceIsAsFarAsItIsBefore) {
   EXPECT_DOUBLE_EQ(together(std::vector{kept({0, 0}, {0, 0}), before_it}).moved.back_m, 0.25);
 }
 
+TEST(Displacement, AConcaveFaceIsMeasuredToItsEdges) {
+  // the corners of what vanished lie on the L's border, its middle 3 m away
+  ChildTrace l = kept({0, 0}, {0, 0}), in_notch = gone({0, 0});
+  l.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {1, 1, 0}, {1, 10, 0}, {0, 10, 0}};
+  in_notch.vertices = {{1, 1, 0}, {10, 1, 0}, {1, 10, 0}};
+  EXPECT_GE(together(std::vector{l, in_notch}).moved.back_m, 3);
+}
+
 TEST(Displacement, WithoutSurvivorsTheNodeVanishes) {
   EXPECT_TRUE(together(std::vector{gone({0, 0}), gone({1, 1})}).vanished);
   EXPECT_TRUE(together({}).vanished);
