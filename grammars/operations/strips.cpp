@@ -1,6 +1,5 @@
 // Parts along the scope's axes: shapeL, shapeU, shapeO, innerRectangle.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "grammars/cut.h"
@@ -101,29 +100,39 @@ struct Rectangle {
   double area() const { return (high_x - low_x) * (high_y - low_y); }
 };
 
+/// The part of a segment, from 0 to 1, that lies between two values of one coordinate.
+struct Part {
+  double from = 0, to = 1;
+};
+
+void narrow(Part& part, double start, double way, double low, double high) {
+  if (way == 0) {
+    if (start <= low || start >= high) part.to = -1;
+    return;
+  }
+  const double t0 = (low - start) / way, t1 = (high - start) / way;
+  part.from = std::max(part.from, std::min(t0, t1));
+  part.to = std::min(part.to, std::max(t0, t1));
+}
+
+bool passes_through(Vec2 a, Vec2 b, const Rectangle& r) {
+  constexpr double kBeside_m = 1e-7;  // along a side is not through
+  Part part;
+  narrow(part, a.x, b.x - a.x, r.low_x + kBeside_m, r.high_x - kBeside_m);
+  narrow(part, a.y, b.y - a.y, r.low_y + kBeside_m, r.high_y - kBeside_m);
+  return part.from < part.to;
+}
+
+bool passes_through(const Ring& ring, const Rectangle& r) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (passes_through(ring[i], ring[(i + 1) % ring.size()], r)) return true;
+  return false;
+}
+
 /// True if the rectangle lies in the polygon: its middle does, and no edge passes through it.
 bool lies_in(const Polygon& polygon, const Rectangle& r) {
   if (!contains(polygon, {(r.low_x + r.high_x) / 2, (r.low_y + r.high_y) / 2})) return false;
-  const auto passes = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-      double from = 0, to = 1;
-      // what of the edge lies between both pairs of sides
-      for (const auto& [p, d, low, high] :
-           {std::array{a.x, b.x - a.x, r.low_x, r.high_x}, std::array{a.y, b.y - a.y, r.low_y, r.high_y}}) {
-        const double eps = 1e-7;
-        if (d == 0) {
-          if (p <= low + eps || p >= high - eps) to = -1;
-          continue;
-        }
-        const double t0 = (low + eps - p) / d, t1 = (high - eps - p) / d;
-        from = std::max(from, std::min(t0, t1));
-        to = std::min(to, std::max(t0, t1));
-      }
-      if (from < to) return true;
-    }
-    return false;
-  };
+  const auto passes = [&](const Ring& ring) { return passes_through(ring, r); };
   return !passes(polygon.outer) && std::none_of(polygon.holes.begin(), polygon.holes.end(), passes);
 }
 
