@@ -102,7 +102,8 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// Guarantees: the same bytes for the same arguments on any machine; chance is drawn by (seed, shape's id, purpose,
 /// index), so no shape's dice depend on another's. At a tolerance, the union of all terminals' surfaces lies within
 /// error_m ≤ tolerance_m of that at tolerance 0, Hausdorff, both ways; instances count as their scopes. Total: what
-/// cannot be is a trouble and does nothing; limits end shapes as terminals of their own. Cost: that of all detail, at
+/// cannot be is a trouble and does nothing; limits end shapes as terminals of their own, and
+/// keep the stack under 2 MB. Cost: that of all detail, at
 /// any tolerance: a node knows what it moves when all below it is derived.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
 

@@ -12,8 +12,6 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr int kMostCalls = 64;
-
 Value finite(double number, Place place, Context& context) {
   if (std::isfinite(number)) return number;
   context.run.trouble(place, "the value is not a number or too large");
@@ -75,15 +73,11 @@ Value evaluate_builtin(const Expression& call, Context& context) {
   return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
 }
 
-Value evaluate_function(const Expression& call, Context& context) {
-  if (context.calls >= kMostCalls) {
-    context.run.trouble(call.place, "functions call each other deeper than 64");
-    return 0.0;
-  }
+[[gnu::noinline]] Value evaluate_function(const Expression& call, Context& context) {
   const Function& function = context.run.program.functions[call.index];
   Frame frame;
   for (const Expression& operand : call.operands) frame.push_back(evaluate(operand, context));
-  Context inner{context.run, context.shape, frame, context.dice, context.calls + 1};
+  Context inner{context.run, context.shape, frame, context.dice, context.depth};
   return evaluate(function.value, inner);
 }
 
@@ -243,7 +237,7 @@ Value initial_value(std::uint32_t index, Context& context) {
   const auto given = run.options.attributes.find(attribute.name);
   Dice dice{Draw(run.options.seed, run.initial.id, ("attr " + attribute.name).c_str())};
   Frame frame;
-  Context inner{run, run.initial, frame, dice, context.calls + 1};
+  Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
   return given->second;
 }
@@ -257,7 +251,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
     if (changed != context.shape.attributes->end()) return changed->second;
   }
   if (run.attributes[index]) return *run.attributes[index];
-  if (run.attribute_under_way[index] || context.calls >= kMostCalls) {
+  if (run.attribute_under_way[index]) {
     run.trouble(run.program.attributes[index].place, "the attribute's value asks for itself");
     return 0.0;
   }
@@ -269,8 +263,9 @@ Value attribute_value(std::uint32_t index, Context& context) {
 
 double draw_unit(Context& context) { return context.dice.draw.unit(context.dice.next++); }
 
-Value evaluate(const Expression& expression, Context& context) {
-  if (!context.run.spend(1)) return 0.0;
+namespace {
+
+Value evaluate_kind(const Expression& expression, Context& context) {
   switch (expression.kind) {
     case ExpressionKind::kLiteral:
       return expression.value;
@@ -291,6 +286,20 @@ Value evaluate(const Expression& expression, Context& context) {
       return evaluate_with(expression, context);
   }
   return 0.0;
+}
+
+}  // namespace
+
+Value evaluate(const Expression& expression, Context& context) {
+  if (!context.run.spend(1)) return 0.0;
+  if (context.depth >= kMostDepth) {
+    context.run.trouble(expression.place, "values ask for each other without end");
+    return 0.0;
+  }
+  ++context.depth;
+  Value value = evaluate_kind(expression, context);
+  --context.depth;
+  return value;
 }
 
 int chosen_branch(const Body& body, Context& context) {

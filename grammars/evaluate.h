@@ -10,12 +10,15 @@ struct Context {
   const Shape& shape;
   Frame& frame;
   Dice& dice;
-  int calls = 0;  ///< Functions in each other.
+  int depth = 0;  ///< Expressions in each other, through functions too.
 };
 
 /// Total: a value of the wrong kind is a trouble and converted; division by zero and overflow are troubles and 0, or
-/// the largest double; functions deeper than 64 in each other are 0.
+/// the largest double; expressions deeper than kMostDepth in each other, as of functions that call themselves, are 0.
 Value evaluate(const Expression& expression, Context& context);
+
+/// Functions of usual size may call themselves a hundred times; all of it is under 1 MB of stack.
+inline constexpr int kMostDepth = 600;
 
 /// The value of an attribute or constant for this shape.
 Value attribute_value(std::uint32_t attribute, Context& context);

@@ -57,8 +57,9 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   return apply_rule(run, std::move(child), rule, std::move(arguments), execution.depth + 1, execution.path);
 }
 
+// not inlined, nor are other holders of shapes, so that blocks in each other cost the stack no shapes
 // `last`: nothing asks for the current shape any more
-void run_successor(Execution& execution, const Statement& statement, bool last) {
+[[gnu::noinline]] void run_successor(Execution& execution, const Statement& statement, bool last) {
   Frame arguments;
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
@@ -94,7 +95,7 @@ bool is_in_world(const Shape& shape) {
   return all;
 }
 
-void run_operation(Execution& execution, const Statement& statement) {
+[[gnu::noinline]] void run_operation(Execution& execution, const Statement& statement) {
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
   Context context = context_of(execution);

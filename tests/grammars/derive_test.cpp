@@ -163,6 +163,17 @@ TEST(Limits, StepsEndLongWork) {
   EXPECT_EQ(derivation.limits[0].kind, LimitKind::kSteps);
 }
 
+TEST(Limits, TheDeepestProgramFitsTheStack) {
+  // rules in blocks, at whose bottom functions call each other in parentheses: each as deep as is allowed
+  std::string blocks, ends, open, close;
+  for (int i = 0; i < 30; ++i) blocks += "{ ", ends += " }";
+  for (int i = 0; i < 28; ++i) open += "max(0, -", close += ")";
+  const std::string text = "f(x) = 1 + " + open + "f(x)" + close + "\nLot --> " + blocks + "Lot print(f(1))" + ends;
+  const auto derivation = derived(text);
+  ASSERT_FALSE(derivation.limits.empty());
+  EXPECT_EQ(derivation.limits[0].kind, LimitKind::kDepth);
+}
+
 TEST(Limits, AreTheSameAtAnyTolerance) {
   const Program program =
       program_of("Lot --> extrude(9) comp(f) { side : A }\nA --> split(x) { ~1 : A | ~1 : B | ~1 : A }");

@@ -104,11 +104,15 @@ TEST(Evaluate, RandomAttributesKeepTheirValue) {
   EXPECT_EQ(printed[0], printed[2]);
 }
 
+TEST(Evaluate, FunctionsMayCallThemselvesAHundredTimes) {
+  EXPECT_EQ(printed("sum(100)", "sum(n) = case n <= 0 : 0 else : n + sum(n - 1)"), "5050");
+}
+
 TEST(Evaluate, SaysWhatCannotBe) {
   EXPECT_EQ(first_trouble("Lot --> extrude(1 / 0)"), "test.cga:1:19: division by zero");
   EXPECT_EQ(first_trouble("Lot --> extrude(\"a\" * 2)"), "test.cga:1:17: expected a float, found a string");
   EXPECT_EQ(first_trouble("Lot --> case 1 : A else : B"), "test.cga:1:14: expected a bool, found a float");
-  EXPECT_EQ(first_trouble("f = f\nLot --> extrude(f)"), "test.cga:1:5: functions call each other deeper than 64");
+  EXPECT_EQ(first_trouble("f = f\nLot --> extrude(f)"), "test.cga:1:5: values ask for each other without end");
   EXPECT_EQ(first_trouble("attr a = b\nattr b = a\nLot --> extrude(a)"),
             "test.cga:1:6: the attribute's value asks for itself");
   EXPECT_EQ(first_trouble("Lot --> extrude(pow(10, 300) * pow(10, 300))"),
