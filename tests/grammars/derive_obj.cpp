@@ -7,6 +7,7 @@
 
 #include "compiler/geometry/triangulate.h"
 #include "grammars/derive.h"
+#include "grammars/form_roofs.h"
 #include "grammars/link.h"
 
 namespace {
@@ -64,6 +65,7 @@ int main(int count, char** arguments) {
   if (!program) return std::fprintf(stderr, "%s\n", to_string(program.error()).c_str()), 1;
   const double width_m = count > 3 ? std::stod(arguments[3]) : 11, depth_m = count > 4 ? std::stod(arguments[4]) : 9;
   DeriveOptions options;
+  options.roofs = form_roofs(0.01);
   options.keep_looks = true;
   options.tolerance_m = count > 5 ? std::stod(arguments[5]) : 0;
   options.seed = count > 6 ? std::stoull(arguments[6]) : 0;

@@ -1,0 +1,16 @@
+// The roofs of roofs/ as the grammar's roof builder.
+#pragma once
+
+#include "grammars/roof_builder.h"
+
+namespace citykiln::grammars {
+
+/// Makes roofGable … by expand_roof(): gabled, hipped, pyramidal, skillion and mansard, on any footprint, with
+/// overhangs.
+/// @param tolerance_m  As expand_roof's: knees and eaves it does not see are left out. The roof's own error is not part
+/// of the derivation's.
+/// Faces of one plane are one face. Rims and undersides of overhangs are tagged kBorder. std::nullopt where the roof
+/// fell back to flat.
+RoofBuilder form_roofs(double tolerance_m);
+
+}  // namespace citykiln::grammars

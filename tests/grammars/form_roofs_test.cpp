@@ -1,0 +1,65 @@
+#include "grammars/form_roofs.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/grammars/on_lot.h"
+
+namespace citykiln::grammars {
+namespace {
+
+const std::vector<Polygon> kFootprints = {
+    {{{0, 0}, {12, 0}, {12, 8}, {0, 8}}, {}},
+    {{{0, 0}, {14, 0}, {14, 6}, {6, 6}, {6, 12}, {0, 12}}, {}},
+    {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}, {{{6, 5}, {6, 11}, {14, 11}, {14, 5}}}},
+};
+
+/// Of a closed surface, however its faces meet, all area vectors add up to nothing.
+double open_m2(const Derivation& derivation) {
+  Vec3 sum;
+  for (const Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) sum = sum + area_vector_m2(face);
+  return length(sum);
+}
+
+Derivation roofed(const Polygon& footprint, const std::string& roof) {
+  DeriveOptions options;
+  options.roofs = form_roofs(0.01);
+  const Program program = program_of("Lot --> extrude(6) comp(f) { top : " + roof + " | all : Wall. }");
+  const Derivation derivation = derive(program, lot(footprint, 3, 0, StableId{1}, {0}), options);
+  EXPECT_TRUE(derivation.troubles.empty()) << roof;
+  return derivation;
+}
+
+TEST(FormRoofs, CloseTheHouse) {
+  for (const Polygon& footprint : kFootprints)
+    for (const char* roof : {"roofGable(40)", "roofHip(35)", "roofPyramid(byHeight, 4)", "roofShed(15)"}) {
+      const Derivation derivation = roofed(footprint, std::string(roof) + " comp(f) { bottom : NIL | all : R. }");
+      EXPECT_NEAR(open_m2(derivation), 0, 1e-6) << roof;
+      EXPECT_GE(count_named(derivation, "R"), 2u) << roof;
+    }
+}
+
+TEST(FormRoofs, OfOnePlaneAreOneFace) {
+  const Derivation derivation =
+      roofed(kFootprints[0], "roofGable(45) comp(f) { bottom : NIL | side : Gable. | top : Tiles. }");
+  EXPECT_EQ(count_named(derivation, "Tiles"), 2u);
+  EXPECT_EQ(count_named(derivation, "Gable"), 2u);
+}
+
+TEST(FormRoofs, StandOut) {
+  const Derivation derivation =
+      roofed(kFootprints[0], "roofHip(35, 0.5) comp(f) { border : Eaves. | bottom : NIL | top : Tiles. }");
+  double low_x = 0;
+  for (const Terminal* tiles : named(derivation, "Tiles"))
+    for (const Vec3 p : tiles->faces.at(0).outer) low_x = std::min(low_x, p.x);
+  EXPECT_NEAR(low_x, -0.5, 0.01);
+  EXPECT_GT(count_named(derivation, "Eaves"), 0u);
+}
+
+TEST(FormRoofs, ShedsRiseFromTheirEdge) {
+  const Derivation derivation = roofed(kFootprints[0], "roofShed(byHeight, 2, 0) comp(f) { top : Tiles. | all : NIL }");
+  for (const Vec3 p : named(derivation, "Tiles").at(0)->faces.at(0).outer) EXPECT_NEAR(p.z, 9 + p.y / 4, 0.01);
+}
+
+}  // namespace
+}  // namespace citykiln::grammars
