@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/graph_walk.h"
 
 namespace citykiln::ground {
@@ -125,6 +127,13 @@ double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
   return std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
 }
 
+double distance_to(const Polyline& axis, Vec2 p) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    least_m = std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
+  return least_m;
+}
+
 bool share_a_node(const Track& a, const Track& b) {
   return std::ranges::any_of(a.node_ids,
                              [&](std::int64_t id) { return std::ranges::find(b.node_ids, id) != b.node_ids.end(); });
@@ -154,18 +163,43 @@ struct Finder {
     }
   }
 
+  bool is_in_graph(const Track& track) const {
+    const auto id = [](const GradedWay& way) { return way.track->id; };
+    return std::ranges::binary_search(graph.ways, track.id, {}, id);
+  }
+
   void add_lines() {
     for (std::uint32_t w = 0; w < graph.ways.size(); ++w)
       add_line(graph.ways[w].track->axis, [&](Segment& s) { s.way = w; });
-    std::vector<std::pair<ObjectId, std::uint32_t>> in_graph;
     for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
       const Track& track = features.tracks[t];
-      if (leaves_ground(track) || map::values_of(track.surface).group != SurfaceGroup::kPath) continue;
-      if (track.surface != map::SurfaceClass::kFarmTrack) add_line(track.axis, [&](Segment& s) { s.path = t; });
+      if (!leaves_ground(track) && group_of(track) == SurfaceGroup::kPath && !is_in_graph(track))
+        add_line(track.axis, [&](Segment& s) { s.path = t; });
     }
     for (std::uint32_t i = 0; i < below.streams.size(); ++i)
       add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
     std::ranges::sort(grid.entries);
+  }
+
+  static double joining_m(const ProfileGraph& graph, const Leg& leg) {
+    return (is_graded(graph.ways[leg.way].track->surface) ? 1 : kPathJoins) * leg.length_m;
+  }
+
+  // Whether one ends on the ground beside the other, close by.
+  bool lands_on(std::uint32_t way, double at_m, std::uint32_t other) {
+    if (graph.ways[way].road != kNone) return false;
+    const Track &track = *graph.ways[way].track, &beside = *graph.ways[other].track;
+    const double reach_m = half_width_m(track) + half_width_m(beside);
+    bool lands = false;
+    walk.from(
+        starts_about(graph, way, at_m), kJoined_m,
+        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(graph, leg) : 2 * kJoined_m; },
+        [&](std::uint32_t node, double) {
+          const GraphNode& n = graph.nodes[node];
+          lands |= (n.is_on_ground || n.is_pinned) && distance_to(beside.axis, n.at) < reach_m;
+          return !lands;
+        });
+    return lands;
   }
 
   // Lines that meet close by are not apart yet.
@@ -177,7 +211,7 @@ struct Finder {
                                         {std::abs(a_m - from[1].at_m), from[1].node}};
     bool joined = false;
     walk.from(
-        starts, kJoined_m, [](const Leg& leg) { return leg.length_m; },
+        starts, kJoined_m, [&](const Leg& leg) { return joining_m(graph, leg); },
         [&](std::uint32_t node, double run_m) {
           for (int k = 0; k < 2; ++k) joined |= to[k].node == node && run_m + std::abs(b_m - to[k].at_m) <= kJoined_m;
           return !joined;
@@ -190,7 +224,7 @@ struct Finder {
     if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
     if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
     if (are_joined(a, a_m, b, b_m)) return;
-    found.push_back({a, b, a_m, b_m, 0, wanted_m(one, two), half_width_m(two)});
+    found.push_back({a, b, a_m, b_m, 0, 0, wanted_m(one, two), half_width_m(two)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
@@ -203,11 +237,11 @@ struct Finder {
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
-      found.push_back({way, kNone, at_m, 0, ground_m, wanted_m(track, path), half_width_m(path)});
+      found.push_back({way, kNone, at_m, 0, ground_m, 0, wanted_m(track, path), half_width_m(path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
       const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
-      found.push_back({way, kNone, at_m, 0, z_m, over_stream_m(stream), std::max(stream.left_m, stream.right_m)});
+      found.push_back({way, kNone, at_m, 0, z_m, 0, over_stream_m(stream), std::max(stream.left_m, stream.right_m)});
     }
   }
 
@@ -244,7 +278,10 @@ struct Finder {
         if (other.way == kNone || other.way == w) continue;
         const double along = nearest_along(other.a, other.b, at);
         const double apart_m = distance(at, other.a + (other.b - other.a) * along);
-        if (apart_m < half_m + half_width_m(*graph.ways[other.way].track)) add(w, station.at_m, other, along);
+        if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
+        const double other_m = other.at_m + along * distance(other.a, other.b);
+        if (!lands_on(w, station.at_m, other.way) && !lands_on(other.way, other_m, w))
+          add(w, station.at_m, other, along);
       }
     }
   }
@@ -261,7 +298,7 @@ struct Finder {
         if (!box.contains(at)) continue;
         int winding = 0;
         for (const Ring& ring : water.rings) winding += winding_number(ring, at);
-        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, kOverWater_m, 0});
+        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kOverWater_m, 0});
       }
     }
   }
@@ -286,7 +323,9 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
 }
 
 double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
-  const double upper_m = height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
+  const double upper_m = crossing.upper == kNone
+                             ? crossing.upper_z_m
+                             : height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
   const double lower_m = crossing.lower == kNone
                              ? crossing.lower_z_m
                              : height_along(graph, graph.ways[crossing.lower], z_m, crossing.lower_at_m);

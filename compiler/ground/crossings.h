@@ -21,14 +21,15 @@ inline constexpr double kOverWater_m = 2, kRiver_m = 8, kOverDitch_m = 0.5;
 /// A clearance that lacks less is one that a deck may be thinner by.
 inline constexpr double kLackMargin_m = 0.25;
 
-/// Lines that are joined within this along the network are not apart yet: an abutment, a fork.
-inline constexpr double kJoined_m = 96;
+/// Lines that are joined within this along the network are not apart yet: an abutment, a fork. Paths are so much
+/// steeper that on them the third of it does.
+inline constexpr double kJoined_m = 96, kPathJoins = 3;
 
 /// One place where one line should clear another.
 struct Crossing {
-  std::uint32_t upper = 0, lower = kNone;  ///< Ways; kNone: what has no profile, at lower_z_m.
+  std::uint32_t upper = 0, lower = kNone;  ///< Ways; kNone: what is not in the graph, at the height below.
   double upper_at_m = 0, lower_at_m = 0;
-  double lower_z_m = 0;
+  double lower_z_m = 0, upper_z_m = 0;
   double wanted_m = 0;      ///< From surface to surface.
   double half_width_m = 0;  ///< Of the lower one.
 };
@@ -42,7 +43,8 @@ struct Below {
 
 /// Bridges pass over the ground, the ground over tunnels; of two bridges or tunnels the one of higher layer=* is above
 /// (a bridge without counts as 1, a tunnel as -1); of equal layer nobody knows. Corridors in buildings (paths in
-/// "tunnels" of layer 0 or above) pass nothing. Sorted by upper, then by place. O(n log n) about what leaves the
+/// "tunnels" of layer 0 or above) pass nothing. What only runs along within another's width does not pass it within
+/// kJoined_m of an end on the ground that lies on that other: there it comes down beside it. Sorted by upper, then by place. O(n log n) about what leaves the
 /// ground.
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below);
 

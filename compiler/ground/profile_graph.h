@@ -65,17 +65,25 @@ struct ProfileGraph {
   }
 };
 
+/// Which lines a graph is of.
+enum class Lines : std::uint8_t {
+  kGraded,  ///< Roads and rails with heights of their own, and all that leaves the ground.
+  kPaths,   ///< Paths that leave the ground, and those of the ground that lead up or down to it (approach_paths.h).
+  kAll      ///< Both.
+};
+
 /// What is told of a node of the map by a lesser way on the ground.
 bool leaves_ground(const map::Track& track);
 
-/// The graph of all graded roads of the ground and all that leaves it.
+/// The graph of all lines of a kind.
 ///
 /// Ways of the ground meet where they share a place; ways off it meet these and each other where they share a node of
 /// the map. Stations: such nodes, both ends, junctions' places, cuts and kEase_m beyond, bends within junctions, and as
 /// many between as kStation_m asks for. Node order hangs on places and ids alone, not on what is far away, nor on the
-/// order of the input. Roads without a track are not in the graph. O(n log n) in vertices.
+/// order of the input. Roads without a track are not in the graph. Of kPaths, places that are shared with lines that have
+/// heights of their own are stations, and pinned. O(n log n) in vertices.
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
-                      std::span<const roads::Junction> junctions);
+                      std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 
 /// Height at a place along a way, of heights by node.
 double height_along(const ProfileGraph& graph, const GradedWay& way, std::span<const double> z_m, double at_m);

@@ -1,0 +1,21 @@
+// Paths that lead up to what leaves the ground: steps, ramps, pavements. They follow the ground as it is, but where a
+// foot bridge needs room below it, or an underpass above it, they climb and go down with it.
+#pragma once
+
+#include <vector>
+
+#include "compiler/map/features.h"
+
+namespace citykiln::ground {
+
+/// Paths that begin within this of a bridge's or tunnel's end, along paths, lead up to it: a storey, 5.5 m, at three
+/// eighths, twice.
+inline constexpr double kApproach_m = 32;
+/// Longer paths lead elsewhere, and stay on the ground as it is.
+inline constexpr double kLongestApproach_m = 256;
+
+/// By track: on the ground, of a class without heights of its own, and joined by nodes of the map. Does not depend on
+/// the order of tracks. Reach: both of the above. O(n log n) in vertices.
+std::vector<bool> approach_paths(const map::Features& features);
+
+}  // namespace citykiln::ground
