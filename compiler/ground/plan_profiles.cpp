@@ -6,6 +6,7 @@
 #include "compiler/ground/clearances.h"
 #include "compiler/ground/grade_limits.h"
 #include "compiler/ground/grade_rules.h"
+#include "compiler/ground/graph_walk.h"
 #include "compiler/ground/line_heights.h"
 #include "compiler/ground/profile_knots.h"
 #include "compiler/ground/smooth_profile.h"
@@ -13,9 +14,10 @@
 namespace citykiln::ground {
 namespace {
 
-/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back: times
-/// that all are asked.
-constexpr int kRounds = 1;
+/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back. What is
+/// lacking then is lifted once more, and ramps may be so much steeper than their limit: as much as push_up() makes them
+/// on slopes.
+constexpr double kSteepest = 1.375;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
 // Smoothing alone moves tunnels by about as much.
@@ -75,14 +77,25 @@ bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates
   });
 }
 
+// Those that nothing would move that must not be steeper.
+std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Crossing> crossings) {
+  std::vector<Crossing> of_streets;
+  const auto keeps = [&](std::uint32_t way, map::Passage moving) {
+    return way == kNone || graph.ways[way].track->passage != moving || may_be_steeper(graph, way);
+  };
+  for (const Crossing& c : crossings)
+    if (keeps(c.upper, map::Passage::kBridge) && keeps(c.lower, map::Passage::kTunnel)) of_streets.push_back(c);
+  return of_streets;
+}
+
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
              std::span<const double> lines_m) {
   Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.step_m));
   plates.z_m = limit_grades(graph, plates.z_m);
-  for (int round = 0; round < kRounds; ++round) {
-    plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
-    plates.z_m = limit_grades(graph, plates.z_m);
-  }
+  plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  plates = level_junctions(graph, clear_crossings(graph, of_streets(graph, crossings), heights, plates.z_m));
+  plates.z_m = limit_grades(graph, plates.z_m, kSteepest);
   return plates;
 }
 
