@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/graph_walk.h"
 #include "compiler/ground/line_heights.h"
 #include "compiler/ground/pinned.h"
@@ -51,7 +52,8 @@ struct Clearer {
   std::vector<double> z_m, start_m;
   GraphWalk walk;
 
-  Passage passage_of(std::uint32_t way) const { return graph.ways[way].track->passage; }
+  // What is not in the graph stays where it is, like the ground.
+  Passage passage_of(std::uint32_t way) const { return way == kNone ? Passage::kGround : graph.ways[way].track->passage; }
   bool is_tunnel(const Leg& leg) const { return passage_of(leg.way) == Passage::kTunnel; }
   double ramp_m(const Leg& leg) const { return kRampShare * limit_of(graph, leg) * leg.length_m; }
 
@@ -113,7 +115,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
         });
   };
   for (const Crossing& c : crossings) {
-    if (c.lower == kNone || passage_of(c.lower) != Passage::kTunnel) continue;
+    if (passage_of(c.lower) != Passage::kTunnel) continue;
     const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
     if (lack_m > kMet_m)
       press(starts_about(graph, c.lower, c.lower_at_m),
@@ -154,11 +156,12 @@ void Clearer::push_up(std::span<const Push> pushes) {
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
 
-// Bridges rise; tunnels for vehicles go down, with their approaches, under what is no bridge.
+// Bridges rise; tunnels go down, with their approaches, under what is no bridge.
 bool Clearer::moves(const Crossing& c, bool of_upper) const {
   if (of_upper) return passage_of(c.upper) == Passage::kBridge;
-  return c.lower != kNone && passage_of(c.lower) == Passage::kTunnel && passage_of(c.upper) != Passage::kBridge &&
-         map::values_of(graph.ways[c.lower].track->surface).group != map::SurfaceGroup::kPath;
+  if (passage_of(c.lower) != Passage::kTunnel || passage_of(c.upper) == Passage::kBridge) return false;
+  // no street goes down with an underpass that ends on it
+  return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
 }
 
 // By crossing: how many lie one above the other below it (above it, for tunnels), itself among them.

@@ -233,7 +233,7 @@ struct Finder {
     const Track& track = *graph.ways[way].track;
     if (track.passage != Passage::kBridge) return;
     const Vec2 at = other.a + (other.b - other.a) * along;
-    const double ground_m = height_m_at(below.heights, at);
+    const double ground_m = below.ground_m(at);
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;

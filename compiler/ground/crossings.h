@@ -1,6 +1,7 @@
 // Who passes over whom without meeting: what crosses in plan, and what runs above another within its width.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct Crossing {
 struct Below {
   std::span<const roads::Strip> streams;
   std::span<const Surface> waters;
-  const map::Heightfield& heights;
+  std::function<double(Vec2)> ground_m;  ///< Where paths lie that follow the ground as it is.
 };
 
 /// Bridges pass over the ground, the ground over tunnels; of two bridges or tunnels the one of higher layer=* is above

@@ -8,6 +8,7 @@
 #include "compiler/ground/grade_rules.h"
 #include "compiler/ground/graph_walk.h"
 #include "compiler/ground/line_heights.h"
+#include "compiler/ground/plan_paths.h"
 #include "compiler/ground/profile_knots.h"
 #include "compiler/ground/smooth_profile.h"
 
@@ -33,17 +34,6 @@ void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& 
       steepest = std::max(steepest, std::abs(z_m[stations[s].node] - z_m[stations[s - 1].node]) / run_m);
     }
     if (steepest > limit + kSteepMargin) report.add(Code::kTooSteep, way.track->id.osm, steepest);
-  }
-}
-
-void tell_low(const ProfileGraph& graph, std::span<const Crossing> crossings, std::span<const double> z_m,
-              Report& report) {
-  for (std::size_t i = 0; i < crossings.size();) {
-    const std::uint32_t upper = crossings[i].upper;
-    double worst_m = 0;
-    for (; i < crossings.size() && crossings[i].upper == upper; ++i)
-      worst_m = std::max(worst_m, shortfall_m(graph, crossings[i], z_m));
-    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, graph.ways[upper].track->id.osm, worst_m);
   }
 }
 
@@ -107,7 +97,7 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
                        double limit_scale) {
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
-  const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, heights});
+  const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = line_heights(graph, heights);
   const Plates plates = solve(graph, crossings, heights, lines_m);
 
@@ -121,10 +111,9 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
     }
   }
   tell_steep(graph, plates.z_m, report);
-  tell_low(graph, crossings, plates.z_m, report);
   tell_dug(graph, lines_m, plates.z_m, report);
   tell_loose_ends(graph, report);
-  return profiles;
+  return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
 }
 
 }  // namespace citykiln::ground

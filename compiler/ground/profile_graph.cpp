@@ -323,6 +323,7 @@ bool leaves_ground(const Track& track) { return track.passage != Passage::kGroun
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines) {
   Builder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
+  builder.graph.lines = lines;
   builder.add_ways();
   builder.stop_at_junctions(junctions);
   builder.join_places();

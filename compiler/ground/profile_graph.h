@@ -50,12 +50,20 @@ struct GradedWay {
   std::uint32_t first = 0, count = 0;  ///< Its stations.
 };
 
+/// Which lines a graph is of.
+enum class Lines : std::uint8_t {
+  kGraded,  ///< Roads and rails with heights of their own, and all that leaves the ground.
+  kPaths,   ///< Paths that leave the ground, and those of the ground that lead up or down to it (approach_paths.h).
+  kAll      ///< Both.
+};
+
 struct ProfileGraph {
   std::vector<GradedWay> ways;    ///< Sorted by id.
   std::vector<Station> stations;  ///< Way by way, along them.
   std::vector<GraphNode> nodes;   ///< Those of the map by place, then those between, way by way.
   std::vector<Leg> legs;          ///< Node by node.
   double limit_scale = 1;         ///< Of all grade limits.
+  Lines lines{};
 
   std::span<const Station> stations_of(const GradedWay& way) const {
     return std::span(stations).subspan(way.first, way.count);
@@ -63,13 +71,6 @@ struct ProfileGraph {
   std::span<const Leg> legs_of(std::uint32_t node) const {
     return std::span(legs).subspan(nodes[node].first_leg, nodes[node].legs);
   }
-};
-
-/// Which lines a graph is of.
-enum class Lines : std::uint8_t {
-  kGraded,  ///< Roads and rails with heights of their own, and all that leaves the ground.
-  kPaths,   ///< Paths that leave the ground, and those of the ground that lead up or down to it (approach_paths.h).
-  kAll      ///< Both.
 };
 
 /// What is told of a node of the map by a lesser way on the ground.

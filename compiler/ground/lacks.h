@@ -1,0 +1,21 @@
+// What profiles lack of the clearances that they should have, measured on the knots as they are written.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/ground/crossings.h"
+#include "compiler/ground/plan_profiles.h"
+
+namespace citykiln::ground {
+
+/// One line over another, or over a water or a path of the ground.
+struct Lack {
+  OsmId upper, lower;  ///< The lower is none for what has no profile.
+  double lack_m = 0;   ///< Where most is missing; not above zero where there is room everywhere.
+};
+
+/// One for each pair, sorted by the upper's id.
+std::vector<Lack> find_lacks(const map::Features& features, const Profiles& profiles, const Below& below);
+
+}  // namespace citykiln::ground

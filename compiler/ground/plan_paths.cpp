@@ -1,0 +1,157 @@
+#include "compiler/ground/plan_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "compiler/ground/approach_paths.h"
+#include "compiler/ground/carving.h"
+#include "compiler/ground/clearances.h"
+#include "compiler/ground/grade_limits.h"
+#include "compiler/ground/grade_rules.h"
+#include "compiler/ground/lacks.h"
+#include "compiler/ground/line_heights.h"
+#include "compiler/ground/plan.h"
+#include "compiler/ground/profile_knots.h"
+#include "compiler/roads/plan.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Track;
+
+double height_on(const Profile& profile, double at_m) { return profile.empty() ? 0 : knot_at(profile, at_m).z_m; }
+
+const Profile& profile_of(const Profiles& profiles, const GradedWay& way) {
+  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+}
+
+// Bridges for what is no path, with their heights: the land keeps below them.
+std::vector<roads::Road> decks_of(const map::Features& features, const Profiles& profiles) {
+  std::vector<roads::Road> decks;
+  std::size_t off = 0;
+  for (const Track& track : features.tracks) {
+    if (!leaves_ground(track)) continue;
+    const Profile& profile = profiles.off_ground[off++];
+    if (track.passage != map::Passage::kBridge || !is_graded(track.surface)) continue;
+    decks.push_back(roads::road_of(track));
+    decks.back().profile = profile;
+  }
+  return decks;
+}
+
+Carving carved(const map::Features& features, const Profiles& profiles, const Bare& bare) {
+  std::vector<Surface> wet(bare.waters.begin(), bare.waters.end());
+  for (const roads::Strip& stream : bare.streams) wet.push_back(surface_of(stream));
+  const std::vector<roads::Road> decks = decks_of(features, profiles);
+  return carve(bare.heights, {profiles.roads, bare.streams, wet, features.region, false, decks, {}});
+}
+
+// The decided height of every node of the map that a line with heights of its own shares with a path of the graph.
+struct Decided {
+  std::int64_t node_id;
+  double z_m;
+};
+
+std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles) {
+  std::vector<std::int64_t> of_paths;
+  for (const GradedWay& way : paths.ways)
+    of_paths.insert(of_paths.end(), way.track->node_ids.begin(), way.track->node_ids.end());
+  std::ranges::sort(of_paths);
+  std::vector<Decided> decided;
+  for (const GradedWay& way : all.ways) {
+    if (!is_graded(way.track->surface)) continue;
+    const std::vector<double> along = roads::distances_along(way.track->axis, 0);
+    for (std::size_t v = 0; v < along.size(); ++v)
+      if (std::ranges::binary_search(of_paths, way.track->node_ids[v]))
+        decided.push_back({way.track->node_ids[v], height_on(profile_of(profiles, way), along[v])});
+  }
+  std::ranges::sort(decided, {}, [](const Decided& d) { return std::tuple(d.node_id, d.z_m); });
+  return decided;
+}
+
+// By node: of the ground the carved land's, of what is shared with other lines theirs; off the ground the line between.
+std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
+                               const Carving& carving) {
+  std::vector<double> z_m;
+  z_m.reserve(paths.nodes.size());
+  for (const GraphNode& node : paths.nodes) z_m.push_back(land_m(carving, node.at));
+  const std::vector<Decided> decided = decided_heights(paths, all, profiles);
+  for (const GradedWay& way : paths.ways) {
+    const std::vector<double> along = roads::distances_along(way.track->axis, 0);
+    for (const Station& station : paths.stations_of(way)) {
+      const auto v = std::ranges::find(along, station.at_m);
+      if (v == along.end()) continue;
+      const std::int64_t id = way.track->node_ids[static_cast<std::size_t>(v - along.begin())];
+      const auto found = std::ranges::lower_bound(decided, id, {}, &Decided::node_id);
+      if (found != decided.end() && found->node_id == id) z_m[station.node] = found->z_m;
+    }
+  }
+  draw_lines(paths, z_m);
+  return z_m;
+}
+
+// Crossings of all lines as the paths see them: others stay where they are.
+std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all, std::span<const Crossing> crossings,
+                              const Profiles& profiles) {
+  const auto way_of = [&](std::uint32_t way) {
+    if (way == kNone) return kNone;
+    const auto id = [](const GradedWay& w) { return w.track->id; };
+    const auto found = std::ranges::lower_bound(paths.ways, all.ways[way].track->id, {}, id);
+    const bool is_path = found != paths.ways.end() && found->track->id == all.ways[way].track->id;
+    return is_path ? static_cast<std::uint32_t>(found - paths.ways.begin()) : kNone;
+  };
+  std::vector<Crossing> seen;
+  for (const Crossing& c : crossings) {
+    Crossing path = c;
+    path.upper = way_of(c.upper), path.lower = way_of(c.lower);
+    if (path.upper == kNone && path.lower == kNone) continue;
+    if (path.upper == kNone) path.upper_z_m = height_on(profile_of(profiles, all.ways[c.upper]), c.upper_at_m);
+    if (path.lower == kNone && c.lower != kNone)
+      path.lower_z_m = height_on(profile_of(profiles, all.ways[c.lower]), c.lower_at_m);
+    seen.push_back(path);
+  }
+  return seen;
+}
+
+// A path that stays on the ground needs no profile.
+bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
+              std::span<const double> to_m) {
+  return std::ranges::any_of(paths.stations_of(way), [&](const Station& s) {
+    return std::abs(to_m[s.node] - from_m[s.node]) > kKnotError_m;
+  });
+}
+
+// By the upper line, how much it lacks at most.
+void tell_low(std::span<const Lack> lacks, Report& report) {
+  for (std::size_t i = 0; i < lacks.size();) {
+    const OsmId upper = lacks[i].upper;
+    double worst_m = 0;
+    for (; i < lacks.size() && lacks[i].upper == upper; ++i) worst_m = std::max(worst_m, lacks[i].lack_m);
+    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, upper, worst_m);
+  }
+}
+
+}  // namespace
+
+Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare& bare, Report& report) {
+  const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
+  const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);
+  const Carving carving = carved(features, profiles, bare);
+  const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
+  const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
+  const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
+  const Plates plates{limit_grades(paths, clear_crossings(paths, crossings, bare.heights, lines_m)),
+                      std::vector<Vec2>(paths.nodes.size())};
+  for (const GradedWay& way : paths.ways) {
+    if (way.road == kNone) {
+      profiles.off_ground[way.off_ground] = knots_of(paths, way, plates);
+    } else if (is_moved(paths, way, lines_m, plates.z_m)) {
+      profiles.roads[way.road].profile = knots_of(paths, way, plates);
+    }
+  }
+  tell_low(find_lacks(features, profiles, below), report);
+  return profiles;
+}
+
+}  // namespace citykiln::ground
