@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/grade_rules.h"
 
@@ -14,7 +15,7 @@ using map::Track;
 
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-bool may_lead_up(const Track& track) {
+bool may_yield(const Track& track) {
   return track.passage == map::Passage::kGround && !is_graded(track.surface) &&
          map::values_of(track.surface).group == map::SurfaceGroup::kPath && length_m(track.axis) <= kLongestApproach_m;
 }
@@ -39,12 +40,12 @@ struct Nodes {
 Nodes nodes_of(const std::vector<Track>& tracks) {
   Nodes nodes;
   for (const Track& track : tracks)
-    if (may_lead_up(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
+    if (may_yield(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
   std::ranges::sort(nodes.ids);
   nodes.ids.erase(std::unique(nodes.ids.begin(), nodes.ids.end()), nodes.ids.end());
   nodes.run_m.assign(nodes.ids.size(), kFar_m);
   for (const Track& track : tracks) {
-    for (std::size_t i = 0; may_lead_up(track) && i + 1 < track.axis.size(); ++i) {
+    for (std::size_t i = 0; may_yield(track) && i + 1 < track.axis.size(); ++i) {
       const std::size_t a = nodes.of(track.node_ids[i]), b = nodes.of(track.node_ids[i + 1]);
       const double run_m = snapped(distance(track.axis[i], track.axis[i + 1]));
       nodes.pieces.push_back({a, b, run_m}), nodes.pieces.push_back({b, a, run_m});
@@ -78,17 +79,54 @@ void measure_from(const std::vector<Track>& tracks, Nodes& nodes) {
   }
 }
 
+// Pieces of bridges' axes.
+struct Decks {
+  std::vector<std::pair<Vec2, Vec2>> pieces;
+  BoxGrid grid;
+};
+
+Decks decks_of(const std::vector<Track>& tracks) {
+  constexpr double kBucket_m = 64;
+  Decks decks;
+  std::vector<Box2> boxes;
+  for (const Track& track : tracks) {
+    if (track.passage != map::Passage::kBridge) continue;
+    for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
+      decks.pieces.emplace_back(track.axis[i], track.axis[i + 1]);
+      boxes.push_back(box_of(std::span(track.axis).subspan(i, 2)));
+    }
+  }
+  decks.grid = grid_of(boxes, kBucket_m);
+  return decks;
+}
+
+// Ends count, so that nothing hangs on which of two pieces has a vertex.
+bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const auto are_apart = [](double one, double two) { return (one > 0 && two > 0) || (one < 0 && two < 0); };
+  return !are_apart(cross(b - a, c - a), cross(b - a, d - a)) && !are_apart(cross(d - c, a - c), cross(d - c, b - c));
+}
+
+bool passes_below(const Track& track, const Decks& decks) {
+  for (std::size_t i = 0; i + 1 < track.axis.size(); ++i) {
+    const Vec2 a = track.axis[i], b = track.axis[i + 1];
+    for (const std::uint32_t piece : boxes_about(decks.grid, box_of(std::span(track.axis).subspan(i, 2))))
+      if (cross_each_other(a, b, decks.pieces[piece].first, decks.pieces[piece].second)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<bool> approach_paths(const map::Features& features) {
   Nodes nodes = nodes_of(features.tracks);
   measure_from(features.tracks, nodes);
-  std::vector<bool> leads_up;
+  const Decks decks = decks_of(features.tracks);
+  const auto is_near = [&](std::int64_t id) { return nodes.run_m[nodes.of(id)] <= kApproach_m; };
+  std::vector<bool> yields;
   for (const Track& track : features.tracks)
-    leads_up.push_back(may_lead_up(track) && std::ranges::any_of(track.node_ids, [&](std::int64_t id) {
-                         return nodes.run_m[nodes.of(id)] <= kApproach_m;
-                       }));
-  return leads_up;
+    yields.push_back(may_yield(track) &&
+                     (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
+  return yields;
 }
 
 }  // namespace citykiln::ground

@@ -5,7 +5,7 @@
 //     __.'       o        '.__
 //
 // First tunnels go down as far as there is room between their mouths; what they still lack their approaches go down
-// with them, in cuttings; then bridges rise, approaches and all.
+// with them, in cuttings; then bridges rise, approaches and all; what those still lack paths below them go down.
 #pragma once
 
 #include <span>
@@ -20,6 +20,8 @@ inline constexpr int kLiftRounds = 4;
 /// No crossing lifts or lowers by more than this, and kOverRail_m for each storey below its own, whatever the heightmap
 /// says: a clear height, and as much again for a cutting that the heightmap does not show.
 inline constexpr double kMostLift_m = 12;
+/// A path of the ground goes down by no more than this under a bridge: there may be water beside it.
+inline constexpr double kMostYield_m = 2.5;
 /// Nothing ends up farther than this from where it was.
 inline constexpr double kMostLiftInAll_m = 24;
 /// Ramps are built at this share of the grade limit.

@@ -182,7 +182,9 @@ struct Finder {
   }
 
   static double joining_m(const ProfileGraph& graph, const Leg& leg) {
-    return (is_graded(graph.ways[leg.way].track->surface) ? 1 : kPathJoins) * leg.length_m;
+    const Track& track = *graph.ways[leg.way].track;
+    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins : is_graded(track.surface) ? 1 : kPathJoins) *
+           leg.length_m;
   }
 
   // Whether one ends on the ground beside the other, close by.
@@ -227,13 +229,20 @@ struct Finder {
     found.push_back({a, b, a_m, b_m, 0, 0, wanted_m(one, two), half_width_m(two)});
   }
 
+  void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
+    if (other.path == kNone) return;
+    const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
+    if (share_a_node(tunnel, path) || is_corridor(tunnel)) return;
+    found.push_back({kNone, way, 0, at_m, 0, ground_m, wanted_m(path, tunnel), half_width_m(tunnel)});
+  }
+
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
     const double other_m = other.at_m + along * distance(other.a, other.b);
     if (other.way != kNone) return add_ways(way, at_m, other.way, other_m);
     const Track& track = *graph.ways[way].track;
-    if (track.passage != Passage::kBridge) return;
     const Vec2 at = other.a + (other.b - other.a) * along;
     const double ground_m = below.ground_m(at);
+    if (track.passage == Passage::kTunnel) return add_path_above(way, at_m, other, ground_m);
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
@@ -317,7 +326,7 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
     finder.find_waters(w);
   }
   std::ranges::sort(finder.found, {}, [](const Crossing& c) {
-    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m);
+    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m, c.upper_z_m);
   });
   return std::move(finder.found);
 }

@@ -23,8 +23,8 @@ inline constexpr double kOverWater_m = 2, kRiver_m = 8, kOverDitch_m = 0.5;
 inline constexpr double kLackMargin_m = 0.25;
 
 /// Lines that are joined within this along the network are not apart yet: an abutment, a fork. Paths are so much
-/// steeper that on them the third of it does.
-inline constexpr double kJoined_m = 96, kPathJoins = 3;
+/// steeper that a third of it does, rails so much flatter that it takes twice as much.
+inline constexpr double kJoined_m = 96, kPathJoins = 3, kRailJoins = 0.5;
 
 /// One place where one line should clear another.
 struct Crossing {
@@ -42,7 +42,7 @@ struct Below {
   std::function<double(Vec2)> ground_m;  ///< Where paths lie that follow the ground as it is.
 };
 
-/// Bridges pass over the ground, the ground over tunnels; of two bridges or tunnels the one of higher layer=* is above
+/// Bridges pass over the ground, the ground over tunnels, paths that follow it too; of two bridges or tunnels the one of higher layer=* is above
 /// (a bridge without counts as 1, a tunnel as -1); of equal layer nobody knows. Corridors in buildings (paths in
 /// "tunnels" of layer 0 or above) pass nothing. What only runs along within another's width does not pass it within
 /// kJoined_m of an end on the ground that lies on that other: there it comes down beside it. Sorted by upper, then by place. O(n log n) about what leaves the

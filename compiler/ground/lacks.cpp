@@ -30,7 +30,8 @@ struct WrittenHeights {
 
   double lack_m(const Crossing& c) const {
     const double lower_m = c.lower == kNone ? c.lower_z_m : height_m(c.lower, c.lower_at_m);
-    return lower_m + c.wanted_m - height_m(c.upper, c.upper_at_m);
+    const double upper_m = c.upper == kNone ? c.upper_z_m : height_m(c.upper, c.upper_at_m);
+    return lower_m + c.wanted_m - upper_m;
   }
 };
 
@@ -40,15 +41,17 @@ std::vector<Lack> find_lacks(const map::Features& features, const Profiles& prof
   const ProfileGraph graph = graph_of(features, profiles.roads, {}, Lines::kAll);
   std::vector<Crossing> crossings = find_crossings(graph, features, below);
   // what has no profile is told apart by its height
-  const auto pair = [](const Crossing& c) { return std::tuple(c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0); };
+  const auto pair = [](const Crossing& c) {
+    return std::tuple(c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0, c.upper == kNone ? c.upper_z_m : 0);
+  };
   std::ranges::stable_sort(crossings, {}, pair);
   const WrittenHeights heights{graph, profiles, below};
+  const auto id_of = [&](std::uint32_t way) { return way == kNone ? OsmId{} : graph.ways[way].track->id.osm; };
   std::vector<Lack> lacks;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
     if (i == 0 || pair(c) != pair(crossings[i - 1]))
-      lacks.push_back({graph.ways[c.upper].track->id.osm, c.lower == kNone ? OsmId{} : graph.ways[c.lower].track->id.osm,
-                       heights.lack_m(c)});
+      lacks.push_back({id_of(c.upper), id_of(c.lower), heights.lack_m(c)});
     lacks.back().lack_m = std::max(lacks.back().lack_m, heights.lack_m(c));
   }
   return lacks;

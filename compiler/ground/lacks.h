@@ -9,13 +9,13 @@
 
 namespace citykiln::ground {
 
-/// One line over another, or over a water or a path of the ground.
+/// One line over another, or over a water or under a path of the ground.
 struct Lack {
-  OsmId upper, lower;  ///< The lower is none for what has no profile.
+  OsmId upper, lower;  ///< None for what has no profile.
   double lack_m = 0;   ///< Where most is missing; not above zero where there is room everywhere.
 };
 
-/// One for each pair, sorted by the upper's id.
+/// One for each pair, sorted by the upper's id, those that are none last.
 std::vector<Lack> find_lacks(const map::Features& features, const Profiles& profiles, const Below& below);
 
 }  // namespace citykiln::ground

@@ -106,7 +106,8 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
     Crossing path = c;
     path.upper = way_of(c.upper), path.lower = way_of(c.lower);
     if (path.upper == kNone && path.lower == kNone) continue;
-    if (path.upper == kNone) path.upper_z_m = height_on(profile_of(profiles, all.ways[c.upper]), c.upper_at_m);
+    if (path.upper == kNone && c.upper != kNone)
+      path.upper_z_m = height_on(profile_of(profiles, all.ways[c.upper]), c.upper_at_m);
     if (path.lower == kNone && c.lower != kNone)
       path.lower_z_m = height_on(profile_of(profiles, all.ways[c.lower]), c.lower_at_m);
     seen.push_back(path);
@@ -122,13 +123,14 @@ bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const d
   });
 }
 
-// By the upper line, how much it lacks at most.
+// Of each upper line, or of a tunnel under a path, how much it lacks at most.
 void tell_low(std::span<const Lack> lacks, Report& report) {
+  const auto told_of = [](const Lack& lack) { return lack.upper == OsmId{} ? lack.lower : lack.upper; };
   for (std::size_t i = 0; i < lacks.size();) {
-    const OsmId upper = lacks[i].upper;
+    const OsmId line = told_of(lacks[i]);
     double worst_m = 0;
-    for (; i < lacks.size() && lacks[i].upper == upper; ++i) worst_m = std::max(worst_m, lacks[i].lack_m);
-    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, upper, worst_m);
+    for (; i < lacks.size() && told_of(lacks[i]) == line; ++i) worst_m = std::max(worst_m, lacks[i].lack_m);
+    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
   }
 }
 

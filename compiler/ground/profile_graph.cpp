@@ -217,6 +217,7 @@ Vec2 point_at(const Polyline& axis, std::span<const double> along, double at_m) 
 }
 
 void Builder::put_stations() {
+  const double station_m = lines == Lines::kPaths ? kPathStation_m : kStation_m;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     GradedWay& way = graph.ways[w];
     Draft& draft = drafts[w];
@@ -232,7 +233,7 @@ void Builder::put_stations() {
     for (std::size_t s = 0; s < stops.size(); ++s) {
       if (s > 0) {
         const double from_m = stops[s - 1].at_m, run_m = stops[s].at_m - from_m;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kStation_m)));
+        const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / station_m)));
         for (int i = 1; i < pieces; ++i) put(from_m + run_m * i / pieces, kNone);
       }
       if (stops[s].vertex == kNone) {

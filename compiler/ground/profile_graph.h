@@ -18,6 +18,8 @@ namespace citykiln::ground {
 /// Stations are at most this far apart: a road's shortest bends of height are seen, and straight pieces keep none of
 /// them.
 inline constexpr double kStation_m = 16;
+/// Of Lines::kPaths: between them they follow banks and kerbs.
+inline constexpr double kPathStation_m = 4;
 
 /// Beyond a junction's cut a road is its own again after this.
 inline constexpr double kEase_m = 8;
@@ -33,7 +35,7 @@ struct GraphNode {
   Vec2 at;                         ///< Plane metres.
   bool is_on_ground = false;       ///< Of a way of the ground.
   bool is_pinned = false;          ///< Lies on the ground as it is: where what leaves the ground comes down on a path.
-  bool is_loose = false;           ///< A bridge's end that meets nothing; pinned.
+  bool is_loose = false;           ///< A bridge's end that meets nothing; pinned, but that it may rise.
   std::uint32_t junction = kNone;  ///< On whose plane it lies.
   std::uint32_t first_leg = 0, legs = 0;
 };
