@@ -124,8 +124,7 @@ std::vector<bool> approach_paths(const map::Features& features) {
   const auto is_near = [&](std::int64_t id) { return nodes.run_m[nodes.of(id)] <= kApproach_m; };
   std::vector<bool> yields;
   for (const Track& track : features.tracks)
-    yields.push_back(may_yield(track) &&
-                     (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
+    yields.push_back(may_yield(track) && (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
   return yields;
 }
 

@@ -57,7 +57,9 @@ struct Clearer {
   std::vector<bool> is_above = {};  // by way: whether it is the upper one anywhere
 
   // What is not in the graph stays where it is, like the ground.
-  Passage passage_of(std::uint32_t way) const { return way == kNone ? Passage::kGround : graph.ways[way].track->passage; }
+  Passage passage_of(std::uint32_t way) const {
+    return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
+  }
   bool is_tunnel(const Leg& leg) const { return passage_of(leg.way) == Passage::kTunnel; }
   double ramp_m(const Leg& leg) const { return kRampShare * limit_of(graph, leg) * leg.length_m; }
 

@@ -37,19 +37,6 @@ bool is_corridor(const Track& track) {
   return track.passage == Passage::kTunnel && group_of(track) == SurfaceGroup::kPath && track.layer >= 0;
 }
 
-double wanted_m(const Track& upper, const Track& lower) {
-  const bool is_thin = group_of(upper) == SurfaceGroup::kPath;
-  const SurfaceGroup below = group_of(lower);
-  if (below == SurfaceGroup::kPath && lower.surface != map::SurfaceClass::kFarmTrack) return kOverPath_m;
-  return (below == SurfaceGroup::kRail && lower.surface == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) -
-         (is_thin ? kThinDeck_m : 0);
-}
-
-double over_stream_m(const roads::Strip& stream) {
-  const double width_m = stream.left_m + stream.right_m;
-  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
-}
-
 // A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
 struct Segment {
   Vec2 a, b;
@@ -130,7 +117,8 @@ double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
 double distance_to(const Polyline& axis, Vec2 p) {
   double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    least_m = std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
+    least_m =
+        std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
   return least_m;
 }
 
@@ -183,7 +171,9 @@ struct Finder {
 
   static double joining_m(const ProfileGraph& graph, const Leg& leg) {
     const Track& track = *graph.ways[leg.way].track;
-    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins : is_graded(track.surface) ? 1 : kPathJoins) *
+    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins
+            : is_graded(track.surface)             ? 1
+                                                   : kPathJoins) *
            leg.length_m;
   }
 
@@ -221,19 +211,26 @@ struct Finder {
     return joined;
   }
 
+  bool passes_a_mouth(const Track& upper, std::uint32_t lower, double at_m) const {
+    const GradedWay& way = graph.ways[lower];
+    return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !is_graded(upper.surface) &&
+           std::min(at_m, graph.stations_of(way).back().at_m - at_m) < kMouth_m;
+  }
+
   void add_ways(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
     const Track &one = *graph.ways[a].track, &two = *graph.ways[b].track;
     if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
     if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
-    if (are_joined(a, a_m, b, b_m)) return;
-    found.push_back({a, b, a_m, b_m, 0, 0, wanted_m(one, two), half_width_m(two)});
+    if (are_joined(a, a_m, b, b_m) || passes_a_mouth(one, b, b_m)) return;
+    found.push_back({a, b, a_m, b_m, 0, 0, wanted_room_m(one.surface, two.surface), half_width_m(two)});
   }
 
   void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
     if (other.path == kNone) return;
     const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
-    if (share_a_node(tunnel, path) || is_corridor(tunnel)) return;
-    found.push_back({kNone, way, 0, at_m, 0, ground_m, wanted_m(path, tunnel), half_width_m(tunnel)});
+    if (share_a_node(tunnel, path) || is_corridor(tunnel) || passes_a_mouth(path, way, at_m)) return;
+    found.push_back(
+        {kNone, way, 0, at_m, 0, ground_m, wanted_room_m(path.surface, tunnel.surface), half_width_m(tunnel)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
@@ -246,11 +243,13 @@ struct Finder {
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
-      found.push_back({way, kNone, at_m, 0, ground_m, 0, wanted_m(track, path), half_width_m(path)});
+      found.push_back(
+          {way, kNone, at_m, 0, ground_m, 0, wanted_room_m(track.surface, path.surface), half_width_m(path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
       const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
-      found.push_back({way, kNone, at_m, 0, z_m, 0, over_stream_m(stream), std::max(stream.left_m, stream.right_m)});
+      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_over_water_m(stream.left_m + stream.right_m),
+                       std::max(stream.left_m, stream.right_m)});
     }
   }
 
@@ -314,6 +313,17 @@ struct Finder {
 };
 
 }  // namespace
+
+double wanted_room_m(map::SurfaceClass upper, map::SurfaceClass lower) {
+  const bool is_thin = map::values_of(upper).group == SurfaceGroup::kPath;
+  const SurfaceGroup below = map::values_of(lower).group;
+  if (below == SurfaceGroup::kPath && lower != map::SurfaceClass::kFarmTrack) return kOverPath_m;
+  return (lower == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) - (is_thin ? kThinDeck_m : 0);
+}
+
+double wanted_over_water_m(double width_m) {
+  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
+}
 
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below) {
   Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};

@@ -9,12 +9,6 @@
 
 namespace citykiln::ground {
 
-/// One line over another, or over a water or under a path of the ground.
-struct Lack {
-  OsmId upper, lower;  ///< None for what has no profile.
-  double lack_m = 0;   ///< Where most is missing; not above zero where there is room everywhere.
-};
-
 /// One for each pair, sorted by the upper's id, those that are none last.
 std::vector<Lack> find_lacks(const map::Features& features, const Profiles& profiles, const Below& below);
 

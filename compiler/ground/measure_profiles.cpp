@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "compiler/ground/crossings.h"
 #include "compiler/ground/grade_rules.h"
-#include "compiler/ground/lacks.h"
 #include "compiler/ground/profile_knots.h"
 
 namespace citykiln::ground {
@@ -68,15 +68,12 @@ void measure_lacks(std::span<const Lack> lacks, ProfileMeasures& measures) {
 
 }  // namespace
 
-ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles,
-                                 std::span<const roads::Strip> streams, std::span<const Surface> waters,
-                                 const map::Heightfield& heights) {
+ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles) {
   ProfileMeasures measures;
   const ProfileGraph graph = graph_of(features, profiles.roads, {});
   measure_grades(graph, profiles, measures);
   measure_jumps(graph, profiles, measures);
-  const auto ground_m = [&](Vec2 p) { return height_m_at(heights, p); };
-  measure_lacks(find_lacks(features, profiles, {streams, waters, ground_m}), measures);
+  measure_lacks(profiles.lacks, measures);
   return measures;
 }
 

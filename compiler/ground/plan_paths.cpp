@@ -118,9 +118,8 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
 // A path that stays on the ground needs no profile.
 bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
               std::span<const double> to_m) {
-  return std::ranges::any_of(paths.stations_of(way), [&](const Station& s) {
-    return std::abs(to_m[s.node] - from_m[s.node]) > kKnotError_m;
-  });
+  return std::ranges::any_of(paths.stations_of(way),
+                             [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > kKnotError_m; });
 }
 
 // Of each upper line, or of a tunnel under a path, how much it lacks at most.
@@ -152,7 +151,8 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare
       profiles.roads[way.road].profile = knots_of(paths, way, plates);
     }
   }
-  tell_low(find_lacks(features, profiles, below), report);
+  profiles.lacks = find_lacks(features, profiles, below);
+  tell_low(profiles.lacks, report);
   return profiles;
 }
 

@@ -22,8 +22,10 @@ struct Bare {
 ///
 /// @param profiles  Of all that has heights of its own, decided; of paths off the ground any.
 ///
-/// Guarantees: what is no path stays as it is; paths meet at nodes of the map, and what is no path too, to kKnotError_m.
-/// Paths of the ground that need not climb keep no profile. Diagnosed, of all lines: kClearanceNotMet. Total. Reach: that of approach_paths(), the length of what is off the ground as far as kSpanReach_m, and kCarve_m.
+/// Guarantees: what is no path stays as it is; paths meet at nodes of the map, and what is no path too, to
+/// kKnotError_m. Paths of the ground that need not climb keep no profile. Of all lines it is told what they lack:
+/// kClearanceNotMet. Total. Reach: that of approach_paths(), the length of what is off the ground as far as
+/// kSpanReach_m, and kCarve_m.
 Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare& bare, Report& report);
 
 }  // namespace citykiln::ground

@@ -97,11 +97,12 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
                        double limit_scale) {
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
-  const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
+  const std::vector<Crossing> crossings =
+      find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = line_heights(graph, heights);
   const Plates plates = solve(graph, crossings, heights, lines_m);
 
-  Profiles profiles{std::move(roads), {}};
+  Profiles profiles{std::move(roads), {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   for (const GradedWay& way : graph.ways) {
     if (way.road == kNone) {

@@ -83,8 +83,8 @@ bool leaves_ground(const map::Track& track);
 /// Ways of the ground meet where they share a place; ways off it meet these and each other where they share a node of
 /// the map. Stations: such nodes, both ends, junctions' places, cuts and kEase_m beyond, bends within junctions, and as
 /// many between as kStation_m asks for. Node order hangs on places and ids alone, not on what is far away, nor on the
-/// order of the input. Roads without a track are not in the graph. Of kPaths, places that are shared with lines that have
-/// heights of their own are stations, and pinned. O(n log n) in vertices.
+/// order of the input. Roads without a track are not in the graph. Of kPaths, places that are shared with lines that
+/// have heights of their own are stations, and pinned. O(n log n) in vertices.
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
                       std::span<const roads::Junction> junctions, Lines lines = Lines::kGraded);
 

@@ -69,7 +69,7 @@ TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
   const auto begin = std::chrono::steady_clock::now();
   const Profiles profiles = plan_profiles(features, roads, junctions, streams, waters, *heights, report);
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const ProfileMeasures measures = measure_profiles(features, profiles, streams, waters, *heights);
+  const ProfileMeasures measures = measure_profiles(features, profiles);
   print(measures, took_s);
   EXPECT_GT(measures.length_m, 0);
   EXPECT_LE(measures.largest_jump_m, 0.01);
