@@ -84,8 +84,12 @@ Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, con
   plates.z_m = limit_grades(graph, plates.z_m);
   plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
   plates.z_m = limit_grades(graph, plates.z_m);
-  plates = level_junctions(graph, clear_crossings(graph, of_streets(graph, crossings), heights, plates.z_m));
-  plates.z_m = limit_grades(graph, plates.z_m, kSteepest);
+  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), heights, plates.z_m);
+  if (cleared_m == plates.z_m) return plates;
+  std::vector<double> steepness;
+  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == plates.z_m[n] ? 1 : kSteepest);
+  plates = level_junctions(graph, cleared_m);
+  plates.z_m = limit_grades(graph, plates.z_m, steepness);
   return plates;
 }
 
