@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
@@ -55,8 +56,29 @@ Nodes nodes_of(const std::vector<Track>& tracks) {
   return nodes;
 }
 
+// Nodes of bridges and tunnels: those at which one ends and no other goes on, and the rest. Sorted.
+struct OffGround {
+  std::vector<std::int64_t> ends, inner;
+};
+
+OffGround off_ground_of(const std::vector<Track>& tracks) {
+  std::vector<std::int64_t> off;  // a way's inner nodes twice, as it goes on there
+  for (const Track& track : tracks) {
+    if (track.passage == map::Passage::kGround) continue;
+    off.insert(off.end(), track.node_ids.begin(), track.node_ids.end());
+    off.insert(off.end(), track.node_ids.begin() + 1, track.node_ids.end() - 1);
+  }
+  std::ranges::sort(off);
+  OffGround nodes;
+  for (std::size_t i = 0, next = 0; i < off.size(); i = next) {
+    while (next < off.size() && off[next] == off[i]) ++next;
+    (next - i == 1 ? nodes.ends : nodes.inner).push_back(off[i]);
+  }
+  return nodes;
+}
+
 // Dijkstra (1959), from all at once.
-void measure_from(const std::vector<Track>& tracks, Nodes& nodes) {
+void measure_from(std::span<const std::int64_t> ends, Nodes& nodes) {
   std::vector<std::pair<double, std::size_t>> queue;
   const auto reach = [&](std::size_t node, double run_m) {
     if (run_m >= nodes.run_m[node] || run_m > kApproach_m) return;
@@ -64,11 +86,8 @@ void measure_from(const std::vector<Track>& tracks, Nodes& nodes) {
     queue.emplace_back(run_m, node);
     std::ranges::push_heap(queue, std::greater<>());
   };
-  for (const Track& track : tracks) {
-    if (track.passage == map::Passage::kGround) continue;
-    for (const std::int64_t id : track.node_ids)
-      if (nodes.has(id)) reach(nodes.of(id), 0);
-  }
+  for (const std::int64_t id : ends)
+    if (nodes.has(id)) reach(nodes.of(id), 0);
   while (!queue.empty()) {
     std::ranges::pop_heap(queue, std::greater<>());
     const auto [run_m, node] = queue.back();
@@ -119,12 +138,15 @@ bool passes_below(const Track& track, const Decks& decks) {
 
 std::vector<bool> approach_paths(const map::Features& features) {
   Nodes nodes = nodes_of(features.tracks);
-  measure_from(features.tracks, nodes);
+  const OffGround off_ground = off_ground_of(features.tracks);
+  measure_from(off_ground.ends, nodes);
   const Decks decks = decks_of(features.tracks);
   const auto is_near = [&](std::int64_t id) { return nodes.run_m[nodes.of(id)] <= kApproach_m; };
+  const auto is_inner = [&](std::int64_t id) { return std::ranges::binary_search(off_ground.inner, id); };
   std::vector<bool> yields;
   for (const Track& track : features.tracks)
-    yields.push_back(may_yield(track) && (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
+    yields.push_back(may_yield(track) && std::ranges::none_of(track.node_ids, is_inner) &&
+                     (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
   return yields;
 }
 

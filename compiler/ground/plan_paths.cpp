@@ -115,6 +115,31 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
   return seen;
 }
 
+// A deck that was lifted over one thing after the other goes straight from crest to crest, where nothing is above it.
+// Upper hull (Andrew 1979).
+void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> crossings, std::vector<double>& z_m) {
+  std::vector<bool> is_below(paths.ways.size());
+  for (const Crossing& c : crossings)
+    if (c.lower != kNone) is_below[c.lower] = true;
+  for (std::size_t w = 0; w < paths.ways.size(); ++w) {
+    const GradedWay& way = paths.ways[w];
+    if (way.track->passage != map::Passage::kBridge || is_below[w]) continue;
+    const std::span<const Station> stations = paths.stations_of(way);
+    Polyline crests;
+    for (const Station& s : stations) {
+      const Vec2 here{s.at_m, z_m[s.node]};
+      while (crests.size() > 1 && cross(crests.back() - crests[crests.size() - 2], here - crests.back()) >= 0)
+        crests.pop_back();
+      crests.push_back(here);
+    }
+    for (std::size_t s = 0, c = 0; s < stations.size(); ++s) {
+      while (c + 2 < crests.size() && crests[c + 1].x <= stations[s].at_m) ++c;
+      const double t = (stations[s].at_m - crests[c].x) / (crests[c + 1].x - crests[c].x);
+      z_m[stations[s].node] = std::max(z_m[stations[s].node], crests[c].y + (crests[c + 1].y - crests[c].y) * t);
+    }
+  }
+}
+
 // A path that stays on the ground needs no profile.
 bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
               std::span<const double> to_m) {
@@ -142,8 +167,9 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare
   const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
-  const Plates plates{limit_grades(paths, clear_crossings(paths, crossings, bare.heights, lines_m)),
-                      std::vector<Vec2>(paths.nodes.size())};
+  std::vector<double> z_m = limit_grades(paths, clear_crossings(paths, crossings, bare.heights, lines_m));
+  straighten_decks(paths, crossings, z_m);
+  const Plates plates{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
   for (const GradedWay& way : paths.ways) {
     if (way.road == kNone) {
       profiles.off_ground[way.off_ground] = knots_of(paths, way, plates);

@@ -272,12 +272,10 @@ void Builder::link() {
   });
 }
 
-// Where a road's bridge goes on through a node, a path that leads up to it holds nothing.
+// Where a bridge or tunnel goes on through a node, steps that lead to it hold nothing.
 bool Builder::goes_on(std::uint32_t node) const {
-  return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) {
-           const GradedWay& way = graph.ways[leg.way];
-           return way.road == kNone && is_graded(way.track->surface);
-         }) > 1;
+  return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; }) >
+         1;
 }
 
 // What leaves the ground comes down on a path of another graph, or a bridge's end on nothing.
@@ -299,7 +297,7 @@ void Builder::pin() {
     for (const std::int64_t id : track.node_ids) {
       auto found = std::ranges::lower_bound(off, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
       for (; found != off.end() && found->first == id; ++found)
-        if (!graph.nodes[found->second].is_on_ground && !(is_approach[t] && goes_on(found->second)))
+        if (!graph.nodes[found->second].is_on_ground && !goes_on(found->second))
           graph.nodes[found->second].is_pinned = true;
     }
   }

@@ -31,6 +31,14 @@ TEST(ApproachPaths, AreNoStreetsAndNotLong) {
   EXPECT_EQ(leads, (std::vector<bool>{false, false, false, true}));
 }
 
+TEST(ApproachPaths, DoNotLeadUpToTheMiddleOfABridge) {
+  map::Features f;
+  f.tracks = {track(1, {{0, 0}, {20, 0}, {40, 0}}, kFootway, Passage::kBridge, 1),
+              track(2, {{40, 0}, {60, 0}}, kFootway, Passage::kBridge, 1), track(3, {{20, 0}, {20, 30}}, kFootway),
+              track(4, {{40, 0}, {40, 30}}, kFootway), track(5, {{60, 0}, {60, 30}}, kFootway)};
+  EXPECT_EQ(approach_paths(f), (std::vector<bool>{false, false, false, false, true}));
+}
+
 TEST(ApproachPaths, PassBelowBridges) {
   const auto leads = led_on_by({track(2, {{10, -50}, {10, 50}}, kFootway), track(3, {{30, -50}, {30, 50}}, kFootway),
                                 track(4, {{5, -50}, {5, 50}})});
