@@ -22,7 +22,7 @@ using map::SurfaceGroup;
 
 /// Of the carved ground: no kerbs.
 constexpr double kTolerance_m = scene::kPlainRoads_m;
-constexpr double kEvery_m = 8, kWidest_m = 16, kBucket_m = 64;
+constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
 enum class Kind { kBore, kGround, kDeck };
@@ -99,7 +99,18 @@ Network network_of(const scene::Scene& scene) {
       network.edges.push_back({last, here, length_m, is_off}), network.edges.push_back({here, last, length_m, is_off});
     }
   }
-  std::ranges::sort(network.edges, {}, [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.length_m); });
+  const auto key = [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off); };
+  std::ranges::sort(network.edges, {},
+                    [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off, e.length_m); });
+  // what is in several chunks is one
+  const auto repeated = std::ranges::unique(network.edges, {}, key);
+  network.edges.erase(repeated.begin(), repeated.end());
+  // what ends on nothing ends on the ground
+  for (std::size_t i = 0; i < network.edges.size(); ++i) {
+    const std::size_t place = network.edges[i].from;
+    const bool is_last = i + 1 == network.edges.size() || network.edges[i + 1].from != place;
+    if (is_last && (i == 0 || network.edges[i - 1].from != place)) network.is_on_ground[place] = true;
+  }
   return network;
 }
 

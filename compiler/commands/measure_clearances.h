@@ -21,7 +21,7 @@ struct Clearances {
   Vec2 at;
 };
 
-/// A pair crosses where its axes do, or where one runs along within the other's width, looked at every 8 m. Not where
+/// A pair crosses where its axes do, or where one runs along within the other's width, looked at every 4 m. Not where
 /// they are joined close by, or one comes down beside the other (ground/crossings.h). What has no profile lies on the
 /// carved ground. A crossing is its chunk's in whose tile it lies, so each counts once. O(n log n).
 Clearances measure_clearances(const scene::Scene& scene, int threads);

@@ -19,6 +19,8 @@ using map::Track;
 
 // No line is wider than this to one side.
 constexpr double kWidest_m = 16;
+// Along a line, what lies beside it is looked at this often.
+constexpr double kEvery_m = 4;
 
 SurfaceGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
 
@@ -169,7 +171,7 @@ struct Finder {
     std::ranges::sort(grid.entries);
   }
 
-  static double joining_m(const ProfileGraph& graph, const Leg& leg) {
+  double joining_m(const Leg& leg) const {
     const Track& track = *graph.ways[leg.way].track;
     return (group_of(track) == SurfaceGroup::kRail ? kRailJoins
             : is_graded(track.surface)             ? 1
@@ -185,7 +187,7 @@ struct Finder {
     bool lands = false;
     walk.from(
         starts_about(graph, way, at_m), kJoined_m,
-        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(graph, leg) : 2 * kJoined_m; },
+        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
         [&](std::uint32_t node, double) {
           const GraphNode& n = graph.nodes[node];
           lands |= (n.is_on_ground || n.is_pinned) && distance_to(beside.axis, n.at) < reach_m;
@@ -199,13 +201,14 @@ struct Finder {
     const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
     const Station* from = &graph.stations[graph.ways[a].first + i];
     const Station* to = &graph.stations[graph.ways[b].first + j];
-    const GraphWalk::Start starts[2] = {{std::abs(a_m - from[0].at_m), from[0].node},
-                                        {std::abs(a_m - from[1].at_m), from[1].node}};
+    const GraphWalk::Start starts[2] = {{joining_m({0, a, std::abs(a_m - from[0].at_m)}), from[0].node},
+                                        {joining_m({0, a, std::abs(a_m - from[1].at_m)}), from[1].node}};
     bool joined = false;
     walk.from(
-        starts, kJoined_m, [&](const Leg& leg) { return joining_m(graph, leg); },
+        starts, kJoined_m, [&](const Leg& leg) { return joining_m(leg); },
         [&](std::uint32_t node, double run_m) {
-          for (int k = 0; k < 2; ++k) joined |= to[k].node == node && run_m + std::abs(b_m - to[k].at_m) <= kJoined_m;
+          for (int k = 0; k < 2; ++k)
+            joined |= to[k].node == node && run_m + joining_m({0, b, std::abs(b_m - to[k].at_m)}) <= kJoined_m;
           return !joined;
         });
     return joined;
@@ -272,25 +275,34 @@ struct Finder {
     }
   }
 
-  // Stations that lie over another way: nobody crosses who runs along.
+  // Where it lies over another way: nobody crosses who runs along.
   void find_overlaps(std::uint32_t w) {
-    std::vector<std::uint32_t> near;
-    const double half_m = half_width_m(*graph.ways[w].track);
-    for (const Station& station : graph.stations_of(graph.ways[w])) {
-      const Vec2 at = graph.nodes[station.node].at;
-      Box2 box;
-      box.grow(at);
-      grid.near(box.widened(half_m + kWidest_m), near);
-      for (const std::uint32_t s : near) {
-        const Segment& other = segments[s];
-        if (other.way == kNone || other.way == w) continue;
-        const double along = nearest_along(other.a, other.b, at);
-        const double apart_m = distance(at, other.a + (other.b - other.a) * along);
-        if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
-        const double other_m = other.at_m + along * distance(other.a, other.b);
-        if (!lands_on(w, station.at_m, other.way) && !lands_on(other.way, other_m, w))
-          add(w, station.at_m, other, along);
+    const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
+    for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
+      const Vec2 from = graph.nodes[stations[s].node].at, to = graph.nodes[stations[s + 1].node].at;
+      const double run_m = stations[s + 1].at_m - stations[s].at_m;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kEvery_m)));
+      for (int k = s == 0 ? 0 : 1; k <= pieces; ++k) {
+        const double t = static_cast<double>(k) / pieces;
+        find_overlaps(w, stations[s].at_m + run_m * t, from + (to - from) * t);
       }
+    }
+  }
+
+  void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
+    const double half_m = half_width_m(*graph.ways[w].track);
+    std::vector<std::uint32_t> near;
+    Box2 box;
+    box.grow(at);
+    grid.near(box.widened(half_m + kWidest_m), near);
+    for (const std::uint32_t s : near) {
+      const Segment& other = segments[s];
+      if (other.way == kNone || other.way == w) continue;
+      const double along = nearest_along(other.a, other.b, at);
+      const double apart_m = distance(at, other.a + (other.b - other.a) * along);
+      if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
+      const double other_m = other.at_m + along * distance(other.a, other.b);
+      if (!lands_on(w, at_m, other.way) && !lands_on(other.way, other_m, w)) add(w, at_m, other, along);
     }
   }
 
