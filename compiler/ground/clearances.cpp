@@ -224,13 +224,13 @@ void Clearer::keep_near_start() {
 }  // namespace
 
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
-                                    const map::Heightfield& heights, std::span<const double> z_m) {
+                                    const map::Heightfield* heights, std::span<const double> z_m) {
   Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
   clearer.is_above.resize(graph.ways.size());
   for (const Crossing& c : crossings)
     if (c.upper != kNone) clearer.is_above[c.upper] = true;
   const std::vector<double> floor_m = clearer.floors();
-  clearer.sink(floor_m, clearer.covers(heights));
+  if (heights != nullptr) clearer.sink(floor_m, clearer.covers(*heights));
   for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
   for (const Mover mover : {Mover::kTunnels, Mover::kBridges, Mover::kTunnelsUnderBridges, Mover::kPaths})
     clearer.make_room(mover);

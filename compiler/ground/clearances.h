@@ -31,10 +31,12 @@ inline constexpr double kCrest_m = 1;
 
 /// By node.
 ///
+/// @param heights  What tunnels should be covered by; nullptr: only what crosses moves anything.
+///
 /// Guarantees: nothing moves without a crossing, but for tunnels under less than their cover; pinned nodes stay; where
 /// `z_m` keeps its limits and is level, what comes out keeps them; on slopes ramps may be steeper than the limit
 /// by three eighths of it, so that they end (limit_grades() comes after). Total. Reach: as many ramps as storeys.
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
-                                    const map::Heightfield& heights, std::span<const double> z_m);
+                                    const map::Heightfield* heights, std::span<const double> z_m);
 
 }  // namespace citykiln::ground

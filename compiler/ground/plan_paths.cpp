@@ -167,7 +167,7 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare
   const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
-  std::vector<double> z_m = limit_grades(paths, clear_crossings(paths, crossings, bare.heights, lines_m));
+  std::vector<double> z_m = limit_grades(paths, clear_crossings(paths, crossings, &bare.heights, lines_m));
   straighten_decks(paths, crossings, z_m);
   const Plates plates{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
   for (const GradedWay& way : paths.ways) {

@@ -82,9 +82,9 @@ Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, con
              std::span<const double> lines_m) {
   Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.step_m));
   plates.z_m = limit_grades(graph, plates.z_m);
-  plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
+  plates = level_junctions(graph, clear_crossings(graph, crossings, &heights, plates.z_m));
   plates.z_m = limit_grades(graph, plates.z_m);
-  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), heights, plates.z_m);
+  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, plates.z_m);
   if (cleared_m == plates.z_m) return plates;
   std::vector<double> steepness;
   for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == plates.z_m[n] ? 1 : kSteepest);
