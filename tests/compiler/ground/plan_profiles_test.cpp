@@ -407,6 +407,17 @@ TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
   }
 }
 
+TEST(Profiles, AFootbridgeGoesStraightFromCrestToCrest) {
+  map::Features f;
+  f.tracks = {track(1, {{-90, 0}, {-60, 0}}, SurfaceClass::kSteps),
+              track(2, {{-60, 0}, {60, 0}}, kFootway, Passage::kBridge, 1),
+              track(3, {{60, 0}, {90, 0}}, SurfaceClass::kSteps), track(4, {{-40, -300}, {-40, 300}}),
+              track(5, {{40, -300}, {40, 300}})};
+  const Planned p = planned(f, field_of([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.lacking, 0u);
+  for (double at = 20; at <= 100; at += 4) EXPECT_GT(height_m(p.profiles.off_ground[0], at), 44.7) << at;
+}
+
 TEST(Profiles, PathsThatNeedNotClimbKeepNone) {
   map::Features f = footbridge(Passage::kBridge, 1);
   f.tracks.pop_back();
