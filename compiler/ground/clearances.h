@@ -5,7 +5,8 @@
 //     __.'       o        '.__
 //
 // First tunnels go down as far as there is room between their mouths; what they still lack their approaches go down
-// with them, in cuttings; then bridges rise, approaches and all; what those still lack paths below them go down.
+// with them, in cuttings; then bridges rise, approaches and all; what those still lack tunnels and paths below them go
+// down.
 #pragma once
 
 #include <span>

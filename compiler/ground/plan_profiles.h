@@ -27,8 +27,9 @@
 namespace citykiln::ground {
 
 /// Where nothing leaves the ground, nothing farther than this matters: the steps' reaches added up (smoothing, plates
-/// twice, grades twice). Each storey of bridges or tunnels adds the length of a ramp, 850 m for a railway's and half as
-/// much for a road's, and kSpanReach_m is how far their ends are looked for.
+/// twice, grades twice). Each storey of bridges or tunnels adds the length of two ramps, 850 m for a railway's and half
+/// as much for a road's, and once more the reach of plates and grades; kSpanReach_m is how far their ends are looked
+/// for.
 inline constexpr double kProfileReach_m = 2560;
 
 /// One line over another, or over a water or under a path of the ground.
