@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "compiler/ground/crossings.h"
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/junction_planes.h"
 #include "compiler/ground/line_heights.h"
 #include "compiler/ground/profile_knots.h"
@@ -275,6 +276,33 @@ TEST(Profiles, ARampEndsOnASlopeToo) {
   for (const double at : {400.0, 600.0}) {
     EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 770 - at), 300 - 0.12 * (at + 30), 0.3);
     EXPECT_NEAR(height_m(p.profiles.roads[1].profile, at), 300 + 0.12 * (at + 30), 0.3);
+  }
+}
+
+TEST(Profiles, OnlyWhatIsLiftedAgainMayBeSteeper) {
+  // a bridge on a slope so steep that its limit takes back some of the lift, far from hilly streets
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    map::Features f = street_grid(seed, 8, {-1400, -480});
+    const std::size_t streets = f.tracks.size();
+    for (map::Track t : crossing(Passage::kBridge, 1).tracks) {
+      for (Vec2& p : t.axis) p.x += 1000;
+      t.id.osm.id += 100;
+      f.tracks.push_back(std::move(t));
+    }
+    const map::Heightfield hills = hilly_field(seed, 40, 6);
+    const Planned p = planned(f, field_of([&](double x, double y) {
+                                return x < 0 ? height_m_at(hills, {x, y}) : 120 + 0.17 * std::max(0.0, x - 100);
+                              }));
+    EXPECT_GE(height_m(p.profiles.off_ground[0], 30) - height_m(p.profiles.roads.back().profile, 800),
+              kOverRoad_m - kLackMargin_m);
+    for (std::size_t i = 0; i < streets; ++i) {
+      const Profile& profile = p.profiles.roads[i].profile;
+      const double limit = grade_rule_of(p.profiles.roads[i].surface).limit;
+      for (std::size_t k = 1; k < profile.size(); ++k)
+        EXPECT_LE(std::abs(profile[k].z_m - profile[k - 1].z_m),
+                  limit * (profile[k].at_m - profile[k - 1].at_m) + 2 * kKnotError_m)
+            << seed;
+    }
   }
 }
 
