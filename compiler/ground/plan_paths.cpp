@@ -20,6 +20,9 @@ namespace {
 
 using map::Track;
 
+/// Of a stair.
+constexpr double kStep_m = 0.25;
+
 double height_on(const Profile& profile, double at_m) { return profile.empty() ? 0 : knot_at(profile, at_m).z_m; }
 
 const Profile& profile_of(const Profiles& profiles, const GradedWay& way) {
@@ -140,11 +143,11 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
   }
 }
 
-// A path that stays on the ground needs no profile.
+// A path that nothing moved for a clearance needs no profile, nor one that its grade limit moved by less than a step.
 bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
-              std::span<const double> to_m) {
+              std::span<const double> to_m, double by_m) {
   return std::ranges::any_of(paths.stations_of(way),
-                             [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > kKnotError_m; });
+                             [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > by_m; });
 }
 
 // Of each upper line, or of a tunnel under a path, how much it lacks at most.
@@ -167,13 +170,15 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare
   const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
-  std::vector<double> z_m = limit_grades(paths, clear_crossings(paths, crossings, &bare.heights, lines_m));
+  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &bare.heights, lines_m);
+  std::vector<double> z_m = limit_grades(paths, cleared_m);
   straighten_decks(paths, crossings, z_m);
   const Plates plates{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
   for (const GradedWay& way : paths.ways) {
     if (way.road == kNone) {
       profiles.off_ground[way.off_ground] = knots_of(paths, way, plates);
-    } else if (is_moved(paths, way, lines_m, plates.z_m)) {
+    } else if (is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
+               is_moved(paths, way, lines_m, plates.z_m, kStep_m)) {
       profiles.roads[way.road].profile = knots_of(paths, way, plates);
     }
   }
