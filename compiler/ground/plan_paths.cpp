@@ -118,8 +118,24 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
   return seen;
 }
 
-// A deck that was lifted over one thing after the other goes straight from crest to crest, where nothing is above it.
-// Upper hull (Andrew 1979).
+// Between its ends, which stay. Upper hull (Andrew 1979).
+void straighten(std::span<const Station> stations, std::vector<double>& z_m) {
+  Polyline crests;
+  for (const Station& s : stations) {
+    const Vec2 here{s.at_m, z_m[s.node]};
+    while (crests.size() > 1 && cross(crests.back() - crests[crests.size() - 2], here - crests.back()) >= 0)
+      crests.pop_back();
+    crests.push_back(here);
+  }
+  for (std::size_t s = 1, c = 0; s + 1 < stations.size(); ++s) {
+    while (c + 2 < crests.size() && crests[c + 1].x <= stations[s].at_m) ++c;
+    const double t = (stations[s].at_m - crests[c].x) / (crests[c + 1].x - crests[c].x);
+    z_m[stations[s].node] = std::max(z_m[stations[s].node], crests[c].y + (crests[c + 1].y - crests[c].y) * t);
+  }
+}
+
+// A deck that was lifted over one thing after the other goes straight from crest to crest, where nothing is above it,
+// as far as nothing else joins it.
 void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> crossings, std::vector<double>& z_m) {
   std::vector<bool> is_below(paths.ways.size());
   for (const Crossing& c : crossings)
@@ -128,17 +144,11 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
     const GradedWay& way = paths.ways[w];
     if (way.track->passage != map::Passage::kBridge || is_below[w]) continue;
     const std::span<const Station> stations = paths.stations_of(way);
-    Polyline crests;
-    for (const Station& s : stations) {
-      const Vec2 here{s.at_m, z_m[s.node]};
-      while (crests.size() > 1 && cross(crests.back() - crests[crests.size() - 2], here - crests.back()) >= 0)
-        crests.pop_back();
-      crests.push_back(here);
-    }
-    for (std::size_t s = 0, c = 0; s < stations.size(); ++s) {
-      while (c + 2 < crests.size() && crests[c + 1].x <= stations[s].at_m) ++c;
-      const double t = (stations[s].at_m - crests[c].x) / (crests[c + 1].x - crests[c].x);
-      z_m[stations[s].node] = std::max(z_m[stations[s].node], crests[c].y + (crests[c + 1].y - crests[c].y) * t);
+    for (std::size_t first = 0, s = 1; s < stations.size(); ++s) {
+      const GraphNode& node = paths.nodes[stations[s].node];
+      if (s + 1 < stations.size() && !node.is_pinned && node.legs == 2) continue;
+      straighten(stations.subspan(first, s - first + 1), z_m);
+      first = s;
     }
   }
 }

@@ -22,7 +22,7 @@ struct Bare {
 ///
 /// @param profiles  Of all that has heights of its own, decided; of paths off the ground any.
 ///
-/// Guarantees: what is no path stays as it is; paths meet at nodes of the map, and what is no path too, to
+/// Guarantees: what is no path stays as it is; paths meet at nodes of the map to kKnotError_m, what is no path to twice
 /// kKnotError_m. Paths of the ground that need not climb keep no profile. Of all lines it is told what they lack:
 /// kClearanceNotMet. Total. Reach: that of approach_paths(), the length of what is off the ground as far as
 /// kSpanReach_m, and kCarve_m.
