@@ -81,8 +81,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("profiles");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
                                                     recipes.streams, recipes.surfaces, recipes.heights, report);
-  const ground::ProfileMeasures measured =
-      ground::measure_profiles(features, profiles, recipes.streams, recipes.surfaces, recipes.heights);
+  const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
 
   // what leaves it, and what stands on it

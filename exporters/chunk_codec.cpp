@@ -98,7 +98,8 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "pier foot",
                                         "bored",
                                         "openings",
-                                        "opening step"};
+                                        "opening step",
+                                        "span layer"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -530,10 +531,21 @@ void openings(auto& io, std::vector<structures::Opening>& side) {
   });
 }
 
+// From the lowest that a map may tell.
+void layer(auto& io, std::int8_t& value) {
+  constexpr int kLowest = -10, kHighest = 10;
+  auto above = static_cast<std::uint8_t>(value - kLowest);
+  io.number("span layer", above);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (above > kHighest - kLowest) io.fail("span layer");
+  value = static_cast<std::int8_t>(above + kLowest);
+}
+
 void span(auto& io, structures::Span& s, KindsOfChunk& kinds) {
   kinds.road(io, s);
   span_end(io, s.from), span_end(io, s.to);
   flag(io, "bored", s.is_bored);
+  layer(io, s.layer);
   openings(io, s.left_open), openings(io, s.right_open);
   std::size_t i = 0;
   list(io, "piers", s.piers, 0, [&](structures::Pier& p) {

@@ -107,7 +107,7 @@ Measure measure_at(const Country& country, double scale) {
                             country.waters.surfaces, country.heights, ignored, scale);
   Measure measure;
   for (const roads::Road& road : profiles.roads) {
-    if (road.profile.empty()) continue;
+    if (road.profile.empty() || !ground::is_graded(road.surface)) continue;
     add_earth(road, country.heights, measure);
     add_grades(road, scale, measure);
   }

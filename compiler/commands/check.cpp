@@ -11,6 +11,7 @@
 #include "compiler/bake/bake.h"
 #include "compiler/bake/fire_ground.h"
 #include "compiler/commands/ground_index.h"
+#include "compiler/commands/measure_clearances.h"
 #include "compiler/commands/measure_following.h"
 #include "compiler/commands/measure_footing.h"
 #include "compiler/commands/measure_ground.h"
@@ -68,6 +69,7 @@ struct Findings {
   // stated, not judged
   Grades grades;
   Following following;
+  Clearances clearances;
 
   std::vector<const Finding*> all() const {
     return {&ledger, &forms, &area, &height, &seams, &jumps, &roads, &rivers, &lakes, &footing};
@@ -252,6 +254,7 @@ void check_heights(const Subject& subject, const scene::Chunk& chunk, const bake
 
 /// What the manifest alone says.
 void check_recipes(const scene::Scene& scene, Findings& findings) {
+  findings.clearances = measure_clearances(scene, 0);
   const Jumps jumps = measure_jumps(scene);
   findings.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
                           fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
@@ -330,6 +333,31 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
   return findings;
 }
 
+nlohmann::ordered_json stated(const Grades& grades, const Console& console) {
+  console.say(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
+                          grades.over_m / 1000, grades.length_m / 1000));
+  return {{"stated", "length of graded roads over their class's limit"},
+          {"length_m", grades.length_m},
+          {"over_m", grades.over_m}};
+}
+
+nlohmann::ordered_json stated(const Clearances& clearances, const Console& console) {
+  const Clearances& c = clearances;
+  console.say(fmt::format(
+      "stated {} of {} crossings lack clearance, {} over 1 m, {} over 3 m; most, {:.2f} m, {} over {} at {}, {}",
+      c.lacking, c.crossings, c.lacking_over_1_m, c.lacking_over_3_m, c.largest_lack_m, to_string(c.upper),
+      to_string(c.lower), c.at.x, c.at.y));
+  return {{"stated", "crossings that lack clearance"},
+          {"crossings", c.crossings},
+          {"lacking", c.lacking},
+          {"lacking_over_1_m", c.lacking_over_1_m},
+          {"lacking_over_3_m", c.lacking_over_3_m},
+          {"largest_lack_m", c.largest_lack_m},
+          {"upper", to_string(c.upper)},
+          {"lower", to_string(c.lower)},
+          {"at", {c.at.x, c.at.y}}};
+}
+
 void tell(const Findings& findings, const Console& console) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Finding* finding : findings.all()) {
@@ -339,12 +367,8 @@ void tell(const Findings& findings, const Console& console) {
         fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding->promise,
                     holds ? fmt::format("not falsified by {} tests", finding->tests) : finding->breaches.front()));
   }
-  const Grades& grades = findings.grades;
-  json.push_back({{"stated", "length of graded roads over their class's limit"},
-                  {"length_m", grades.length_m},
-                  {"over_m", grades.over_m}});
-  console.say(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
-                          grades.over_m / 1000, grades.length_m / 1000));
+  json.push_back(stated(findings.grades, console));
+  json.push_back(stated(findings.clearances, console));
   const Following& following = findings.following;
   json.push_back({{"stated", "places where the triangulated ground strays from the carved heights"},
                   {"places", following.places},

@@ -46,9 +46,13 @@ Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::Car
 HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
   const ground::Carving carving = scene::carving_of(scene.header, chunk, kFine_m);
-  return {measure_grades(scene.header, chunk), {},
-          road_faces_of(chunk, box, carving),  measure_rises(chunk),
-          lakes_of(chunk, box, carving),       footing_of(chunk, box, carving)};
+  return {measure_grades(scene.header, chunk),
+          {},
+          road_faces_of(chunk, box, carving),
+          measure_rises(chunk),
+          lakes_of(chunk, box, carving),
+          footing_of(chunk, box, carving),
+          {}};
 }
 
 void add(HeightMeasures& sum, const HeightMeasures& tile) {
@@ -68,6 +72,7 @@ HeightMeasures measure_heights(const scene::Scene& scene, int threads) {
   HeightMeasures sum;
   for (const HeightMeasures& tile : tiles) add(sum, tile);
   sum.jumps = measure_jumps(scene);
+  sum.clearances = measure_clearances(scene, threads);
   return sum;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "compiler/commands/measure_clearances.h"
 #include "compiler/commands/measure_footing.h"
 #include "compiler/commands/measure_lakes.h"
 #include "compiler/commands/measure_lines.h"
@@ -18,6 +19,7 @@ struct HeightMeasures {
   Rises rises;
   Lakes lakes;      ///< Levels against the carved ground, along shores.
   Footing footing;  ///< Buildings' lower ends against the carved ground.
+  Clearances clearances;
 };
 
 /// Of all chunks; what crosses their borders counts in each. O(n log n), each chunk by itself.

@@ -113,12 +113,13 @@ Json levels_of(const Written& written, const Outputs& outputs) {
 
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-Json clearances_of(const ground::ProfileMeasures& planned) {
-  return {{"crossings", planned.crossings},
-          {"lacking", planned.lacking},
-          {"lacking_over_1_m", planned.lacking_over_1_m},
-          {"lacking_over_3_m", planned.lacking_over_3_m},
-          {"largest_lack_m", planned.largest_lack_m}};
+/// Of the recipes, or as the planner saw them.
+Json clearances_of(const auto& measured) {
+  return {{"crossings", measured.crossings},
+          {"lacking", measured.lacking},
+          {"lacking_over_1_m", measured.lacking_over_1_m},
+          {"lacking_over_3_m", measured.lacking_over_3_m},
+          {"largest_lack_m", measured.largest_lack_m}};
 }
 
 /// Aims are 0 but for what is shared out over the length of roads, and for clearances.
@@ -134,7 +135,8 @@ Json heights_of(const HeightsRecord& heights) {
                {"standing_waters_not_level", m.lakes.not_level},
                {"buildings_with_a_gap", m.footing.floating},
                {"largest_gap_under_a_building_m", std::max(0.0, m.footing.largest_gap_m)}};
-  if (heights.planned) json["clearances"] = clearances_of(*heights.planned);
+  json["clearances"] = clearances_of(m.clearances);
+  if (heights.planned) json["clearances_as_planned"] = clearances_of(*heights.planned);
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/graph_walk.h"
 #include "compiler/ground/line_heights.h"
 #include "compiler/ground/pinned.h"
@@ -39,6 +40,9 @@ std::vector<double> negated(std::span<const double> values) {
   return turned;
 }
 
+// Who makes room: tunnels under what is no bridge, then bridges, then what lies under bridges that could not rise.
+enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
+
 // A place of a way that has to go up.
 struct Push {
   std::uint32_t way = 0;
@@ -50,8 +54,12 @@ struct Clearer {
   std::span<const Crossing> crossings;
   std::vector<double> z_m, start_m;
   GraphWalk walk;
+  std::vector<bool> is_above = {};  // by way: whether it is the upper one anywhere
 
-  Passage passage_of(std::uint32_t way) const { return graph.ways[way].track->passage; }
+  // What is not in the graph stays where it is, like the ground.
+  Passage passage_of(std::uint32_t way) const {
+    return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
+  }
   bool is_tunnel(const Leg& leg) const { return passage_of(leg.way) == Passage::kTunnel; }
   double ramp_m(const Leg& leg) const { return kRampShare * limit_of(graph, leg) * leg.length_m; }
 
@@ -59,9 +67,9 @@ struct Clearer {
   std::vector<double> covers(const map::Heightfield& heights) const;
   void sink(std::span<const double> floor_m, std::span<const double> cover_m);
   void push_up(std::span<const Push> pushes);
-  std::vector<int> storeys(bool of_upper) const;
-  bool moves(const Crossing& c, bool of_upper) const;
-  void dig_and_lift(bool of_upper);
+  std::vector<int> storeys(Mover mover) const;
+  bool moves(const Crossing& c, Mover mover) const;
+  void make_room(Mover mover);
   void turn_over() { z_m = negated(z_m), start_m = negated(start_m); }
   void keep_near_start();
 };
@@ -113,7 +121,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
         });
   };
   for (const Crossing& c : crossings) {
-    if (c.lower == kNone || passage_of(c.lower) != Passage::kTunnel) continue;
+    if (passage_of(c.lower) != Passage::kTunnel) continue;
     const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
     if (lack_m > kMet_m)
       press(starts_about(graph, c.lower, c.lower_at_m),
@@ -154,26 +162,31 @@ void Clearer::push_up(std::span<const Push> pushes) {
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
 
-// Bridges rise; tunnels for vehicles go down, with their approaches, under what is no bridge.
-bool Clearer::moves(const Crossing& c, bool of_upper) const {
-  if (of_upper) return passage_of(c.upper) == Passage::kBridge;
-  return c.lower != kNone && passage_of(c.lower) == Passage::kTunnel && passage_of(c.upper) != Passage::kBridge &&
-         map::values_of(graph.ways[c.lower].track->surface).group != map::SurfaceGroup::kPath;
+// Tunnels go down with their approaches; of paths of the ground those that pass over nothing.
+bool Clearer::moves(const Crossing& c, Mover mover) const {
+  if (mover == Mover::kBridges) return passage_of(c.upper) == Passage::kBridge;
+  if (c.lower == kNone) return false;
+  if (mover == Mover::kPaths)
+    return graph.lines == Lines::kPaths && passage_of(c.lower) == Passage::kGround && !is_above[c.lower];
+  if (passage_of(c.lower) != Passage::kTunnel) return false;
+  if ((mover == Mover::kTunnelsUnderBridges) != (passage_of(c.upper) == Passage::kBridge)) return false;
+  // no street goes down with an underpass that ends on it
+  return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
 }
 
 // By crossing: how many lie one above the other below it (above it, for tunnels), itself among them.
-std::vector<int> Clearer::storeys(bool of_upper) const {
+std::vector<int> Clearer::storeys(Mover mover) const {
   std::vector<int> of_way(graph.ways.size(), 0), of_crossing(crossings.size(), 0);
   for (int round = 0; round < kLiftRounds; ++round) {
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
-      if (!moves(c, of_upper)) continue;
-      const std::uint32_t still = of_upper ? c.lower : c.upper;
+      if (!moves(c, mover)) continue;
+      const std::uint32_t still = mover == Mover::kBridges ? c.lower : c.upper;
       of_crossing[i] = 1 + (still == kNone ? 0 : of_way[still]);
     }
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       if (of_crossing[i] == 0) continue;
-      int& storey = of_way[of_upper ? crossings[i].upper : crossings[i].lower];
+      int& storey = of_way[mover == Mover::kBridges ? crossings[i].upper : crossings[i].lower];
       storey = std::max(storey, of_crossing[i]);
     }
   }
@@ -181,23 +194,25 @@ std::vector<int> Clearer::storeys(bool of_upper) const {
 }
 
 // Storey by storey, each crossing once: what is joined so that both rise does not rise for ever.
-void Clearer::dig_and_lift(bool of_upper) {
-  const std::vector<int> storey = storeys(of_upper);
+void Clearer::make_room(Mover mover) {
+  const std::vector<int> storey = storeys(mover);
+  const bool lifts = mover == Mover::kBridges;
   for (int round = 1; round <= kLiftRounds + 1; ++round) {
     const bool is_last = round > kLiftRounds;
     std::vector<Push> pushes;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
       if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
-      const double most_m = kMostLift_m + (storey[i] - 1) * kOverRail_m;
+      const double most_m = mover == Mover::kPaths ? kMostYield_m : kMostLift_m + (storey[i] - 1) * kOverRail_m;
       const double lack_m = std::min(shortfall_m(graph, c, z_m), most_m);
       if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
-      pushes.push_back({of_upper ? c.upper : c.lower, of_upper ? c.upper_at_m : c.lower_at_m, lack_m, c.half_width_m});
+      pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, lack_m, c.half_width_m}
+                             : Push{c.lower, c.lower_at_m, lack_m, c.half_width_m});
     }
     if (pushes.empty()) continue;
-    if (!of_upper) turn_over();
+    if (!lifts) turn_over();
     push_up(pushes);
-    if (!of_upper) turn_over();
+    if (!lifts) turn_over();
   }
 }
 
@@ -209,13 +224,18 @@ void Clearer::keep_near_start() {
 }  // namespace
 
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
-                                    const map::Heightfield& heights, std::span<const double> z_m) {
+                                    const map::Heightfield* heights, std::span<const double> z_m) {
   Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
+  clearer.is_above.resize(graph.ways.size());
+  for (const Crossing& c : crossings)
+    if (c.upper != kNone) clearer.is_above[c.upper] = true;
   const std::vector<double> floor_m = clearer.floors();
-  clearer.sink(floor_m, clearer.covers(heights));
+  if (heights != nullptr) clearer.sink(floor_m, clearer.covers(*heights));
   for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
-  clearer.dig_and_lift(false);
-  clearer.dig_and_lift(true);
+  for (const Mover mover : {Mover::kTunnels, Mover::kBridges, Mover::kTunnelsUnderBridges, Mover::kPaths})
+    clearer.make_room(mover);
+  // foot bridges may have gone down with a path
+  if (graph.lines == Lines::kPaths) clearer.make_room(Mover::kBridges);
   clearer.keep_near_start();
   return std::move(clearer.z_m);
 }

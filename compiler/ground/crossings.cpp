@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/graph_walk.h"
 
 namespace citykiln::ground {
@@ -17,6 +19,8 @@ using map::Track;
 
 // No line is wider than this to one side.
 constexpr double kWidest_m = 16;
+// Along a line, what lies beside it is looked at this often.
+constexpr double kEvery_m = 4;
 
 SurfaceGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
 
@@ -33,19 +37,6 @@ std::pair<int, int> rank_of(const Track& track) {
 
 bool is_corridor(const Track& track) {
   return track.passage == Passage::kTunnel && group_of(track) == SurfaceGroup::kPath && track.layer >= 0;
-}
-
-double wanted_m(const Track& upper, const Track& lower) {
-  const bool is_thin = group_of(upper) == SurfaceGroup::kPath;
-  const SurfaceGroup below = group_of(lower);
-  if (below == SurfaceGroup::kPath && lower.surface != map::SurfaceClass::kFarmTrack) return kOverPath_m;
-  return (below == SurfaceGroup::kRail && lower.surface == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) -
-         (is_thin ? kThinDeck_m : 0);
-}
-
-double over_stream_m(const roads::Strip& stream) {
-  const double width_m = stream.left_m + stream.right_m;
-  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
 }
 
 // A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
@@ -125,6 +116,14 @@ double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
   return std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
 }
 
+double distance_to(const Polyline& axis, Vec2 p) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    least_m =
+        std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
+  return least_m;
+}
+
 bool share_a_node(const Track& a, const Track& b) {
   return std::ranges::any_of(a.node_ids,
                              [&](std::int64_t id) { return std::ranges::find(b.node_ids, id) != b.node_ids.end(); });
@@ -154,18 +153,47 @@ struct Finder {
     }
   }
 
+  bool is_in_graph(const Track& track) const {
+    const auto id = [](const GradedWay& way) { return way.track->id; };
+    return std::ranges::binary_search(graph.ways, track.id, {}, id);
+  }
+
   void add_lines() {
     for (std::uint32_t w = 0; w < graph.ways.size(); ++w)
       add_line(graph.ways[w].track->axis, [&](Segment& s) { s.way = w; });
-    std::vector<std::pair<ObjectId, std::uint32_t>> in_graph;
     for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
       const Track& track = features.tracks[t];
-      if (leaves_ground(track) || map::values_of(track.surface).group != SurfaceGroup::kPath) continue;
-      if (track.surface != map::SurfaceClass::kFarmTrack) add_line(track.axis, [&](Segment& s) { s.path = t; });
+      if (!leaves_ground(track) && group_of(track) == SurfaceGroup::kPath && !is_in_graph(track))
+        add_line(track.axis, [&](Segment& s) { s.path = t; });
     }
     for (std::uint32_t i = 0; i < below.streams.size(); ++i)
       add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
     std::ranges::sort(grid.entries);
+  }
+
+  double joining_m(const Leg& leg) const {
+    const Track& track = *graph.ways[leg.way].track;
+    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins
+            : is_graded(track.surface)             ? 1
+                                                   : kPathJoins) *
+           leg.length_m;
+  }
+
+  // Whether one ends on the ground beside the other, close by.
+  bool lands_on(std::uint32_t way, double at_m, std::uint32_t other) {
+    if (graph.ways[way].road != kNone) return false;
+    const Track &track = *graph.ways[way].track, &beside = *graph.ways[other].track;
+    const double reach_m = half_width_m(track) + half_width_m(beside);
+    bool lands = false;
+    walk.from(
+        starts_about(graph, way, at_m), kJoined_m,
+        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
+        [&](std::uint32_t node, double) {
+          const GraphNode& n = graph.nodes[node];
+          lands |= (n.is_on_ground || n.is_pinned) && distance_to(beside.axis, n.at) < reach_m;
+          return !lands;
+        });
+    return lands;
   }
 
   // Lines that meet close by are not apart yet.
@@ -173,41 +201,58 @@ struct Finder {
     const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
     const Station* from = &graph.stations[graph.ways[a].first + i];
     const Station* to = &graph.stations[graph.ways[b].first + j];
-    const GraphWalk::Start starts[2] = {{std::abs(a_m - from[0].at_m), from[0].node},
-                                        {std::abs(a_m - from[1].at_m), from[1].node}};
+    const GraphWalk::Start starts[2] = {{joining_m({0, a, std::abs(a_m - from[0].at_m)}), from[0].node},
+                                        {joining_m({0, a, std::abs(a_m - from[1].at_m)}), from[1].node}};
     bool joined = false;
     walk.from(
-        starts, kJoined_m, [](const Leg& leg) { return leg.length_m; },
+        starts, kJoined_m, [&](const Leg& leg) { return joining_m(leg); },
         [&](std::uint32_t node, double run_m) {
-          for (int k = 0; k < 2; ++k) joined |= to[k].node == node && run_m + std::abs(b_m - to[k].at_m) <= kJoined_m;
+          for (int k = 0; k < 2; ++k)
+            joined |= to[k].node == node && run_m + joining_m({0, b, std::abs(b_m - to[k].at_m)}) <= kJoined_m;
           return !joined;
         });
     return joined;
+  }
+
+  bool passes_a_mouth(const Track& upper, std::uint32_t lower, double at_m) const {
+    const GradedWay& way = graph.ways[lower];
+    return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !is_graded(upper.surface) &&
+           std::min(at_m, graph.stations_of(way).back().at_m - at_m) < kMouth_m;
   }
 
   void add_ways(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
     const Track &one = *graph.ways[a].track, &two = *graph.ways[b].track;
     if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
     if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
-    if (are_joined(a, a_m, b, b_m)) return;
-    found.push_back({a, b, a_m, b_m, 0, wanted_m(one, two), half_width_m(two)});
+    if (are_joined(a, a_m, b, b_m) || passes_a_mouth(one, b, b_m)) return;
+    found.push_back({a, b, a_m, b_m, 0, 0, wanted_room_m(one.surface, two.surface), half_width_m(two)});
+  }
+
+  void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
+    if (other.path == kNone) return;
+    const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
+    if (share_a_node(tunnel, path) || is_corridor(tunnel) || passes_a_mouth(path, way, at_m)) return;
+    found.push_back(
+        {kNone, way, 0, at_m, 0, ground_m, wanted_room_m(path.surface, tunnel.surface), half_width_m(tunnel)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
     const double other_m = other.at_m + along * distance(other.a, other.b);
     if (other.way != kNone) return add_ways(way, at_m, other.way, other_m);
     const Track& track = *graph.ways[way].track;
-    if (track.passage != Passage::kBridge) return;
     const Vec2 at = other.a + (other.b - other.a) * along;
-    const double ground_m = height_m_at(below.heights, at);
+    const double ground_m = below.ground_m(at);
+    if (track.passage == Passage::kTunnel) return add_path_above(way, at_m, other, ground_m);
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
-      found.push_back({way, kNone, at_m, 0, ground_m, wanted_m(track, path), half_width_m(path)});
+      found.push_back(
+          {way, kNone, at_m, 0, ground_m, 0, wanted_room_m(track.surface, path.surface), half_width_m(path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
       const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
-      found.push_back({way, kNone, at_m, 0, z_m, over_stream_m(stream), std::max(stream.left_m, stream.right_m)});
+      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_over_water_m(stream.left_m + stream.right_m),
+                       std::max(stream.left_m, stream.right_m)});
     }
   }
 
@@ -230,22 +275,34 @@ struct Finder {
     }
   }
 
-  // Stations that lie over another way: nobody crosses who runs along.
+  // Where it lies over another way: nobody crosses who runs along.
   void find_overlaps(std::uint32_t w) {
-    std::vector<std::uint32_t> near;
-    const double half_m = half_width_m(*graph.ways[w].track);
-    for (const Station& station : graph.stations_of(graph.ways[w])) {
-      const Vec2 at = graph.nodes[station.node].at;
-      Box2 box;
-      box.grow(at);
-      grid.near(box.widened(half_m + kWidest_m), near);
-      for (const std::uint32_t s : near) {
-        const Segment& other = segments[s];
-        if (other.way == kNone || other.way == w) continue;
-        const double along = nearest_along(other.a, other.b, at);
-        const double apart_m = distance(at, other.a + (other.b - other.a) * along);
-        if (apart_m < half_m + half_width_m(*graph.ways[other.way].track)) add(w, station.at_m, other, along);
+    const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
+    for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
+      const Vec2 from = graph.nodes[stations[s].node].at, to = graph.nodes[stations[s + 1].node].at;
+      const double run_m = stations[s + 1].at_m - stations[s].at_m;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kEvery_m)));
+      for (int k = s == 0 ? 0 : 1; k <= pieces; ++k) {
+        const double t = static_cast<double>(k) / pieces;
+        find_overlaps(w, stations[s].at_m + run_m * t, from + (to - from) * t);
       }
+    }
+  }
+
+  void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
+    const double half_m = half_width_m(*graph.ways[w].track);
+    std::vector<std::uint32_t> near;
+    Box2 box;
+    box.grow(at);
+    grid.near(box.widened(half_m + kWidest_m), near);
+    for (const std::uint32_t s : near) {
+      const Segment& other = segments[s];
+      if (other.way == kNone || other.way == w) continue;
+      const double along = nearest_along(other.a, other.b, at);
+      const double apart_m = distance(at, other.a + (other.b - other.a) * along);
+      if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
+      const double other_m = other.at_m + along * distance(other.a, other.b);
+      if (!lands_on(w, at_m, other.way) && !lands_on(other.way, other_m, w)) add(w, at_m, other, along);
     }
   }
 
@@ -261,13 +318,24 @@ struct Finder {
         if (!box.contains(at)) continue;
         int winding = 0;
         for (const Ring& ring : water.rings) winding += winding_number(ring, at);
-        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, kOverWater_m, 0});
+        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kOverWater_m, 0});
       }
     }
   }
 };
 
 }  // namespace
+
+double wanted_room_m(map::SurfaceClass upper, map::SurfaceClass lower) {
+  const bool is_thin = map::values_of(upper).group == SurfaceGroup::kPath;
+  const SurfaceGroup below = map::values_of(lower).group;
+  if (below == SurfaceGroup::kPath && lower != map::SurfaceClass::kFarmTrack) return kOverPath_m;
+  return (lower == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) - (is_thin ? kThinDeck_m : 0);
+}
+
+double wanted_over_water_m(double width_m) {
+  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
+}
 
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below) {
   Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};
@@ -280,13 +348,15 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
     finder.find_waters(w);
   }
   std::ranges::sort(finder.found, {}, [](const Crossing& c) {
-    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m);
+    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m, c.upper_z_m);
   });
   return std::move(finder.found);
 }
 
 double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
-  const double upper_m = height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
+  const double upper_m = crossing.upper == kNone
+                             ? crossing.upper_z_m
+                             : height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
   const double lower_m = crossing.lower == kNone
                              ? crossing.lower_z_m
                              : height_along(graph, graph.ways[crossing.lower], z_m, crossing.lower_at_m);

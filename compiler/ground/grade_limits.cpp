@@ -43,11 +43,13 @@ struct Units {
 // How far units come down. What is walked with is how far below its height a unit has to be.
 class Lowering {
  public:
-  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeReach reach)
+  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeReach reach,
+           std::span<const double> steepness = {})
       : graph_(graph),
         units_(units),
         z_m_(z_m),
         reach_(reach),
+        steepness_(steepness),
         excess_m_(units.count(), 0),
         low_m_(units.count(), 0),
         times_(units.count(), 0) {}
@@ -62,9 +64,14 @@ class Lowering {
  private:
   using Key = std::pair<double, std::uint32_t>;
 
+  double steepness_of(std::uint32_t node, const Leg& leg) const {
+    if (steepness_.empty() || !may_be_steeper(graph_, leg.way)) return 1;
+    return std::max(steepness_[node], steepness_[leg.to]);
+  }
+
   // How far below its height the end of a leg is for one that rises from its beginning as it may.
   double excess_beyond_m(std::uint32_t node, const Leg& leg) const {
-    return limit_of(graph_, leg) * leg.length_m - (z_m_[leg.to] - z_m_[node]);
+    return steepness_of(node, leg) * limit_of(graph_, leg) * leg.length_m - (z_m_[leg.to] - z_m_[node]);
   }
 
   bool is_foot(std::uint32_t unit) const {
@@ -113,6 +120,7 @@ class Lowering {
   const Units& units_;
   std::span<const double> z_m_;
   GradeReach reach_;
+  std::span<const double> steepness_;
   std::vector<double> excess_m_, low_m_;
   std::vector<int> times_;
   std::vector<std::uint32_t> touched_;
@@ -144,11 +152,12 @@ std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const
   return lowered;
 }
 
-std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m) {
+std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
+                                 std::span<const double> steepness) {
   const Units units(graph);
   const std::vector<double> turned_m = negated(z_m);
-  const std::vector<double> down_m = Lowering(graph, units, z_m, {}).run();
-  const std::vector<double> up_m = Lowering(graph, units, turned_m, {}).run();
+  const std::vector<double> down_m = Lowering(graph, units, z_m, {}, steepness).run();
+  const std::vector<double> up_m = Lowering(graph, units, turned_m, {}, steepness).run();
   const auto stays = [](double m) { return m == 0; };
   if (std::ranges::all_of(down_m, stays) && std::ranges::all_of(up_m, stays)) return {z_m.begin(), z_m.end()};
   const std::vector<double> room_up_m = room_of(graph, units, z_m), room_down_m = room_of(graph, units, turned_m);

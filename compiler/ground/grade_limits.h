@@ -31,8 +31,11 @@ std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const
 
 /// By node. Pinned nodes stay, and hold what is near.
 ///
+/// @param steepness  By node, beside the graph's own scale: legs to it may be so many times as steep; empty: none more.
+///
 /// Guarantees: legs keep their limits, plates stay as plane as they are, unless a place asks for more than GradeReach
 /// leaves it; heights that keep the limits stay. Total. Cost: the legs within reach of those that are too steep.
-std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m);
+std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
+                                 std::span<const double> steepness = {});
 
 }  // namespace citykiln::ground

@@ -13,4 +13,10 @@ double limit_of(const ProfileGraph& graph, const Leg& leg) {
   return graph.limit_scale * grade_rule_of(graph.ways[leg.way].track->surface).limit;
 }
 
+bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way) {
+  const map::SurfaceClass surface = graph.ways[way].track->surface;
+  return map::values_of(surface).group != map::SurfaceGroup::kRail && surface != map::SurfaceClass::kMotorwayRoad &&
+         surface != map::SurfaceClass::kRunway;
+}
+
 }  // namespace citykiln::ground

@@ -59,4 +59,8 @@ std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint3
 /// How steep a leg may be.
 double limit_of(const ProfileGraph& graph, const Leg& leg);
 
+/// Whether a way may be steeper than its limit for the sake of a clearance: streets and paths, not what runs on rails,
+/// nor motorways.
+bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
+
 }  // namespace citykiln::ground

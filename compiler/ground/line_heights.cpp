@@ -45,7 +45,23 @@ void draw_endless(const ProfileGraph& graph, std::span<const double> weight, std
     if (is_endless(n)) z_m[n] = under_m[n];
 }
 
-// Between the ends of what is off the ground.
+}  // namespace
+
+double height_without_spikes_m(const map::Heightfield& field, Vec2 p) {
+  const double x = std::clamp((p.x - field.min.x) / field.step_m, 0.0, field.columns - 1.0);
+  const double y = std::clamp((p.y - field.min.y) / field.step_m, 0.0, field.rows - 1.0);
+  const int i = std::min(static_cast<int>(x), field.columns - 2), j = std::min(static_cast<int>(y), field.rows - 2);
+  std::array<double, 4> z = {field.height_m_at_vertex(i, j), field.height_m_at_vertex(i + 1, j),
+                             field.height_m_at_vertex(i, j + 1), field.height_m_at_vertex(i + 1, j + 1)};
+  // a spike stands out from its square, or all of it does
+  constexpr double kSteep = 0.4;
+  const auto [low, high] = std::ranges::minmax(z);
+  if (high - low > kSteep * std::max(field.step_m, kLeastSpike_m))
+    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = vertex_without_spike_m(field, i + c % 2, j + c / 2);
+  const double u = x - i, v = y - j;
+  return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
+}
+
 void draw_lines(const ProfileGraph& graph, std::vector<double>& z_m) {
   std::vector<double> weighted_m(z_m.size()), weight(z_m.size());
   GraphWalk walk(graph);
@@ -67,23 +83,6 @@ void draw_lines(const ProfileGraph& graph, std::vector<double>& z_m) {
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (weight[n] > 0) z_m[n] = weighted_m[n] / weight[n];
   draw_endless(graph, weight, z_m);
-}
-
-}  // namespace
-
-double height_without_spikes_m(const map::Heightfield& field, Vec2 p) {
-  const double x = std::clamp((p.x - field.min.x) / field.step_m, 0.0, field.columns - 1.0);
-  const double y = std::clamp((p.y - field.min.y) / field.step_m, 0.0, field.rows - 1.0);
-  const int i = std::min(static_cast<int>(x), field.columns - 2), j = std::min(static_cast<int>(y), field.rows - 2);
-  std::array<double, 4> z = {field.height_m_at_vertex(i, j), field.height_m_at_vertex(i + 1, j),
-                             field.height_m_at_vertex(i, j + 1), field.height_m_at_vertex(i + 1, j + 1)};
-  // a spike stands out from its square, or all of it does
-  constexpr double kSteep = 0.4;
-  const auto [low, high] = std::ranges::minmax(z);
-  if (high - low > kSteep * std::max(field.step_m, kLeastSpike_m))
-    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = vertex_without_spike_m(field, i + c % 2, j + c / 2);
-  const double u = x - i, v = y - j;
-  return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
 }
 
 std::vector<double> line_heights(const ProfileGraph& graph, const map::Heightfield& heights) {

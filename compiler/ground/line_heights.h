@@ -28,4 +28,7 @@ double height_without_spikes_m(const map::Heightfield& heights, Vec2 p);
 /// and a tunnel stays kCover_m under it, no steeper than its limit.
 std::vector<double> line_heights(const ProfileGraph& graph, const map::Heightfield& heights);
 
+/// Gives nodes off the ground the heights between those on it, of heights by node.
+void draw_lines(const ProfileGraph& graph, std::vector<double>& z_m);
+
 }  // namespace citykiln::ground

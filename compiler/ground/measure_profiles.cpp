@@ -57,33 +57,23 @@ void measure_jumps(const ProfileGraph& graph, const Profiles& profiles, ProfileM
   }
 }
 
-void measure_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings, const Profiles& profiles,
-                       ProfileMeasures& measures) {
-  std::map<std::tuple<std::uint32_t, std::uint32_t, double>, double> pairs;
-  for (const Crossing& c : crossings) {
-    const double upper_m = height_m(profiles, graph.ways[c.upper], c.upper_at_m);
-    const double lower_m = c.lower == kNone ? c.lower_z_m : height_m(profiles, graph.ways[c.lower], c.lower_at_m);
-    double& lack_m = pairs.try_emplace({c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0}, 0).first->second;
-    lack_m = std::max(lack_m, lower_m + c.wanted_m - upper_m);
-  }
-  measures.crossings = pairs.size();
-  for (const auto& [pair, lack_m] : pairs) {
-    measures.lacking += lack_m > kLackMargin_m, measures.lacking_over_1_m += lack_m > 1;
-    measures.lacking_over_3_m += lack_m > 3;
-    measures.largest_lack_m = std::max(measures.largest_lack_m, lack_m);
+void measure_lacks(std::span<const Lack> lacks, ProfileMeasures& measures) {
+  measures.crossings = lacks.size();
+  for (const Lack& lack : lacks) {
+    measures.lacking += lack.lack_m > kLackMargin_m, measures.lacking_over_1_m += lack.lack_m > 1;
+    measures.lacking_over_3_m += lack.lack_m > 3;
+    measures.largest_lack_m = std::max(measures.largest_lack_m, lack.lack_m);
   }
 }
 
 }  // namespace
 
-ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles,
-                                 std::span<const roads::Strip> streams, std::span<const Surface> waters,
-                                 const map::Heightfield& heights) {
+ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles) {
   ProfileMeasures measures;
   const ProfileGraph graph = graph_of(features, profiles.roads, {});
   measure_grades(graph, profiles, measures);
   measure_jumps(graph, profiles, measures);
-  measure_crossings(graph, find_crossings(graph, features, {streams, waters, heights}), profiles, measures);
+  measure_lacks(profiles.lacks, measures);
   return measures;
 }
 

@@ -21,14 +21,12 @@ struct ProfileMeasures {
   double length_m = 0, over_m = 0;    ///< Of what is driven on: without paths' bridges.
   double largest_jump_m = 0;          ///< Between two ways where they share a node.
   std::uint64_t knots = 0;
-  std::uint64_t crossings = 0;  ///< Pairs of lines of which one passes over the other.
+  std::uint64_t crossings = 0;  ///< Pairs of which one passes over the other.
   std::uint64_t lacking = 0;    ///< Pairs of which more than a quarter of a metre of clearance is missing.
   double largest_lack_m = 0;
   std::uint64_t lacking_over_1_m = 0, lacking_over_3_m = 0;
 };
 
-ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles,
-                                 std::span<const roads::Strip> streams, std::span<const Surface> waters,
-                                 const map::Heightfield& heights);
+ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);
 
 }  // namespace citykiln::ground

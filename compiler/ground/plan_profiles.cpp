@@ -6,16 +6,19 @@
 #include "compiler/ground/clearances.h"
 #include "compiler/ground/grade_limits.h"
 #include "compiler/ground/grade_rules.h"
+#include "compiler/ground/graph_walk.h"
 #include "compiler/ground/line_heights.h"
+#include "compiler/ground/plan_paths.h"
 #include "compiler/ground/profile_knots.h"
 #include "compiler/ground/smooth_profile.h"
 
 namespace citykiln::ground {
 namespace {
 
-/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back: times
-/// that all are asked.
-constexpr int kRounds = 1;
+/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back. What is
+/// lacking then is lifted once more, and ramps may be so much steeper than their limit: as much as push_up() makes them
+/// on slopes.
+constexpr double kSteepest = 1.375;
 // Over its limit by less, a road is as steep as rounding makes it.
 constexpr double kSteepMargin = 0.005;
 // Smoothing alone moves tunnels by about as much.
@@ -31,17 +34,6 @@ void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& 
       steepest = std::max(steepest, std::abs(z_m[stations[s].node] - z_m[stations[s - 1].node]) / run_m);
     }
     if (steepest > limit + kSteepMargin) report.add(Code::kTooSteep, way.track->id.osm, steepest);
-  }
-}
-
-void tell_low(const ProfileGraph& graph, std::span<const Crossing> crossings, std::span<const double> z_m,
-              Report& report) {
-  for (std::size_t i = 0; i < crossings.size();) {
-    const std::uint32_t upper = crossings[i].upper;
-    double worst_m = 0;
-    for (; i < crossings.size() && crossings[i].upper == upper; ++i)
-      worst_m = std::max(worst_m, shortfall_m(graph, crossings[i], z_m));
-    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, graph.ways[upper].track->id.osm, worst_m);
   }
 }
 
@@ -75,14 +67,29 @@ bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates
   });
 }
 
+// Those that nothing would move that must not be steeper.
+std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Crossing> crossings) {
+  std::vector<Crossing> of_streets;
+  const auto keeps = [&](std::uint32_t way, map::Passage moving) {
+    return way == kNone || graph.ways[way].track->passage != moving || may_be_steeper(graph, way);
+  };
+  for (const Crossing& c : crossings)
+    if (keeps(c.upper, map::Passage::kBridge) && keeps(c.lower, map::Passage::kTunnel)) of_streets.push_back(c);
+  return of_streets;
+}
+
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
              std::span<const double> lines_m) {
   Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.step_m));
   plates.z_m = limit_grades(graph, plates.z_m);
-  for (int round = 0; round < kRounds; ++round) {
-    plates = level_junctions(graph, clear_crossings(graph, crossings, heights, plates.z_m));
-    plates.z_m = limit_grades(graph, plates.z_m);
-  }
+  plates = level_junctions(graph, clear_crossings(graph, crossings, &heights, plates.z_m));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, plates.z_m);
+  if (cleared_m == plates.z_m) return plates;
+  std::vector<double> steepness;
+  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == plates.z_m[n] ? 1 : kSteepest);
+  plates = level_junctions(graph, cleared_m);
+  plates.z_m = limit_grades(graph, plates.z_m, steepness);
   return plates;
 }
 
@@ -94,11 +101,12 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
                        double limit_scale) {
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
-  const std::vector<Crossing> crossings = find_crossings(graph, features, {streams, waters, heights});
+  const std::vector<Crossing> crossings =
+      find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
   const std::vector<double> lines_m = line_heights(graph, heights);
   const Plates plates = solve(graph, crossings, heights, lines_m);
 
-  Profiles profiles{std::move(roads), {}};
+  Profiles profiles{std::move(roads), {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
   for (const GradedWay& way : graph.ways) {
     if (way.road == kNone) {
@@ -108,10 +116,9 @@ Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> r
     }
   }
   tell_steep(graph, plates.z_m, report);
-  tell_low(graph, crossings, plates.z_m, report);
   tell_dug(graph, lines_m, plates.z_m, report);
   tell_loose_ends(graph, report);
-  return profiles;
+  return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
 }
 
 }  // namespace citykiln::ground

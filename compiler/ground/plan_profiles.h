@@ -7,15 +7,18 @@
 //     smooth_heights    smooth, as the class wants it
 //     level_junctions   junctions are plates
 //     limit_grades      no steeper than the class allows
-//     clear_crossings   bridges rise, tunnels go down (and junctions are plates again)
+//     clear_crossings   bridges rise, tunnels go down (and junctions are plates again, under their grades; what that
+//                       takes back of a clearance is asked for once more)
 //
-// and is written down as few knots (profile_knots.h).
+// and is written down as few knots (profile_knots.h). Foot bridges, underpasses and the paths that lead up to them come
+// last, on the ground that all this has cut (plan_paths.h).
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "compiler/contract/report.h"
+#include "compiler/contract/stable_id.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
@@ -24,13 +27,21 @@
 namespace citykiln::ground {
 
 /// Where nothing leaves the ground, nothing farther than this matters: the steps' reaches added up (smoothing, plates
-/// twice, grades twice). Each storey of bridges or tunnels adds the length of a ramp, 850 m for a railway's and half as
-/// much for a road's, and kSpanReach_m is how far their ends are looked for.
+/// twice, grades twice). Each storey of bridges or tunnels adds the length of two ramps, 850 m for a railway's and half
+/// as much for a road's, and once more the reach of plates and grades; kSpanReach_m is how far their ends are looked
+/// for.
 inline constexpr double kProfileReach_m = 2560;
+
+/// One line over another, or over a water or under a path of the ground.
+struct Lack {
+  OsmId upper, lower;  ///< None for what has no profile.
+  double lack_m = 0;   ///< Where most is missing; not above zero where there is room everywhere.
+};
 
 struct Profiles {
   std::vector<roads::Road> roads;   ///< Those given, with their profiles.
   std::vector<Profile> off_ground;  ///< One a track that leaves the ground, in the order of features.tracks.
+  std::vector<Lack> lacks;          ///< One a pair, sorted by the upper's id, those that are none last.
 };
 
 /// @param streams  With profiles; without one a stream lies on the heightmap.

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/ground/approach_paths.h"
 #include "compiler/ground/grade_rules.h"
 
 namespace citykiln::ground {
@@ -43,9 +44,14 @@ struct Draft {
 struct Builder {
   const map::Features& features;
   std::span<const roads::Road> roads;
+  Lines lines;
+  std::vector<bool> is_approach;  // by track
   ProfileGraph graph;
   std::vector<Draft> drafts;
   std::vector<std::uint32_t> way_of_road;
+  std::vector<std::int64_t> foreign;  // nodes of lines that are in another graph with heights of their own, sorted
+
+  bool is_member(std::size_t t) const;
 
   void add_ways();
   std::vector<Passing> passings() const;
@@ -55,27 +61,41 @@ struct Builder {
   void stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places, std::uint32_t junction);
   void put_stations();
   void link();
+  bool goes_on(std::uint32_t node) const;
   void pin();
+  void pin_loose_ends();
 };
+
+bool Builder::is_member(std::size_t t) const {
+  const Track& track = features.tracks[t];
+  const bool is_path = is_approach[t] || (leaves_ground(track) && !is_graded(track.surface));
+  const bool is_line = leaves_ground(track) || is_graded(track.surface);
+  return lines == Lines::kAll ? is_path || is_line : lines == Lines::kPaths ? is_path : is_line;
+}
 
 void Builder::add_ways() {
   way_of_road.assign(roads.size(), kNone);
   std::vector<std::pair<ObjectId, std::uint32_t>> road_ids;
-  for (std::uint32_t r = 0; r < roads.size(); ++r)
-    if (is_graded(roads[r].surface)) road_ids.emplace_back(roads[r].id, r);
+  for (std::uint32_t r = 0; r < roads.size(); ++r) road_ids.emplace_back(roads[r].id, r);
   std::ranges::sort(road_ids);
   std::uint32_t off = 0;
-  for (const Track& track : features.tracks) {
+  for (std::size_t t = 0; t < features.tracks.size(); ++t) {
+    const Track& track = features.tracks[t];
     GradedWay way{&track, kNone, kNone, 0, 0};
-    if (leaves_ground(track)) {
-      way.off_ground = off++;
-    } else {
+    if (leaves_ground(track)) way.off_ground = off++;
+    if (!is_member(t)) {
+      if (leaves_ground(track) || is_graded(track.surface))
+        foreign.insert(foreign.end(), track.node_ids.begin(), track.node_ids.end());
+      continue;
+    }
+    if (!leaves_ground(track)) {
       const auto found = std::ranges::lower_bound(road_ids, track.id, {}, &std::pair<ObjectId, std::uint32_t>::first);
       if (found == road_ids.end() || found->first != track.id) continue;
       way.road = found->second;
     }
     graph.ways.push_back(way);
   }
+  std::ranges::sort(foreign);
   std::ranges::sort(graph.ways, {}, [](const GradedWay& way) { return way.track->id; });
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     if (graph.ways[w].road != kNone) way_of_road[graph.ways[w].road] = w;
@@ -101,10 +121,13 @@ std::vector<Passing> Builder::passings() const {
 
 // All passings of one place: the ground's are one node, the others one a node of the map.
 void Builder::join_place(std::span<const Passing> here) {
-  const auto is_end = [&](const Passing& p) { return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size(); };
+  const auto is_stop = [&](const Passing& p) {
+    return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size() ||
+           std::ranges::binary_search(foreign, p.node_id);
+  };
   const auto join = [&](std::span<const Passing> members) {
     const bool matters =
-        members.size() > 1 || std::ranges::any_of(members, is_end) ||
+        members.size() > 1 || std::ranges::any_of(members, is_stop) ||
         std::ranges::any_of(members, [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; });
     if (members.empty() || !matters) return;
     const auto node = static_cast<std::uint32_t>(graph.nodes.size());
@@ -194,6 +217,7 @@ Vec2 point_at(const Polyline& axis, std::span<const double> along, double at_m) 
 }
 
 void Builder::put_stations() {
+  const double station_m = lines == Lines::kPaths ? kPathStation_m : kStation_m;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     GradedWay& way = graph.ways[w];
     Draft& draft = drafts[w];
@@ -209,7 +233,7 @@ void Builder::put_stations() {
     for (std::size_t s = 0; s < stops.size(); ++s) {
       if (s > 0) {
         const double from_m = stops[s - 1].at_m, run_m = stops[s].at_m - from_m;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kStation_m)));
+        const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / station_m)));
         for (int i = 1; i < pieces; ++i) put(from_m + run_m * i / pieces, kNone);
       }
       if (stops[s].vertex == kNone) {
@@ -248,23 +272,39 @@ void Builder::link() {
   });
 }
 
-// What leaves the ground comes down on a path, or a bridge's end on nothing.
+// Where a bridge or tunnel goes on through a node, steps that lead to it hold nothing.
+bool Builder::goes_on(std::uint32_t node) const {
+  return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; }) >
+         1;
+}
+
+// What leaves the ground comes down on a path of another graph, or a bridge's end on nothing.
 void Builder::pin() {
   std::vector<std::pair<std::int64_t, std::uint32_t>> off;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
-    if (graph.ways[w].road != kNone) continue;
-    for (std::size_t v = 0; v < drafts[w].along.size(); ++v)
-      if (drafts[w].node_at[v] != kNone) off.emplace_back(graph.ways[w].track->node_ids[v], drafts[w].node_at[v]);
+    for (std::size_t v = 0; v < drafts[w].along.size(); ++v) {
+      const std::uint32_t node = drafts[w].node_at[v];
+      if (node == kNone) continue;
+      if (graph.ways[w].road == kNone) off.emplace_back(graph.ways[w].track->node_ids[v], node);
+      if (std::ranges::binary_search(foreign, graph.ways[w].track->node_ids[v])) graph.nodes[node].is_pinned = true;
+    }
   }
   std::ranges::sort(off);
-  for (const Track& track : features.tracks) {
+  for (std::size_t t = 0; t < features.tracks.size(); ++t) {
+    const Track& track = features.tracks[t];
     if (leaves_ground(track) || is_graded(track.surface) || off.empty()) continue;
+    if (is_approach[t] && lines != Lines::kGraded) continue;
     for (const std::int64_t id : track.node_ids) {
       auto found = std::ranges::lower_bound(off, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
       for (; found != off.end() && found->first == id; ++found)
-        if (!graph.nodes[found->second].is_on_ground) graph.nodes[found->second].is_pinned = true;
+        if (!graph.nodes[found->second].is_on_ground && !goes_on(found->second))
+          graph.nodes[found->second].is_pinned = true;
     }
   }
+  pin_loose_ends();
+}
+
+void Builder::pin_loose_ends() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     const GradedWay& way = graph.ways[w];
     if (way.track->passage != Passage::kBridge) continue;
@@ -280,8 +320,9 @@ void Builder::pin() {
 bool leaves_ground(const Track& track) { return track.passage != Passage::kGround; }
 
 ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
-                      std::span<const roads::Junction> junctions) {
-  Builder builder{features, roads, {}, {}, {}};
+                      std::span<const roads::Junction> junctions, Lines lines) {
+  Builder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
+  builder.graph.lines = lines;
   builder.add_ways();
   builder.stop_at_junctions(junctions);
   builder.join_places();

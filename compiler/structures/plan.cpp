@@ -12,6 +12,7 @@ namespace {
 Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& ends) {
   Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}, false};
   span.profile = profile;
+  span.layer = track.layer;
   // what nodes say of crossings and signals is of the ground
   span.points.clear();
   return span;

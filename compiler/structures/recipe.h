@@ -43,6 +43,7 @@ struct Span : roads::Road {
   std::vector<Pier> piers;                     ///< Of bridges. Sorted along the axis, strictly.
   std::vector<Opening> left_open, right_open;  ///< Of bridges. Sorted, apart.
   bool is_bored = false;                       ///< Of tunnels: false where there is no land above it to bore through.
+  std::int8_t layer = 0;  ///< As the map tells it, -10 to 10: of two that cross the higher is above.
   bool operator==(const Span&) const = default;
 };
 

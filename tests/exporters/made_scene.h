@@ -101,7 +101,9 @@ class SceneMaker {
     return made;
   }
   structures::Span span() {
-    structures::Span s{road(), span_end(), span_end(), {}, openings(), openings(), below(2) == 0};
+    structures::Span s{
+        road(),     span_end(), span_end(),    {},
+        openings(), openings(), below(2) == 0, static_cast<std::int8_t>(static_cast<int>(below(21)) - 10)};
     s.narrowing = {};
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)

@@ -223,7 +223,7 @@ class Chunk:
 
     def span(self):
         return (*self.road(), self.span_end(), self.span_end(), self.plain("bored"),
-                self.all("openings", self.opening), self.all("openings", self.opening), self.all("piers", self.pier))
+                self.plain("span layer") - 10, self.all("openings", self.opening), self.all("openings", self.opening), self.all("piers", self.pier))
 
     def span_end(self):
         kind = self.plain("span ends")

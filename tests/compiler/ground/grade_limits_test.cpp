@@ -64,6 +64,21 @@ TEST(GradeLimits, NothingMovesFartherThanAllowedAndNothingBreaksOff) {
   }
 }
 
+TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
+  for (const auto surface : {map::SurfaceClass::kResidentialRoad, map::SurfaceClass::kRailway}) {
+    Line line(1000);
+    line.features.tracks[0].surface = surface;
+    const double limit = grade_rule_of(surface).limit;
+    const auto z_m =
+        line.heights([&](double x) { return 1.25 * limit * std::abs(x) / 2 + (x > 0 ? limit * x / 2 : 0); });
+    std::vector<double> steepness;
+    for (const GraphNode& node : line.graph.nodes) steepness.push_back(node.at.x > 0 ? 1.5 : 1);
+    const bool is_rail = surface == map::SurfaceClass::kRailway;
+    EXPECT_EQ(limit_grades(line.graph, z_m, steepness) == z_m, !is_rail);
+    EXPECT_NE(limit_grades(line.graph, z_m), z_m);
+  }
+}
+
 TEST(GradeLimits, WhatKeepsThemStays) {
   const Line line(1000);
   const auto z_m = line.heights([](double x) { return 0.17 * std::abs(x); });

@@ -86,7 +86,7 @@ inline Planned planned(map::Features features, const map::Heightfield& heights) 
   std::vector<roads::Road> roads = roads::plan(sorted, p.report);
   p.junctions = roads::plan_junctions(roads, p.report);
   p.profiles = plan_profiles(features, roads, p.junctions, {}, {}, heights, p.report);
-  p.measures = measure_profiles(features, p.profiles, {}, {}, heights);
+  p.measures = measure_profiles(features, p.profiles);
   return p;
 }
 

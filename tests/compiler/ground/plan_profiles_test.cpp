@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "compiler/ground/crossings.h"
+#include "compiler/ground/grade_rules.h"
 #include "compiler/ground/junction_planes.h"
 #include "compiler/ground/line_heights.h"
 #include "compiler/ground/profile_knots.h"
@@ -278,6 +279,33 @@ TEST(Profiles, ARampEndsOnASlopeToo) {
   }
 }
 
+TEST(Profiles, OnlyWhatIsLiftedAgainMayBeSteeper) {
+  // a bridge on a slope so steep that its limit takes back some of the lift, far from hilly streets
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    map::Features f = street_grid(seed, 8, {-1400, -480});
+    const std::size_t streets = f.tracks.size();
+    for (map::Track t : crossing(Passage::kBridge, 1).tracks) {
+      for (Vec2& p : t.axis) p.x += 1000;
+      t.id.osm.id += 100;
+      f.tracks.push_back(std::move(t));
+    }
+    const map::Heightfield hills = hilly_field(seed, 40, 6);
+    const Planned p = planned(f, field_of([&](double x, double y) {
+                                return x < 0 ? height_m_at(hills, {x, y}) : 120 + 0.17 * std::max(0.0, x - 100);
+                              }));
+    EXPECT_GE(height_m(p.profiles.off_ground[0], 30) - height_m(p.profiles.roads.back().profile, 800),
+              kOverRoad_m - kLackMargin_m);
+    for (std::size_t i = 0; i < streets; ++i) {
+      const Profile& profile = p.profiles.roads[i].profile;
+      const double limit = grade_rule_of(p.profiles.roads[i].surface).limit;
+      for (std::size_t k = 1; k < profile.size(); ++k)
+        EXPECT_LE(std::abs(profile[k].z_m - profile[k - 1].z_m),
+                  limit * (profile[k].at_m - profile[k - 1].at_m) + 2 * kKnotError_m)
+            << seed;
+    }
+  }
+}
+
 TEST(Profiles, ATunnelGoesBelowWhatItCrossesWithItsApproaches) {
   const Planned p = planned(crossing(Passage::kTunnel, 0), field_of([](double, double) { return 40; }));
   EXPECT_LE(gap_m(p), -kOverRoad_m + 0.1);
@@ -358,13 +386,106 @@ TEST(Profiles, AStackClearsStoreyByStorey) {
   EXPECT_EQ(p.measures.over_m, 0);
 }
 
+constexpr auto kFootway = SurfaceClass::kPavedFootPath;
+
 TEST(Profiles, DiagnoseAClearanceThatIsNotMet) {
+  // it comes down on paths too long to climb with it
+  map::Features f = crossing(Passage::kBridge, 1, SurfaceClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  const Planned p = planned(f, field_of([](double, double) { return 40; }));
+  EXPECT_EQ(p.report.counts().at(Code::kClearanceNotMet), 1u);
+  EXPECT_EQ(p.measures.lacking, 1u);
+  EXPECT_NEAR(p.measures.largest_lack_m, kOverRoad_m - 0.06 * 30, 0.5);
+}
+
+TEST(Profiles, ABridgesEndThatMeetsNothingMayRise) {
   map::Features f = crossing(Passage::kBridge, 1, SurfaceClass::kMotorwayRoad);
   f.tracks.erase(f.tracks.begin());
   const Planned p = planned(f, field_of([](double, double) { return 40; }));
-  EXPECT_EQ(p.report.counts().at(Code::kClearanceNotMet), 1u);
   EXPECT_EQ(p.report.counts().at(Code::kBridgeWithoutGround), 1u);
-  EXPECT_EQ(p.profiles.off_ground[0].front().z_m, 40);
+  EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+  EXPECT_GT(p.profiles.off_ground[0].front().z_m, 43);
+}
+
+// A footway along x, `passage` from -10 to 10, steps of 16 m and long paths beyond; a street along y.
+map::Features footbridge(Passage passage, int layer) {
+  map::Features f;
+  f.tracks = {track(1, {{-1500, 0}, {-26, 0}}, kFootway),
+              track(2, {{-26, 0}, {-10, 0}}, SurfaceClass::kSteps),
+              track(3, {{-10, 0}, {10, 0}}, kFootway, passage, layer),
+              track(4, {{10, 0}, {26, 0}}, SurfaceClass::kSteps),
+              track(5, {{26, 0}, {1500, 0}}, kFootway),
+              track(6, {{0, -300}, {0, 300}})};
+  return f;
+}
+
+TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
+  for (const auto& [passage, layer] : {std::pair(Passage::kBridge, 1), std::pair(Passage::kTunnel, -1)}) {
+    const Planned p = planned(footbridge(passage, layer), field_of([](double, double) { return 40; }));
+    EXPECT_EQ(p.measures.crossings, 1u);
+    EXPECT_LE(p.measures.largest_lack_m, kLackMargin_m);
+    const double rise_m = height_m(p.profiles.off_ground[0], 0) - 40;
+    EXPECT_GT(rise_m * layer, 1.5);
+    // the street stays, the steps join the deck and the ground
+    for (const Knot& k : p.profiles.roads[4].profile) EXPECT_EQ(k.z_m, 40);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 16), 40 + rise_m, kKnotError_m);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 0), 40, 0.5);
+    EXPECT_TRUE(p.profiles.roads[0].profile.empty());
+  }
+}
+
+TEST(Profiles, AFootbridgeGoesStraightFromCrestToCrest) {
+  map::Features f;
+  f.tracks = {track(1, {{-90, 0}, {-60, 0}}, SurfaceClass::kSteps),
+              track(2, {{-60, 0}, {60, 0}}, kFootway, Passage::kBridge, 1),
+              track(3, {{60, 0}, {90, 0}}, SurfaceClass::kSteps), track(4, {{-40, -300}, {-40, 300}}),
+              track(5, {{40, -300}, {40, 300}})};
+  const Planned p = planned(f, field_of([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.lacking, 0u);
+  for (double at = 20; at <= 100; at += 4) EXPECT_GT(height_m(p.profiles.off_ground[0], at), 44.7) << at;
+}
+
+TEST(Profiles, PathsThatNeedNotClimbKeepNone) {
+  map::Features f = footbridge(Passage::kBridge, 1);
+  f.tracks.pop_back();
+  const Planned p = planned(f, hilly_field(3, 40, 4));
+  for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
+}
+
+TEST(Profiles, APathGoesDownUnderABridgeThatCannotRise) {
+  map::Features f = crossing(Passage::kBridge, 1, SurfaceClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[3] = track(4, {{0, -100}, {0, 100}}, kFootway);
+  const Planned p = planned(f, field_of([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.lacking, 0u);
+  EXPECT_LT(height_m(p.profiles.roads[2].profile, 100), 39);
+  EXPECT_NEAR(height_m(p.profiles.roads[2].profile, 0), 40, kKnotError_m);
+}
+
+TEST(Profiles, ATunnelGoesDownUnderABridgeThatCannotRise) {
+  map::Features f = crossing(Passage::kBridge, 1, SurfaceClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[3] = track(4, {{0, -800}, {0, -30}});
+  f.tracks.push_back(track(5, {{0, -30}, {0, 30}}, kStreet, Passage::kTunnel, -1));
+  f.tracks.push_back(track(6, {{0, 30}, {0, 800}}));
+  const Planned p = planned(f, field_of([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.lacking, 0u);
+}
+
+TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
+  // a bridge ends on its own street, a lane's width beside another
+  map::Features f;
+  f.tracks = {track(1, {{-300, 4}, {-30, 4}}), track(2, {{-30, 4}, {30, 4}}, kStreet, Passage::kBridge, 1),
+              track(3, {{30, 4}, {300, 4}}), track(4, {{20, 0}, {300, 0}})};
+  EXPECT_EQ(planned(f, field_of([](double, double) { return 40; })).measures.crossings, 0u);
+  // all along, it does
+  f.tracks[3] = track(4, {{-300, 0}, {300, 0}});
+  f.tracks[1] = track(2, {{-30, 4}, {-10, 40}, {10, 40}, {30, 4}}, kStreet, Passage::kBridge, 1);
+  f.tracks.push_back(track(5, {{-300, 38}, {300, 38}}));
+  EXPECT_GE(planned(f, field_of([](double, double) { return 40; })).measures.crossings, 1u);
 }
 
 TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
