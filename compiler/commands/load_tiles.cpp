@@ -32,13 +32,13 @@ Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_pr
 }
 
 /// The header of the manifest that lies where a run puts it, if one does.
-std::optional<scene::Header> header_beside(const fs::path& manifest_path, scene::TileKey tile) {
+Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path, scene::TileKey tile) {
   std::error_code none;
-  if (!fs::exists(manifest_path, none)) return std::nullopt;
+  if (!fs::exists(manifest_path, none)) return std::optional<scene::Header>();
   // one chunk is enough to know what holds for all
   const Result<scene::Scene> scene = exporters::read_manifest(manifest_path.string(), std::vector{tile});
-  if (!scene) return std::nullopt;
-  return scene->header;
+  if (!scene) return scene.error();
+  return std::optional(scene->header);
 }
 
 Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path& manifest_path,
@@ -51,7 +51,9 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
     loaded.tiles.push_back(std::move(*tile));
   }
   std::ranges::stable_sort(loaded.tiles, {}, &bake::BakedTile::tile);
-  loaded.header = header_beside(manifest_path, loaded.tiles.front().tile);
+  Result<std::optional<scene::Header>> header = header_beside(manifest_path, loaded.tiles.front().tile);
+  if (!header) return header.error();
+  loaded.header = std::move(*header);
   return loaded;
 }
 
