@@ -226,9 +226,9 @@ void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake:
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
   return measure_road_faces(chunk, box, tolerance_m < scene::kPlainRoads_m, [&](const roads::Road& road, Vec2 p) {
-    const std::optional<GroundPlace> place = lowest_ground_at(ground, p);
-    const bool is_its_own = place && place->feature == road.id.osm;
-    return is_its_own ? std::vector{place->z_m} : std::vector<double>{};
+    const std::vector<GroundPlace> places = ground_at(ground, p);
+    const bool is_its_own = !places.empty() && places.front().feature == road.id.osm;
+    return is_its_own ? std::vector{places.front().z_m} : std::vector<double>{};
   });
 }
 

@@ -36,13 +36,12 @@ GroundIndex index_ground(const bake::BakedTile& tile, std::span<const OsmId> lea
   return index;
 }
 
-std::optional<GroundPlace> lowest_ground_at(const GroundIndex& index, Vec2 p) {
-  std::optional<GroundPlace> lowest;
-  for (const std::uint32_t i : boxes_about(index.grid, p)) {
-    const std::optional<double> z_m = height_m_at(index.faces[i], p);
-    if (z_m && (!lowest || *z_m < lowest->z_m)) lowest = {*z_m, index.faces[i].feature};
-  }
-  return lowest;
+std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p) {
+  std::vector<GroundPlace> places;
+  for (const std::uint32_t i : boxes_about(index.grid, p))
+    if (const auto z_m = height_m_at(index.faces[i], p)) places.push_back({*z_m, index.faces[i].feature});
+  std::ranges::stable_sort(places, {}, &GroundPlace::z_m);
+  return places;
 }
 
 }  // namespace citykiln::commands

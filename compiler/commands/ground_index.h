@@ -1,7 +1,6 @@
 // The ground of a baked tile, asked place by place.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,7 +24,8 @@ struct GroundPlace {
   OsmId feature;   ///< What covers it.
 };
 
-/// The lowest face that holds the place, its edges too; none where there is no ground. O(1) expected.
-std::optional<GroundPlace> lowest_ground_at(const GroundIndex& index, Vec2 p);
+/// The faces that hold the place, their edges too, from the lowest to the highest: two where the ground steps, none
+/// where there is none. O(1) expected.
+std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::commands

@@ -95,8 +95,9 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
                         const GroundIndex& ground) {
   const LowestWalls walls = walls_of(chunk, tile);
   const auto ground_under = [&](Vec2 p) -> std::optional<double> {
-    const std::optional<GroundPlace> place = lowest_ground_at(ground, p);
-    return place ? std::optional(place->z_m) : std::nullopt;
+    const std::vector<GroundPlace> places = ground_at(ground, p);
+    // where the ground steps at a corner, a house stands on the upper side: the step's own wall closes what is below
+    return places.empty() ? std::nullopt : std::optional(places.back().z_m);
   };
   const auto wall_at = [&](const Building& building, Vec2 p) -> std::optional<double> {
     const auto found = walls.find({building.id.osm, p});

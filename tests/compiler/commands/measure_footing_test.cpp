@@ -64,6 +64,19 @@ TEST(MeasureFooting, FindsOneCornerOverAHollow) {
   EXPECT_EQ(footing_of(tile_with_house(-1, {0, -6.4F, -6.4F, 0})).floating, 1u);
 }
 
+// A corner at the edge of a street that is cut into the land: the house stands on the land.
+TEST(MeasureFooting, TakesTheUpperSideOfAStepAtACorner) {
+  bake::BakedTile tile = tile_with_house(-1, {0, 0, 0, 0});
+  bake::Primitive& ground = tile.primitives.front();
+  const auto first = static_cast<std::uint32_t>(ground.positions.size());
+  const Ring ring = house().footprint.outer;
+  const auto x = static_cast<float>(ring[0].x), y = static_cast<float>(ring[0].y);
+  ground.positions.insert(ground.positions.end(), {{x - 4, y - 4, -5}, {x, y - 4, -5}, {x, y, -5}});
+  ground.features.insert(ground.features.end(), 3, 1);
+  ground.triangles.push_back({first, first + 1, first + 2});
+  EXPECT_EQ(footing_of(tile).floating, 0u);
+}
+
 TEST(MeasureFooting, OverlooksWhatIsMeantToHang) {
   scene::Chunk chunk;
   chunk.buildings = {house()};
