@@ -4,8 +4,7 @@
 //                   .    ╲ cut             of every road: it is never above the one nor below the other. They are as
 //     ▁▁▁▁▁▁▁▁▁▁▁▁▁▁      ╲▁▁▁▁▁▁ road     steep as earth stands, and steeper where they would not meet the terrain
 //      fill ╱                              within kCarve_m, or between a higher road and what lies below: up to
-//      kWallSlope;
-//          ╱                               what is left then is a step at the higher edge: a retaining wall
+//          ╱                               kWallSlope; what is left then is a step at the higher edge: a wall
 //
 // Under decks the land keeps away from them, over bores it covers them (span_field.h).
 // A pure function of roads, waters and terrain within kCarve_m and the roads' breadth, so tiles agree to the bit.

@@ -36,8 +36,7 @@ Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoin
 
 /// Where rings meet the cell's border, sorted: hidden ones too, so that both cells of a border have the same.
 /// @param all  Of the same layers, with lines: a ring that is bent through one of their vertices on the border may
-/// leave
-///             the border there.
+///             leave the border there.
 std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, const Box2& cell);
 
 /// The edges between faces of different surfaces, and the cell's border from corner to corner and joint to joint:
