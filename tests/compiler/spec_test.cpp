@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include "tests/scratch_folder.h"
 
 namespace citykiln {
 namespace {
@@ -25,17 +24,12 @@ std::string objection(std::string_view name, std::string_view text) {
 /// A file that is gone at the end of the test.
 class SpecFile {
  public:
-  explicit SpecFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() / "citykiln_spec_test.json") {
-    std::ofstream(path_) << text;
-  }
-  ~SpecFile() { std::filesystem::remove(path_); }
-  SpecFile(const SpecFile&) = delete;
-  SpecFile& operator=(const SpecFile&) = delete;
-  std::string path() const { return path_.string(); }
+  explicit SpecFile(const std::string& text) : path_(folder_.write("spec.json", text)) {}
+  const std::string& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  const ScratchFolder folder_;
+  const std::string path_;
 };
 
 TEST(Spec, DefaultsToTheLadderOfTheContract) {

@@ -16,6 +16,7 @@
 #include "exporters/manifest.h"
 #include "tests/exporters/made_scene.h"
 #include "tests/exporters/made_tile.h"
+#include "tests/scratch_folder.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -31,26 +32,12 @@ std::string refusal(const Result<T>& result) {
   return result ? "done" : to_string(result.error());
 }
 
-// A folder of its own for each test, gone afterwards.
 class File : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "citykiln_file_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
-  std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  std::set<std::string> names() const {
-    std::set<std::string> all;
-    for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename());
-    return all;
-  }
+  std::string at(const std::string& name) const { return folder_.at(name); }
+  std::set<std::string> names() const { return folder_.names(); }
 
-  fs::path folder_;
+  const ScratchFolder folder_;
 };
 
 // Whatever tests write after this meets a full disk behind `bytes` bytes. Only for the child of a death test.
@@ -81,10 +68,11 @@ TEST_F(File, AFolderThatIsNotThereIsNamed) {
 }
 
 TEST_F(File, AFolderThatMayNotBeWrittenIsNamed) {
-  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
   // root may write everywhere, so it steps down for this one
   const auto attempt = [&] {
-    if (::geteuid() == 0 && (::chown(folder_.c_str(), 65534, 65534) != 0 || ::seteuid(65534) != 0)) say("still root");
+    if (::geteuid() == 0 && (::chown(folder_.path().c_str(), 65534, 65534) != 0 || ::seteuid(65534) != 0))
+      say("still root");
     say(refusal(write_file(at("a"), bytes_of("x"))));
   };
   EXPECT_EXIT(attempt(), testing::ExitedWithCode(0), "/a: cannot be created: Permission denied");
@@ -133,7 +121,7 @@ TEST_F(File, AFolderUnderTheFinalNameStays) {
 
 TEST_F(File, WhatCannotBeReadIsNamed) {
   EXPECT_EQ(refusal(read_file(at("none"))), at("none") + ": cannot be opened: No such file or directory");
-  EXPECT_EQ(refusal(read_file(folder_)), folder_.string() + ": expected a file, found a folder");
+  EXPECT_EQ(refusal(read_file(folder_.path())), folder_.path() + ": expected a file, found a folder");
   EXPECT_EQ(refusal(read_manifest(at("none"), {})), at("none") + ": cannot be opened: No such file or directory");
   EXPECT_EQ(refusal(read_glb(at("none"))), at("none") + ": cannot be opened: No such file or directory");
 }

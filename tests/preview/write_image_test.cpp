@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 
 #include "preview/preview.h"
 #include "preview/tone.h"
+#include "tests/scratch_folder.h"
 
 namespace citykiln::preview {
 namespace {
@@ -27,50 +27,42 @@ std::string bytes_of(const fs::path& path) {
 
 class WriteImage : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
+  std::string at(const std::string& name) const { return folder_.at(name); }
+  std::set<std::string> names() const { return folder_.names(); }
 
-  std::set<std::string> names() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
-    return names;
-  }
-
-  const testing::TestInfo& test_ = *testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder_ =
-      fs::temp_directory_path() / ("citykiln_" + std::string(test_.name()) + std::to_string(getpid()));
+  const ScratchFolder folder_;
 };
 
 TEST_F(WriteImage, PngIsWrittenAndNothingElse) {
-  const auto done = write_image(small_image(), folder_ / "a.png");
+  const auto done = write_image(small_image(), at("a.png"));
   ASSERT_TRUE(done) << to_string(done.error());
   EXPECT_EQ(names(), std::set<std::string>{"a.png"});
-  const std::string bytes = bytes_of(folder_ / "a.png");
+  const std::string bytes = bytes_of(at("a.png"));
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
   // IHDR: width and height, 8 bits, RGB
   EXPECT_EQ(bytes.substr(16, 10), std::string("\0\0\0\5\0\0\0\3\x08\x02", 10));
 }
 
 TEST_F(WriteImage, ExrIsWrittenAndNothingElse) {
-  const auto done = write_image(small_image(), folder_ / "a.exr");
+  const auto done = write_image(small_image(), at("a.exr"));
   ASSERT_TRUE(done) << to_string(done.error());
   EXPECT_EQ(names(), std::set<std::string>{"a.exr"});
-  EXPECT_EQ(bytes_of(folder_ / "a.exr").substr(0, 4), "\x76\x2f\x31\x01");
+  EXPECT_EQ(bytes_of(at("a.exr")).substr(0, 4), "\x76\x2f\x31\x01");
 }
 
 // Time and place are no part of a picture.
 TEST_F(WriteImage, SamePictureSameBytes) {
   for (const char* ending : {".png", ".exr"}) {
-    ASSERT_TRUE(write_image(small_image(), folder_ / (std::string("a") + ending)));
-    ASSERT_TRUE(write_image(small_image(), folder_ / (std::string("b") + ending)));
-    EXPECT_EQ(bytes_of(folder_ / (std::string("a") + ending)), bytes_of(folder_ / (std::string("b") + ending)));
+    ASSERT_TRUE(write_image(small_image(), at((std::string("a") + ending))));
+    ASSERT_TRUE(write_image(small_image(), at((std::string("b") + ending))));
+    EXPECT_EQ(bytes_of(at((std::string("a") + ending))), bytes_of(at((std::string("b") + ending))));
   }
 }
 
 TEST_F(WriteImage, AFileOfThatNameIsReplaced) {
-  std::ofstream(folder_ / "a.png") << "old";
-  ASSERT_TRUE(write_image(small_image(), folder_ / "a.png"));
-  EXPECT_EQ(bytes_of(folder_ / "a.png").substr(1, 3), "PNG");
+  std::ofstream(at("a.png")) << "old";
+  ASSERT_TRUE(write_image(small_image(), at("a.png")));
+  EXPECT_EQ(bytes_of(at("a.png")).substr(1, 3), "PNG");
 }
 
 TEST_F(WriteImage, AnotherEndingIsOneClearLine) {
@@ -85,7 +77,7 @@ TEST_F(WriteImage, AnotherEndingIsOneClearLine) {
 
 TEST_F(WriteImage, AFolderThatIsNotThereIsOneClearLine) {
   for (const char* name : {"a.png", "a.exr"}) {
-    const std::string path = folder_ / "absent" / name;
+    const std::string path = at(std::string("absent/") + name);
     const auto done = write_image(small_image(), path);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().where, path);
@@ -97,10 +89,10 @@ TEST_F(WriteImage, AFolderThatIsNotThereIsOneClearLine) {
 
 TEST_F(WriteImage, AFolderInItsPlaceIsOneClearLineAndLeavesNoPart) {
   for (const char* name : {"a.png", "a.exr"}) {
-    fs::create_directories(folder_ / name / "inside");
-    const auto done = write_image(small_image(), folder_ / name);
+    fs::create_directories(fs::path(at(name)) / "inside");
+    const auto done = write_image(small_image(), at(name));
     ASSERT_FALSE(done);
-    EXPECT_EQ(done.error().where, folder_ / name);
+    EXPECT_EQ(done.error().where, at(name));
     EXPECT_EQ(done.error().message.find('\n'), std::string::npos) << done.error().message;
   }
   EXPECT_EQ(names(), (std::set<std::string>{"a.exr", "a.png"}));
@@ -109,8 +101,8 @@ TEST_F(WriteImage, AFolderInItsPlaceIsOneClearLineAndLeavesNoPart) {
 // A full disk: nothing half written stays.
 TEST_F(WriteImage, AFullDiskIsOneClearLineAndLeavesNoPart) {
   for (const char* ending : {".png", ".exr"}) {
-    fs::create_symlink("/dev/full", folder_ / (std::string("a.part") + ending));
-    const auto done = write_image(small_image(), folder_ / (std::string("a") + ending));
+    fs::create_symlink("/dev/full", at((std::string("a.part") + ending)));
+    const auto done = write_image(small_image(), at((std::string("a") + ending)));
     ASSERT_FALSE(done) << ending;
     EXPECT_EQ(done.error().message.find('\n'), std::string::npos) << done.error().message;
   }

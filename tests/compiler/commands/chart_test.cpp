@@ -3,33 +3,33 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "tests/scratch_folder.h"
 
 namespace citykiln::commands {
 namespace {
 
-std::string text_of(const std::filesystem::path& path) {
+std::string text_of(const std::string& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(Chart, IsATableAndAPictureWithEverySeries) {
-  const auto folder = std::filesystem::temp_directory_path() / "citykiln_chart_test";
+  const ScratchFolder folder;
   const Chart chart{"chart",
                     "It's a title",
                     {"x (m)", true},
                     {"y (m)", true},
                     {{"ours", {{1, 2}, {10, 20}}}, {"theirs", {{3, 4}}, true}}};
-  const Result<Done> done = write_chart(chart, folder.string());
-  EXPECT_EQ(text_of(folder / "chart.csv"), "series,x (m),y (m)\nours,1,2\nours,10,20\ntheirs,3,4\n");
+  const Result<Done> done = write_chart(chart, folder.path());
+  EXPECT_EQ(text_of(folder.at("chart.csv")), "series,x (m),y (m)\nours,1,2\nours,10,20\ntheirs,3,4\n");
   if (done) {
-    const std::string svg = text_of(folder / "chart.svg");
+    const std::string svg = text_of(folder.at("chart.svg"));
     for (const char* word : {"<svg", "It's a title", "ours", "theirs"})
       EXPECT_NE(svg.find(word), std::string::npos) << word;
   }
-  std::filesystem::remove_all(folder);
   if (!done) GTEST_SKIP() << to_string(done.error());
 }
 

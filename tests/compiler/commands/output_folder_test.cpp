@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/scratch_folder.h"
+
 namespace citykiln::commands {
 namespace {
 
@@ -12,13 +14,8 @@ namespace fs = std::filesystem;
 
 class OutputFolderOfARun : public testing::Test {
  protected:
-  OutputFolderOfARun() : root_(fs::temp_directory_path() / "citykiln_output_folder_test") {
-    fs::create_directory(root_);
-  }
-  ~OutputFolderOfARun() override { fs::remove_all(root_); }
-
-  std::string at(const char* name) const { return (root_ / name).string(); }
-  fs::path root_;
+  std::string at(const char* name) const { return root_.at(name); }
+  const ScratchFolder root_;
 };
 
 TEST_F(OutputFolderOfARun, IsGoneWithAllItMadeWithoutCommit) {
@@ -28,7 +25,7 @@ TEST_F(OutputFolderOfARun, IsGoneWithAllItMadeWithoutCommit) {
     ASSERT_TRUE(folder->write("glb/one.glb", bytes_of("1")));
     EXPECT_TRUE(fs::exists(at("a/b/glb/one.glb")));
   }
-  EXPECT_TRUE(fs::is_empty(root_));
+  EXPECT_TRUE(fs::is_empty(root_.path()));
 }
 
 TEST_F(OutputFolderOfARun, StaysWithItsReportAfterCommit) {

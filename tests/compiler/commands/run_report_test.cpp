@@ -2,26 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include "tests/scratch_folder.h"
 
 namespace citykiln::commands {
 namespace {
 
-/// A folder that is gone at the end of the test.
-class RunFolder {
+/// The folder of a run that ended with a report.
+class RunFolder : public ScratchFolder {
  public:
-  RunFolder() : path_(std::filesystem::temp_directory_path() / "citykiln_run_report_test") {
-    std::filesystem::create_directory(path_);
-  }
-  ~RunFolder() { std::filesystem::remove_all(path_); }
-  RunFolder(const RunFolder&) = delete;
-  RunFolder& operator=(const RunFolder&) = delete;
-  std::string path() const { return path_.string(); }
-  void report(const std::string& text) const { std::ofstream(path_ / "report.json") << text; }
-
- private:
-  std::filesystem::path path_;
+  void report(const std::string& text) const { write("report.json", text); }
 };
 
 Written two_tiles() {

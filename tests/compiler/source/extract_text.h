@@ -1,28 +1,13 @@
 // Test fixtures: extracts written as text, and OsmData printed for comparison.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "compiler/source/read_osm.h"
+#include "tests/scratch_folder.h"
 
 namespace citykiln::source {
-
-/// A folder of its own for each test, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// Writes a file and returns its path.
-  std::string write(const std::string& name, std::string_view bytes) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// An .osm document around the elements.
 std::string osm(std::string_view elements);

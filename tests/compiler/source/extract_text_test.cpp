@@ -2,29 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <fstream>
 #include <iterator>
 
 namespace citykiln::source {
-
-namespace fs = std::filesystem;
-
-TemporaryFolder::TemporaryFolder() {
-  static std::atomic<int> count = 0;
-  path_ = fs::temp_directory_path() / fmt::format("citykiln_source_{}_{}", getpid(), count++);
-  fs::create_directories(path_);
-}
-
-TemporaryFolder::~TemporaryFolder() { fs::remove_all(path_); }
-
-std::string TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
-  const fs::path path = path_ / name;
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path.string();
-}
 
 std::string osm(std::string_view elements) {
   return fmt::format("<?xml version='1.0' encoding='UTF-8'?>\n<osm version=\"0.6\">\n{}\n</osm>\n", elements);
@@ -81,7 +63,7 @@ std::string text_of(const OsmData& data) {
 }
 
 OsmData read(std::string_view elements, Report& report, int threads) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   Result<OsmData> data = read_osm(folder.write("map.osm", osm(elements)), threads, report);
   if (!data) {
     ADD_FAILURE() << to_string(data.error());

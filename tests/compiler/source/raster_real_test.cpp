@@ -214,7 +214,7 @@ TEST_F(RasterReal, CutFilesAreErrors) {
   for (const char* file :
        {"portland/portland-ned.tif", "dem-formats/fuji-mapbox-terrain-rgb.png", "andorra/N42E001.hgt"}) {
     const std::string whole = bytes_of(data_path(file));
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     RasterSpec spec;
     spec.path = folder.write(fs::path(file).filename().string(), whole.substr(0, whole.size() / 2));
     spec.bounds = LonLatBox{0, 0, 1, 1};

@@ -139,7 +139,7 @@ constexpr std::string_view kAscii =
     "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 50\ncellsize 0.5\nNODATA_value -9999\n1 2 3\n4 -9999 6\n";
 
 std::string error_of(const std::string& name, std::string_view bytes, const std::string& more = "") {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.write(name, bytes);
   const Result<RasterSpec> spec = parse_raster_spec(path + more);
   if (!spec) return to_string(spec.error());
@@ -151,7 +151,7 @@ std::string error_of(const std::string& name, std::string_view bytes, const std:
 }
 
 Raster read_ascii(std::string_view text, const RasterSpec& how = {}, const LonLatBox* window = nullptr) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   RasterSpec spec = how;
   spec.path = folder.write("a.asc", text);
   Result<Raster> raster = read_raster(spec, window);

@@ -76,7 +76,7 @@ TEST(ReadOsmReal, CutPbfNamesTheByte) {
   const std::string path = std::string(CITYKILN_DATA) + "/small/somes-island.osm.pbf";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
   const std::string whole = bytes_of(path);
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (const std::size_t size : {whole.size() - 1, whole.size() / 2, std::size_t{100}}) {
     const std::string cut = folder.write("cut.osm.pbf", whole.substr(0, size));
     Report report;
@@ -90,7 +90,7 @@ TEST(ReadOsmReal, FlippedBytesOfAPbfEndInOneLineOrInData) {
   const std::string path = std::string(CITYKILN_DATA) + "/small/somes-island.osm.pbf";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
   const std::string whole = bytes_of(path);
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (std::size_t at = 0; at < whole.size(); at += 97) {
     std::string broken = whole;
     broken[at] = static_cast<char>(broken[at] ^ 0x55);
@@ -106,7 +106,7 @@ TEST(ReadOsmReal, CutGzipAndBzip2AreErrors) {
     const std::string path = std::string(CITYKILN_DATA) + file;
     if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
     const std::string whole = bytes_of(path);
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string cut = folder.write("cut" + path.substr(path.find(".osm.")), whole.substr(0, whole.size() / 2));
     Report report;
     const Result<OsmData> data = read_osm(cut, 1, report);

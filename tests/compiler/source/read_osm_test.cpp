@@ -228,7 +228,7 @@ TEST(ReadOsm, HeaderBoxIsTheBoundsElement) {
 }
 
 std::string error_of(const std::string& name, std::string_view bytes) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string path = folder.write(name, bytes);
   Report report;
   const Result<OsmData> data = read_osm(path, 1, report);
