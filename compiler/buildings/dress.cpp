@@ -15,18 +15,15 @@ using materials::Material;
 using materials::Tint;
 using Linear = std::array<double, 3>;
 
-// Small houses have tiles to look down on, larger blocks flat roofs.
-constexpr double kSmall_m2 = 350, kSmall_m = 20;
-
 struct DressRow {
   Material wall, other_wall;
   std::uint32_t other_percent;
-  Material small_roof, large_roof;
+  Material pitched_roof, flat_roof;
 };
 
 constexpr DressRow kRows[] = {
-#define DRESS(building, wall, other, percent, small, large) \
-  {Material::wall, Material::other, percent, Material::small, Material::large},
+#define DRESS(building, wall, other, percent, pitched, flat) \
+  {Material::wall, Material::other, percent, Material::pitched, Material::flat},
 #include "compiler/buildings/dress.inc"
 #undef DRESS
 };
@@ -34,7 +31,7 @@ static_assert(std::size(kRows) == static_cast<std::size_t>(BuildingClass::kCount
 
 // That the rows stand in the order of the classes.
 constexpr BuildingClass kOrder[] = {
-#define DRESS(building, wall, other, percent, small, large) BuildingClass::building,
+#define DRESS(building, wall, other, percent, pitched, flat) BuildingClass::building,
 #include "compiler/buildings/dress.inc"
 #undef DRESS
 };
@@ -85,9 +82,9 @@ Material untagged_wall(const map::Footprint& footprint) {
   return is_other ? row.other_wall : row.wall;
 }
 
-Material untagged_roof(const map::Footprint& footprint) {
+Material untagged_roof(const map::Footprint& footprint, roofs::Form form) {
   const DressRow& row = row_of(footprint.building_class);
-  return footprint.height_m <= kSmall_m && area_m2(footprint.polygon) <= kSmall_m2 ? row.small_roof : row.large_roof;
+  return form == roofs::Form::kFlat ? row.flat_roof : row.pitched_roof;
 }
 
 Tint tint_of(const Linear& share) {
@@ -117,9 +114,9 @@ Tint varied(Material material, const Draw& draw) {
 
 }  // namespace
 
-Dress dress_of(const map::Footprint& footprint) {
+Dress dress_of(const map::Footprint& footprint, roofs::Form form) {
   const Material wall = footprint.wall_material.value_or(untagged_wall(footprint));
-  const Material roof = footprint.roof_material.value_or(untagged_roof(footprint));
+  const Material roof = footprint.roof_material.value_or(untagged_roof(footprint, form));
   return {showing(footprint.wall_colour, {wall, Material::kPaint}),
           showing(footprint.roof_colour, {roof, Material::kFlatRoof, Material::kPaint})};
 }

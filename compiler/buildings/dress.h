@@ -11,10 +11,10 @@ struct Dress {
   materials::Material wall{}, roof{};
 };
 
-/// Materials as tagged, else by class and size (dress.inc; glass above kGlassTower_m). Where a tagged colour is
-/// brighter than the material can be tinted, a lighter one takes its place; glass stays glass. Drawn from the
-/// footprint's id alone, since a recipe knows no seed. O(vertices).
-Dress dress_of(const map::Footprint& footprint);
+/// Materials as tagged, else by class, height and the roof's form (dress.inc; glass above kGlassTower_m). Where a
+/// tagged colour is brighter than the material can be tinted, a lighter one takes its place; glass stays glass. Drawn
+/// from the footprint's id alone, since a recipe knows no seed. O(vertices).
+Dress dress_of(const map::Footprint& footprint, roofs::Form form);
 
 /// Towers higher than this are glass where nothing is tagged.
 inline constexpr double kGlassTower_m = 60;

@@ -13,6 +13,7 @@
 #include "compiler/map/lanes.h"
 #include "compiler/map/surface_class.h"
 #include "compiler/materials/material.h"
+#include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {
 
@@ -63,12 +64,18 @@ struct Footprint {
   ObjectId id;
   Polygon polygon;
   bool is_part = false;
-  bool has_parts = false;  ///< An outline that building:parts replace: not drawn.
-  double height_m = 0;     ///< Above the ground, of the highest point; tags, else levels, else class. > min_height_m.
+  bool has_parts = false;           ///< An outline that building:parts replace: not drawn.
+  double height_m = 0;              ///< Above the ground; tags, else levels, else class. > min_height_m.
+  bool has_roof_in_height = false;  ///< Of the highest point, as height=* tells it; else the roof comes on top.
   double min_height_m = 0;
+  double levels = 0;          ///< Storeys below the roof, from the ground up; 0: nobody says.
+  bool is_roof_told = false;  ///< Whether the roof's form is.
+  roofs::RoofShape roof;      ///< As far as it is told; levels as height, no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
   std::uint8_t building_class = 0;  ///< A BuildingClass of building_classes.h.
+  std::uint16_t year = 0;           ///< In which it was begun; 0: nobody says.
+  bool has_shop = false;            ///< Something is sold or served in it.
 };
 
 /// A piece of land or water with one class.
@@ -108,7 +115,8 @@ enum class PointKind : std::uint8_t {
   kWasteBasket,
   kMast,
   kChimney,
-  kFlagpole
+  kFlagpole,
+  kShop  ///< Or another place where one is served.
 };
 
 struct PointFeature {

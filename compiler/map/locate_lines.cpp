@@ -1,6 +1,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
+#include "compiler/map/building_tags.h"
 #include "compiler/map/each_line.h"
 
 namespace citykiln::map {
@@ -42,6 +43,8 @@ constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
                                 {"man_made", "chimney", PointKind::kChimney},
                                 {"man_made", "flagpole", PointKind::kFlagpole}};
 
+constexpr PointRow kShop{"shop", "", PointKind::kShop};
+
 // Ways that carry a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
 void for_each_with_key(const Reading& reading, std::string_view key, const Row (&rows)[n], Make make) {
@@ -54,7 +57,7 @@ void for_each_with_key(const Reading& reading, std::string_view key, const Row (
 const PointRow* point_row(const Reading& reading, source::Range tags) {
   for (const PointRow& row : kPoints)
     if (reading.tag(tags, row.key) == row.value) return &row;
-  return nullptr;
+  return is_shop(reading, tags) ? &kShop : nullptr;
 }
 
 constexpr double kTallest_m = 400;

@@ -65,6 +65,28 @@ std::optional<Srgb> hex_colour(std::string_view digits) {
   return Srgb{*r, *g, *b};
 }
 
+// "south-west" → "SW"; letters alone are initials already.
+std::string initials_of(std::string_view value) {
+  std::string wind;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto upper = [](char c) { return static_cast<char>(c >= 'a' ? c - 'a' + 'A' : c); };
+  std::string letters;
+  for (const char c : value)
+    if (is_letter(c)) letters += upper(c);
+  if (letters.size() <= 3) return letters;
+  for (std::string_view rest = letters; !rest.empty();) {
+    const std::string_view word = rest.starts_with("NORTH")   ? "NORTH"
+                                  : rest.starts_with("SOUTH") ? "SOUTH"
+                                  : rest.starts_with("EAST")  ? "EAST"
+                                  : rest.starts_with("WEST")  ? "WEST"
+                                                              : "";
+    if (word.empty()) return "";
+    wind += word.front();
+    rest.remove_prefix(word.size());
+  }
+  return wind;
+}
+
 constexpr double kFoot_m = 0.3048, kInch_m = 0.0254, kLongest_m = 10000;
 
 }  // namespace
@@ -104,6 +126,32 @@ std::optional<Srgb> colour_of(std::string_view value) {
   for (const Colour& colour : kColours)
     if (colour.name == name) return colour.srgb;
   return hex_colour(name);
+}
+
+std::optional<double> bearing_deg_of(std::string_view value) {
+  constexpr std::string_view kWinds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                         "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  const std::string wind = initials_of(trimmed(value));
+  for (std::size_t i = 0; i < std::size(kWinds); ++i)
+    if (kWinds[i] == wind) return 22.5 * static_cast<double>(i);
+  const auto number = number_of(value);
+  if (!number || !(std::abs(*number) <= 360)) return std::nullopt;
+  return *number < 0 ? *number + 360 : *number == 360 ? 0 : *number;
+}
+
+std::optional<std::uint16_t> year_of(std::string_view value) {
+  value = trimmed(value);
+  const std::size_t first = value.find_first_of("0123456789");
+  if (first == std::string_view::npos) return std::nullopt;
+  const bool is_century = first > 0 && (value[first - 1] == 'C' || value[first - 1] == 'c');
+  const std::string_view digits = value.substr(first, value.find_first_not_of("0123456789", first) - first);
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  if (is_century) return number >= 1 && number <= 29 ? std::optional<std::uint16_t>(number * 100 - 50) : std::nullopt;
+  if (digits.size() < 3 || number < 1 || number > 2999) return std::nullopt;
+  const bool is_decade = value.substr(first + digits.size()).starts_with('s');
+  return static_cast<std::uint16_t>(is_decade ? number + 5 : number);
 }
 
 bool says_yes(std::string_view value) { return !value.empty() && value != "no" && value != "0" && value != "false"; }

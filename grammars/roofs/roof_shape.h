@@ -24,12 +24,13 @@ std::optional<Form> form_named(std::string_view name);
 /// Height is told by the first of height_m, angle_deg, levels that is above 0; else the form has its pitch.
 struct RoofShape {
   Form form = Form::kFlat;
-  double height_m = 0;            ///< Of the highest point over the eaves plane.
-  double angle_deg = 0;           ///< Of the main slopes, below 85.
-  double levels = 0;              ///< Storeys in the roof.
-  std::optional<Vec2> direction;  ///< Where the main face looks, downhill, in plan; any length above 0.
-  bool is_ridge_across = false;   ///< roof:orientation=across: the ridge along the shorter side.
-  double overhang_m = 0;          ///< How far the eaves stand out, measured in plan.
+  double height_m = 0;              ///< Of the highest point over the eaves plane.
+  double angle_deg = 0;             ///< Of the main slopes, below 85.
+  double levels = 0;                ///< Storeys in the roof.
+  std::optional<Vec2> direction{};  ///< Where the main face looks, downhill, in plan; any length above 0.
+  bool is_ridge_across = false;     ///< roof:orientation=across: the ridge along the shorter side.
+  double overhang_m = 0;            ///< How far the eaves stand out, measured in plan.
+  bool operator==(const RoofShape&) const = default;
 };
 
 }  // namespace citykiln::roofs

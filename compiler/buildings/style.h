@@ -1,0 +1,18 @@
+// By which rules a building's walls become facades.
+#pragma once
+
+#include <string_view>
+
+#include "compiler/buildings/recipe.h"
+
+namespace citykiln::buildings {
+
+/// By class, age, size, and whether it is attached to others; kPlain for what is too small, or stands on nothing.
+Style style_of(const map::Footprint& footprint, const Building& building);
+
+/// "old_town_house": the rule file's name without its ending; "" of kPlain.
+std::string_view rules_of(Style style);
+/// How far the style's details stand out of the mass, or lie in it, at most.
+double depth_m_of(Style style);
+
+}  // namespace citykiln::buildings

@@ -1,0 +1,42 @@
+#include "grammars/roofs/expected_rise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammars/roofs/frame.h"
+#include "grammars/roofs/site.h"
+#include "grammars/roofs/strips.h"
+
+namespace citykiln::roofs {
+namespace {
+
+bool is_strip(Form form) {
+  switch (form) {
+    case Form::kSkillion:
+    case Form::kSaltbox:
+    case Form::kDoubleSaltbox:
+    case Form::kSawtooth:
+    case Form::kGabledRow:
+    case Form::kCrossGabled:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Of the rectangle with this area and perimeter; of what is rounder than a square, the square's.
+double equivalent_width_m(const Polygon& footprint) {
+  const double area = std::abs(area_m2(footprint)), half = length_m(footprint.outer) / 2;
+  return (half - std::sqrt(std::max(0.0, half * half - 4 * area))) / 2;
+}
+
+}  // namespace
+
+double expected_rise_m(const Polygon& footprint, const RoofShape& shape) {
+  if (shape.form == Form::kFlat || footprint.outer.size() < 3) return 0;
+  if (!is_strip(shape.form)) return rise_of(shape, equivalent_width_m(footprint) / 2);
+  const Frame frame = frame_of(footprint.outer, shape.direction, shape.is_ridge_across);
+  return rise_of(shape, strip_span_m(shape.form, frame, shape.direction.has_value()));
+}
+
+}  // namespace citykiln::roofs
