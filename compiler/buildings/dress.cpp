@@ -1,9 +1,9 @@
 #include "compiler/buildings/dress.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 
+#include "compiler/buildings/painted.h"
 #include "compiler/contract/draw.h"
 #include "compiler/map/building_classes.h"
 
@@ -13,7 +13,6 @@ namespace {
 using map::BuildingClass;
 using materials::Material;
 using materials::Tint;
-using Linear = std::array<double, 3>;
 
 struct DressRow {
   Material wall, other_wall;
@@ -45,33 +44,9 @@ const DressRow& row_of(std::uint8_t building_class) {
   return kRows[std::min<std::size_t>(building_class, std::size(kRows) - 1)];
 }
 
-Linear base_of(Material material) {
-  const auto& base = values_of(material).base_colour;
-  return {base[0], base[1], base[2]};
-}
-
-// Paint reflects between 4 and 76 percent, and has lost some of its colour to sun and dust.
-Linear paint_of(const map::Srgb& colour) {
-  Linear linear{};
-  for (int i = 0; i < 3; ++i) linear[i] = materials::linear_of_srgb(colour[i]);
-  const double grey = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
-  for (double& c : linear) c = 0.04 + 0.72 * (0.85 * c + 0.15 * grey);
-  return linear;
-}
-
-bool can_show(Material material, const Linear& paint) {
-  const Linear base = base_of(material);
-  return paint[0] <= base[0] && paint[1] <= base[1] && paint[2] <= base[2];
-}
-
 // The first material that can be tinted to the colour; the last, which is the lightest, where none can.
 Material showing(const std::optional<map::Srgb>& colour, std::initializer_list<Material> choice) {
-  const Material first = *choice.begin();
-  if (!colour || first == Material::kGlassFacade) return first;
-  const Linear paint = paint_of(*colour);
-  for (const Material material : choice)
-    if (can_show(material, paint)) return material;
-  return *(choice.end() - 1);
+  return colour ? buildings::showing(paint_of(*colour), choice) : *choice.begin();
 }
 
 Material untagged_wall(const map::Footprint& footprint) {
@@ -87,16 +62,7 @@ Material untagged_roof(const map::Footprint& footprint, roofs::Form form) {
   return form == roofs::Form::kFlat ? row.flat_roof : row.pitched_roof;
 }
 
-Tint tint_of(const Linear& share) {
-  Tint tint{0, 0, 0, 255};
-  for (int i = 0; i < 3; ++i) tint[i] = static_cast<std::uint8_t>(std::clamp(share[i], 0.0, 1.0) * 255 + 0.5);
-  return tint;
-}
-
-Tint painted(Material material, const map::Srgb& colour) {
-  const Linear paint = paint_of(colour), base = base_of(material);
-  return tint_of({paint[0] / base[0], paint[1] / base[1], paint[2] / base[2]});
-}
+Tint painted(Material material, const map::Srgb& colour) { return buildings::painted(material, paint_of(colour)); }
 
 // Shares of plaster's base colour: warm whites and creams first, then sand, ochre, pink, grey, and now and then sage or
 // terracotta.

@@ -35,7 +35,25 @@ const LinearTable& linear_table() {
   return table;
 }
 
+// "RoofTile" and "roof_tile".
+bool is_same_name(std::string_view camel, std::string_view snake) {
+  std::size_t at = 0;
+  for (const char c : camel) {
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    if (is_capital && at > 0 && (at >= snake.size() || snake[at++] != '_')) return false;
+    const char lower = is_capital ? static_cast<char>(c - 'A' + 'a') : c;
+    if (at >= snake.size() || snake[at++] != lower) return false;
+  }
+  return at == snake.size();
+}
+
 }  // namespace
+
+std::optional<Material> material_named(std::string_view name) {
+  for (std::size_t i = 0; i < std::size(kTable); ++i)
+    if (is_same_name(kTable[i].name, name)) return static_cast<Material>(i);
+  return {};
+}
 
 const MaterialValues& values_of(Material material) { return kTable[static_cast<std::size_t>(material)]; }
 

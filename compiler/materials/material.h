@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,9 @@ struct MaterialValues {
 };
 
 const MaterialValues& values_of(Material material);
+
+/// By its name in rules and settings: "roof_tile" is kRoofTile. Nothing where no row has it. O(rows).
+std::optional<Material> material_named(std::string_view name);
 
 /// A colour that multiplies the base colour: linear, 255 = 1. Written as COLOR_0.
 using Tint = std::array<std::uint8_t, 4>;

@@ -1,0 +1,85 @@
+#include "compiler/buildings/dress_terminals.h"
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/buildings/painted.h"
+#include "compiler/geometry/triangulate.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using grammars::Face;
+using materials::Material;
+
+// Less is a crack, square metres.
+constexpr double kLeast_m2 = 1e-9;
+
+std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0, 1.0) * 255 + 0.5); }
+
+bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green < 1 || look.blue < 1; }
+
+// Strictly: then a fan from any corner has no flat triangle.
+bool is_convex(const grammars::Ring3& ring, Vec3 normal) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
+    if (dot(cross(b - a, c - b), normal) <= kLeast_m2) return false;
+  }
+  return true;
+}
+
+// Of up to four corners: those that turn the same way everywhere go round once.
+void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+  for (std::uint32_t i = 2; i < ring.size(); ++i) mesh.triangles.push_back({first, first + i - 1, first + i});
+}
+
+// The face's own points, in the order in which triangulate() counts them.
+std::vector<Vec3> points_of(const Face& face) {
+  std::vector<Vec3> points;
+  each_vertex(face, [&](Vec3 p) { points.push_back(p); });
+  return points;
+}
+
+void add_triangulated(const Face& face, Mesh& mesh) {
+  const grammars::FaceFrame frame = frame_of(face);
+  const PlaneTriangles plane = triangulate(flat(face, frame));
+  const std::vector<Vec3> own = points_of(face);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::size_t i = 0; i < plane.points.size(); ++i)
+    mesh.positions.push_back(i < own.size() ? own[i] : frame.to_space(plane.points[i]));
+  for (const Triangle& t : plane.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
+void add_face(const Face& face, Mesh& mesh) {
+  const Vec3 normal = normal_of(face);
+  if (area_m2(face) < kLeast_m2) return;
+  const bool is_simple = face.holes.empty() && face.outer.size() <= 4 && is_convex(face.outer, normal);
+  if (is_simple) return add_fan(face.outer, mesh);
+  add_triangulated(face, mesh);
+}
+
+}  // namespace
+
+SurfaceDress dress_of(const grammars::Look& look) {
+  const Material material = materials::material_named(look.name).value_or(Material::kPlaster);
+  if (!has_colour(look)) return {material, materials::kNoTint};
+  const Linear paint = paint_of({byte_of(look.red), byte_of(look.green), byte_of(look.blue)});
+  const Material shown = showing(paint, {material, Material::kPaint});
+  return {shown, painted(shown, paint)};
+}
+
+std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature) {
+  std::vector<SurfaceDress> dress;
+  for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
+  std::map<SurfaceDress, Mesh> mesh_of;
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) add_face(face, mesh_of[dress[terminal.look]]);
+  std::vector<materials::DressedMesh> meshes;
+  for (auto& [key, mesh] : mesh_of)
+    if (!mesh.triangles.empty()) meshes.push_back({std::move(mesh), key.material, key.tint, feature});
+  return meshes;
+}
+
+}  // namespace citykiln::buildings

@@ -1,0 +1,30 @@
+// What a rule made, dressed: names and colours of looks become materials and tints, faces become triangles.
+#pragma once
+
+#include <vector>
+
+#include "compiler/materials/dressed_mesh.h"
+#include "grammars/derive.h"
+
+namespace citykiln::buildings {
+
+/// What surfaces are made of that look so, and how they are tinted.
+struct SurfaceDress {
+  materials::Material material{};
+  materials::Tint tint = materials::kNoTint;
+  auto operator<=>(const SurfaceDress&) const = default;
+};
+
+/// material.name is a row of the material table in small letters ("roof_tile"); another name is plaster. A colour is
+/// paint over it (painted.h), or where the material is too dark for it, kPaint; white, which nothing has set, leaves
+/// the material its own. Glass is tinted as far as it can be. O(rows).
+SurfaceDress dress_of(const grammars::Look& look);
+
+/// The terminals' faces as meshes, one a material and tint, in that order.
+///
+/// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
+/// points are its points, bit for bit, and their area is the face's. The same bytes for the same derivation. Total:
+/// faces without area add nothing; assets are left out. O(n log n); convex faces without holes, O(n).
+std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature);
+
+}  // namespace citykiln::buildings
