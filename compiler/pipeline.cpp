@@ -21,6 +21,7 @@
 #include "compiler/source/join_rasters.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
+#include "compiler/source/read_texts.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
 #include "compiler/structures/plan_openings.h"
@@ -34,6 +35,10 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                                       std::vector<std::string>& credits, Report& report);
 Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                double resampling_error_m, const std::vector<std::string>& credits);
+
+/// The rule texts that the buildings' styles need; those of the spec's folder come before those shipped.
+Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
+                                                   const std::vector<buildings::Building>& buildings);
 
 /// The land as what stands on it sees it: without the rounded corners of streets.
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
@@ -100,9 +105,11 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 
   // the light on it, and all of it sorted into tiles
   watch.enter("assemble");
-  const Result<scene::Header> header =
-      describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
+  Result<scene::Header> header = describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
+  Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
+  if (!rules) return rules.error();
+  header->rules = std::move(*rules);
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
@@ -240,6 +247,21 @@ Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane,
   }
   if (const Result<Done> done = are_tiles_of(header, spec.only); !done) return done.error();
   return header;
+}
+
+Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
+                                                   const std::vector<buildings::Building>& buildings) {
+  std::vector<buildings::RuleText> available;
+  if (!spec.rules_folder.empty()) {
+    Result<std::vector<source::TextFile>> own = source::read_texts(spec.rules_folder, ".cga");
+    if (!own) return own.error();
+    for (source::TextFile& file : *own) available.push_back({std::move(file.name), std::move(file.text)});
+  }
+  for (const buildings::RuleText& rule : buildings::shipped_rules()) {
+    const auto has_its_name = [&](const buildings::RuleText& own) { return own.name == rule.name; };
+    if (std::ranges::none_of(available, has_its_name)) available.push_back(rule);
+  }
+  return buildings::rules_for(buildings::styles_of(buildings), available);
 }
 
 }  // namespace

@@ -176,6 +176,11 @@ Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
+Result<Done> set_rules(CompileSpec& spec, std::string_view text) {
+  spec.rules_folder = text;
+  return Done{};
+}
+
 Result<Done> set_threads(CompileSpec& spec, std::string_view text) { return put(parse_whole(text, 0), spec.threads); }
 
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.is_strict); }
@@ -199,6 +204,7 @@ constexpr Setting kSettings[] = {
     {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
     {"seed", "N", "of all chance (0)", false, set_seed},
     {"snow-line", "M", "land above it is under snow; else none is", false, set_snow_line},
+    {"rules", "FOLDER", "rule files (.cga) that take the place of those shipped", false, set_rules},
     {"threads", "N", "0: as many as the machine has (0)", false, set_threads},
     {"strict", "", "exit 2 where data was mended or dropped", false, set_strict},
 };

@@ -37,6 +37,7 @@ struct CompileSpec {
   std::vector<scene::TileKey> only;  ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
   std::optional<double> snow_line_m;  ///< Land above it is under snow.
+  std::string rules_folder;           ///< Rule files that take the place of those shipped, by name; "" for none.
   std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
   int threads = 0;                    ///< 0: as many as the machine has. Never changes a byte.
   bool is_strict = false;             ///< Exit 2 where data was mended or dropped.

@@ -80,6 +80,16 @@ flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder
   return fbs::CreateIndexDirect(builder, &x.bytes(), &y.bytes(), &size.bytes(), &checksums);
 }
 
+std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuilder& builder,
+                                                     std::span<const buildings::RuleText> rules) {
+  std::vector<flatbuffers::Offset<fbs::Rule>> offsets;
+  for (const buildings::RuleText& rule : rules) {
+    const auto name = builder.CreateString(rule.name), text = builder.CreateString(rule.text);
+    offsets.push_back(fbs::CreateRule(builder, name, text));
+  }
+  return offsets;
+}
+
 RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
   flatbuffers::FlatBufferBuilder builder;
   const scene::Header& h = scene.header;
@@ -93,9 +103,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const auto index = index_of(builder, scene, frames);
   // not a number stands for none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
+  const auto rules = rules_of(builder, h.rules);
   builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
-                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m));
+                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
+                                         &rules));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -129,6 +141,23 @@ std::size_t size_of(const Texts* texts) {
   return size;
 }
 
+using Rules = flatbuffers::Vector<flatbuffers::Offset<fbs::Rule>>;
+std::vector<buildings::RuleText> rules_of(const Rules* rules) {
+  std::vector<buildings::RuleText> texts;
+  if (rules != nullptr)
+    for (const auto* rule : *rules)
+      if (rule->name() != nullptr && rule->text() != nullptr)
+        texts.push_back({rule->name()->str(), rule->text()->str()});
+  return texts;
+}
+std::size_t size_of(const Rules* rules) {
+  std::size_t size = 0;
+  if (rules != nullptr)
+    for (const auto* rule : *rules)
+      size += (rule->name() ? rule->name()->size() : 0) + (rule->text() ? rule->text()->size() : 0);
+  return size;
+}
+
 bool is_whole_cells(const Box2& region, double tile_m) {
   const auto whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
   // 500 km on a side: no plane is wider
@@ -147,7 +176,8 @@ Error damaged_header(const std::string& name) {
 Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
   const Error damaged = damaged_header(name);
   if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr || h.sky()->to_sun() == nullptr ||
-      h.sky()->to_sun()->size() != 3 || size_of(h.sources()) + size_of(h.attributions()) > raw_size)
+      h.sky()->to_sun()->size() != 3 ||
+      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) > raw_size)
     return damaged;
   scene::Header header;
   header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
@@ -167,6 +197,7 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   if (std::isinf(h.snow_line_m())) return damaged;
   if (!std::isnan(h.snow_line_m())) header.snow_line_m = h.snow_line_m();
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
+  header.rules = rules_of(h.rules());
   return header;
 }
 

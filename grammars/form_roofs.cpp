@@ -82,6 +82,8 @@ PatchKey key_of(const roofs::Roof& roof, std::size_t i) {
   return {part, cell(normal.x), cell(normal.y), cell(normal.z), cell(dot(normal, a))};
 }
 
+}  // namespace
+
 std::vector<Face> faces_of(const roofs::Roof& roof) {
   std::map<PatchKey, Patch> patches;
   const auto& p = roof.positions;
@@ -96,8 +98,6 @@ std::vector<Face> faces_of(const roofs::Roof& roof) {
   add_faces(base, FaceTag::kBottom, faces);
   return faces;
 }
-
-}  // namespace
 
 RoofBuilder form_roofs(double tolerance_m) {
   return [tolerance_m](const RoofRequest& request) -> std::optional<std::vector<Face>> {

@@ -1,7 +1,10 @@
 // The roofs of roofs/ as the grammar's roof builder.
 #pragma once
 
+#include <vector>
+
 #include "grammars/roof_builder.h"
+#include "grammars/roofs/roof.h"
 
 namespace citykiln::grammars {
 
@@ -12,5 +15,9 @@ namespace citykiln::grammars {
 /// Faces of one plane are one face. Rims and undersides of overhangs are tagged kBorder. std::nullopt where the roof
 /// fell back to flat.
 RoofBuilder form_roofs(double tolerance_m);
+
+/// A roof as faces, eaves at height 0: those of one plane are one. Tagged kTop (roof planes), kSide (gables), kBorder
+/// (rims and undersides of overhangs), kBottom (the floor, looking down). O(n log n).
+std::vector<Face> faces_of(const roofs::Roof& roof);
 
 }  // namespace citykiln::grammars

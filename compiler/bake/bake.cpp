@@ -9,6 +9,7 @@
 #include "compiler/bake/merge.h"
 #include "compiler/bake/skirt.h"
 #include "compiler/buildings/expand.h"
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
 #include "compiler/scene/ground_carving.h"
@@ -54,6 +55,20 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
     firing.take(std::move(expanded.meshes));
   }
   report.account("bake", kind) = account;
+}
+
+// Rules are read once a tile; houses are worked on side by side and taken in order.
+void fire_buildings(Firing& firing, int threads, Report& report) {
+  const std::vector<buildings::Building>& all = firing.chunk.buildings;
+  const buildings::Rulebook rulebook = buildings::rulebook_of(buildings::styles_of(all), firing.header.rules);
+  std::vector<Report> diagnosed(all.size());
+  std::vector<buildings::Expanded> expanded =
+      for_each_slot<buildings::Expanded>(all.size(), threads, [&](std::size_t i) {
+        return buildings::expand(all[i], rulebook, firing.header.seed, firing.tolerance_m, diagnosed[i]);
+      });
+  for (const Report& of_one : diagnosed) report.append(of_one);
+  std::size_t next = 0;
+  fire_each(firing, all, "building", report, [&](const auto&) { return std::move(expanded[next++]); });
 }
 
 // Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
@@ -238,8 +253,7 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
 
   const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
   fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
-  fire_each(firing, chunk.buildings, "building", report,
-            [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
+  fire_buildings(firing, threads, report);
   fire_each(firing, chunk.barriers, "barrier", report,
             [&](const auto& b) { return props::expand(b, carving, tolerance_m); });
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));

@@ -52,6 +52,8 @@ void add_triangulated(const Face& face, Mesh& mesh) {
   for (const Triangle& t : plane.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
+}  // namespace
+
 void add_face(const Face& face, Mesh& mesh) {
   const Vec3 normal = normal_of(face);
   if (area_m2(face) < kLeast_m2) return;
@@ -59,8 +61,6 @@ void add_face(const Face& face, Mesh& mesh) {
   if (is_simple) return add_fan(face.outer, mesh);
   add_triangulated(face, mesh);
 }
-
-}  // namespace
 
 SurfaceDress dress_of(const grammars::Look& look) {
   const Material material = materials::material_named(look.name).value_or(Material::kPlaster);

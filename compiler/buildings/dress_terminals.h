@@ -20,6 +20,9 @@ struct SurfaceDress {
 /// the material its own. Glass is tinted as far as it can be. O(rows).
 SurfaceDress dress_of(const grammars::Look& look);
 
+/// Adds a face's triangles, with its own points. Faces without area add nothing.
+void add_face(const grammars::Face& face, Mesh& mesh);
+
 /// The terminals' faces as meshes, one a material and tint, in that order.
 ///
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'

@@ -4,45 +4,92 @@
 #include <utility>
 
 #include "compiler/buildings/dress.h"
-#include "compiler/geometry/triangulate.h"
+#include "compiler/buildings/dress_terminals.h"
+#include "compiler/buildings/mass.h"
+#include "compiler/buildings/rule_values.h"
+#include "compiler/buildings/style.h"
+#include "grammars/form_roofs.h"
 
 namespace citykiln::buildings {
 namespace {
 
-// One quad an edge. Rings run with the building on their left, so the wall looks to their right.
-void add_walls(Mesh& mesh, const Ring& ring, double bottom_m, double top_m) {
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size()), n = static_cast<std::uint32_t>(ring.size());
-  for (const Vec2 p : ring) mesh.positions.insert(mesh.positions.end(), {at_height(p, bottom_m), at_height(p, top_m)});
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % n);
-    mesh.triangles.push_back({a, b, b + 1});
-    mesh.triangles.push_back({a, b + 1, a + 1});
+using materials::DressedMesh;
+
+DressedMesh wall_mesh(const Building& building, std::uint64_t seed) {
+  return {{}, building.wall, wall_tint(building, seed), building.id.osm};
+}
+
+// Roof planes and eaves, and gables, which are wall.
+void add_roof(const Building& building, const roofs::Roof& roof, Mesh& wall, Mesh& top) {
+  for (Mesh* mesh : {&wall, &top}) {
+    const auto first = static_cast<std::uint32_t>(mesh->positions.size());
+    for (const Vec3 p : roof.positions) mesh->positions.push_back({p.x, p.y, p.z + eaves_m(building)});
+    for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
+      const auto [a, b, c] = roof.triangles[i];
+      const bool is_wall = roof.parts[i] == roofs::Part::kGable;
+      if (is_wall == (mesh == &wall)) mesh->triangles.push_back({first + a, first + b, first + c});
+    }
   }
 }
 
-Mesh lid_of(const PlaneTriangles& plane, double z, bool looks_up) {
-  Mesh mesh{{}, {}, plane.triangles};
-  for (const Vec2 p : plane.points) mesh.positions.push_back(at_height(p, z));
-  if (!looks_up)
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
+void expand_plain(const Building& building, const Mass& mass, std::uint64_t seed, Expanded& expanded) {
+  DressedMesh wall = wall_mesh(building, seed);
+  DressedMesh top{{}, building.roof, roof_tint(building, seed), building.id.osm};
+  for (const grammars::Face& face : mass.walls) add_face(face, wall.mesh);
+  add_roof(building, mass.roof, wall.mesh, top.mesh);
+  for (DressedMesh* mesh : {&wall, &top})
+    if (!mesh->mesh.triangles.empty()) expanded.meshes.push_back(std::move(*mesh));
 }
+
+void add_foundation(const Building& building, const Mass& mass, std::uint64_t seed, Expanded& expanded) {
+  DressedMesh mesh = wall_mesh(building, seed);
+  for (const grammars::Face& face : mass.foundation) add_face(face, mesh.mesh);
+  if (!mesh.mesh.triangles.empty()) expanded.meshes.push_back(std::move(mesh));
+}
+
+std::uint64_t times_of(const grammars::Derivation& derivation) {
+  std::uint64_t times = 0;
+  for (const grammars::Trouble& trouble : derivation.troubles) times += trouble.times;
+  for (const grammars::LimitHit& limit : derivation.limits) times += limit.times;
+  return times;
+}
+
+// False where the tolerance sees nothing of the rules.
+bool expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
+                     double tolerance_m, Expanded& expanded, Report& report) {
+  grammars::DeriveOptions options;
+  options.attributes = rule_values_of(building, mass.roof.form);
+  options.seed = seed;
+  options.tolerance_m = tolerance_m;
+  options.roofs = grammars::form_roofs(tolerance_m);
+  const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
+  const std::uint64_t times = times_of(derivation);
+  if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
+  const bool is_bare = derivation.terminals.size() == 1 && derivation.terminals.front().cut;
+  expanded.error_m += derivation.error_m;
+  if (is_bare) return false;
+  for (DressedMesh& mesh : meshes_of(derivation, building.id.osm)) expanded.meshes.push_back(std::move(mesh));
+  return true;
+}
+
+// What the tolerance has left for rules; the roof's error is what it has used.
+bool sees_rules(const Building& building, double tolerance_m) { return tolerance_m < depth_m_of(building.style); }
 
 }  // namespace
 
-Expanded expand(const Building& building, std::uint64_t seed, double tolerance_m) {
+Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
+                Report& report) {
   const double height_m = building.top_m - building.bottom_m;
   if (height_m < tolerance_m) return {{}, height_m};
-  const materials::Tint wall = wall_tint(building, seed), roof = roof_tint(building, seed);
-  Mesh walls;
-  add_walls(walls, building.footprint.outer, building.bottom_m, building.top_m);
-  for (const Ring& hole : building.footprint.holes) add_walls(walls, hole, building.bottom_m, building.top_m);
-  const PlaneTriangles plane = triangulate(building.footprint);
-  Expanded expanded;
-  expanded.meshes.push_back({std::move(walls), building.wall, wall, building.id.osm});
-  expanded.meshes.push_back({lid_of(plane, building.top_m, true), building.roof, roof, building.id.osm});
-  if (!building.stands_on_ground)
-    expanded.meshes.push_back({lid_of(plane, building.bottom_m, false), building.wall, wall, building.id.osm});
+  const Mass mass = mass_of(building, tolerance_m / 2, report);
+  Expanded expanded{{}, mass.roof.error_m};
+  const auto program = rulebook.find(building.style);
+  const bool has_rules = program != rulebook.end();
+  add_foundation(building, mass, seed, expanded);
+  if (has_rules && !sees_rules(building, tolerance_m)) expanded.error_m += depth_m_of(building.style);
+  if (!has_rules || !sees_rules(building, tolerance_m) ||
+      !expand_by_rules(building, mass, program->second, seed, tolerance_m - mass.roof.error_m, expanded, report))
+    expand_plain(building, mass, seed, expanded);
   return expanded;
 }
 

@@ -1,21 +1,27 @@
-// From a footprint and two heights to walls and a roof.
+// From a footprint, heights, a roof and a style to a house.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
+#include "compiler/buildings/rulebook.h"
+#include "compiler/contract/report.h"
 #include "compiler/materials/dressed_mesh.h"
 
 namespace citykiln::buildings {
 
 struct Expanded {
-  std::vector<materials::DressedMesh> meshes;  ///< Walls, then roof; an underside where the building hangs in the air.
-  double error_m = 0;
+  std::vector<materials::DressedMesh> meshes;
+  double error_m = 0;  ///< Between this and the building at tolerance 0: Hausdorff, both ways, of what can be seen.
 };
 
-/// A prism. Walls are flat, outward; the roof is triangulated with its holes. A building lower than the tolerance is
-/// dropped, with its height as error. Tints are drawn from (seed, id). O(n log n).
-Expanded expand(const Building& building, std::uint64_t seed, double tolerance_m);
+/// The mass (mass.h), worked on by the style's rules as far as the tolerance sees; where it sees nothing of them, or
+/// there are none, the bare mass. A building lower than the tolerance is dropped, with its height as error.
+///
+/// Tints, and all chance of the rules, are drawn from (seed, id). Roofs that fell back to flat, and rules that asked
+/// for what cannot be, are diagnosed. Cost: the derivation's.
+Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
+                Report& report);
 
 }  // namespace citykiln::buildings

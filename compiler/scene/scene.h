@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/buildings/recipe.h"
+#include "compiler/buildings/rulebook.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/map/plane.h"
@@ -39,6 +40,7 @@ struct Header {
   std::vector<std::string> sources;       ///< File names of map and heightmaps, without folders.
   std::vector<std::string> attributions;  ///< "© OpenStreetMap contributors", then the heightmaps' credits.
   std::optional<double> snow_line_m{};    ///< Land above it, in the heights' datum, is under snow.
+  std::vector<buildings::RuleText> rules{};  ///< Those that the buildings' styles need, sorted by name.
   bool operator==(const Header&) const = default;
 };
 

@@ -1,0 +1,56 @@
+#include "compiler/buildings/rulebook.h"
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/buildings/style.h"
+#include "grammars/link.h"
+
+namespace citykiln::buildings {
+namespace {
+
+Result<grammars::Program> program_of(Style style, std::span<const RuleText> texts) {
+  const auto load = [&](const std::string& file) -> Result<std::string> {
+    const auto found =
+        std::find_if(texts.begin(), texts.end(), [&](const RuleText& rule) { return rule.name == file; });
+    if (found == texts.end()) return Error{file, "there is no such rule file"};
+    return found->text;
+  };
+  return grammars::read_rules(std::string(rules_of(style)) + ".cga", load);
+}
+
+bool has_rules(Style style) { return !rules_of(style).empty(); }
+
+}  // namespace
+
+Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span<const RuleText> available) {
+  std::set<std::string> names;
+  for (const Style style : styles) {
+    if (!has_rules(style)) continue;
+    const Result<grammars::Program> program = program_of(style, available);
+    if (!program) return program.error();
+    names.insert(program->files.begin(), program->files.end());
+  }
+  std::vector<RuleText> texts;
+  for (const RuleText& rule : available)
+    if (names.contains(rule.name)) texts.push_back(rule);
+  std::sort(texts.begin(), texts.end(), [](const RuleText& a, const RuleText& b) { return a.name < b.name; });
+  return texts;
+}
+
+Rulebook rulebook_of(std::span<const Style> styles, std::span<const RuleText> texts) {
+  Rulebook rulebook;
+  for (const Style style : styles) {
+    if (!has_rules(style)) continue;
+    if (Result<grammars::Program> program = program_of(style, texts)) rulebook.emplace(style, std::move(*program));
+  }
+  return rulebook;
+}
+
+std::vector<Style> styles_of(std::span<const Building> buildings) {
+  std::set<Style> styles;
+  for (const Building& building : buildings) styles.insert(building.style);
+  return {styles.begin(), styles.end()};
+}
+
+}  // namespace citykiln::buildings
