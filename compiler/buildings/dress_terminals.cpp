@@ -15,6 +15,9 @@ using materials::Material;
 // Less is a crack, square metres.
 constexpr double kLeast_m2 = 1e-9;
 
+// A colour that is lighter than the material by up to a third is not painted over it.
+constexpr double kCutOff = 0.75;
+
 std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0, 1.0) * 255 + 0.5); }
 
 bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green < 1 || look.blue < 1; }
@@ -66,7 +69,9 @@ SurfaceDress dress_of(const grammars::Look& look) {
   const Material material = materials::material_named(look.name).value_or(Material::kPlaster);
   if (!has_colour(look)) return {material, materials::kNoTint};
   const Linear paint = paint_of({byte_of(look.red), byte_of(look.green), byte_of(look.blue)});
-  const Material shown = showing(paint, {material, Material::kPaint});
+  // what is a little too light is cut off: better the material than the last shade
+  const Linear darker = {kCutOff * paint[0], kCutOff * paint[1], kCutOff * paint[2]};
+  const Material shown = showing(darker, {material, Material::kPaint});
   return {shown, painted(shown, paint)};
 }
 

@@ -42,6 +42,23 @@ bool selects(const std::string& word, const Scope& scope, const Face& face) {
   return false;
 }
 
+const char* name_of(FaceTag tag) {
+  if (tag == FaceTag::kVertical) return "vertical";
+  if (tag == FaceTag::kInside) return "inside";
+  return tag == FaceTag::kBorder ? "border" : "";
+}
+
+// who asks for what the face's maker called it has the face, else the first that it fits: so gables and the rims of
+// eaves are no walls, wherever `side` stands
+int selector_of(const std::vector<Key>& keys, const Scope& scope, const Face& face, std::size_t index) {
+  const std::string own = name_of(face.tag);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (!own.empty() && !keys[k].index && keys[k].word == own) return static_cast<int>(k);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (keys[k].index ? *keys[k].index == index : selects(keys[k].word, scope, face)) return static_cast<int>(k);
+  return -1;
+}
+
 constexpr const char* kWords =
     " all front back left right top bottom side vertical horizontal aslant inside border street street.front "
     "street.back ";
@@ -54,10 +71,7 @@ void op_comp(Execution& execution, const Statement& statement, Arguments) {
   const Scope scope = execution.shape.scope;
   for (std::size_t i = 0; i < execution.shape.faces.size(); ++i) {
     const Face& face = execution.shape.faces[i];
-    parts.push_back({face, -1});
-    for (std::size_t k = 0; k < keys.size() && parts.back().selector < 0; ++k)
-      if (keys[k].index ? *keys[k].index == i : selects(keys[k].word, scope, face))
-        parts.back().selector = static_cast<int>(k);
+    parts.push_back({face, selector_of(keys, scope, face, i)});
   }
   spawn_parts(execution, statement, std::move(parts), {});
 }

@@ -1,5 +1,5 @@
-// A house of the rules we ship, from its footprint to its terminals: L0 is to give 3 million triangles a second and
-// core.
+// A house of a rule file of some size, from its footprint to its terminals: L0 is to give 3 million triangles a second
+// and core.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 namespace citykiln::grammars {
 namespace {
 
-Result<std::string> shipped(const std::string& file) {
-  std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "../../grammars/rules" / file);
+Result<std::string> beside(const std::string& file) {
+  std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "../grammars" / file);
   if (!in) return Error{file, "cannot be read"};
   std::ostringstream text;
   text << in.rdbuf();
@@ -21,7 +21,7 @@ Result<std::string> shipped(const std::string& file) {
 }
 
 void derive_house(benchmark::State& state) {
-  const auto program = read_rules("old_town_house.cga", shipped);
+  const auto program = read_rules("town_house.cga", beside);
   const Polygon footprint{{{0, 0}, {11, 0}, {11, 9}, {0, 9}}, {}};
   DeriveOptions options;
   options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
@@ -39,7 +39,7 @@ void derive_house(benchmark::State& state) {
 }
 
 void read_house(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(read_rules("old_town_house.cga", shipped));
+  for (auto _ : state) benchmark::DoNotOptimize(read_rules("town_house.cga", beside));
 }
 
 // tolerances in millimetres

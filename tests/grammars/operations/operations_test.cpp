@@ -228,6 +228,32 @@ TEST(Setback, FramesARoundAWindow) {
   EXPECT_NEAR(area_m2_of(derivation, "Glass"), 9.8 * 2.8, 1e-9);
 }
 
+// upright, looking south; or level, looking up or down
+Face tagged(FaceTag tag, Vec3 normal) {
+  Face face;
+  face.outer = normal.z == 0 ? Ring3{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}
+                             : Ring3{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  if (normal.z < 0) face = reversed(face);
+  face.tag = tag;
+  return face;
+}
+
+TEST(Comp, GoesByTheTagsOfAMass) {
+  const Vec3 south{0, -1, 0}, up{0, 0, 1}, down{0, 0, -1};
+  Shape mass = lot_of(1, 1);
+  mass.faces = {tagged(FaceTag::kSide, south),   tagged(FaceTag::kSide, south),  tagged(FaceTag::kVertical, south),
+                tagged(FaceTag::kBorder, south), tagged(FaceTag::kBorder, down), tagged(FaceTag::kInside, south),
+                tagged(FaceTag::kBottom, down),  tagged(FaceTag::kTop, up)};
+  mass.faces[0].street = mass.faces[2].street = mass.faces[3].street = true;
+  const Program program = program_of(
+      "Lot --> comp(f) { bottom : Floor. | inside : Blank. | street : Street. | side : Wall. | vertical : Gable. "
+      "| border : Eaves. | top : Roof. }");
+  const Derivation derivation = derive(program, mass, {});
+  for (const char* once : {"Floor", "Blank", "Street", "Wall", "Gable", "Roof"})
+    EXPECT_EQ(count_named(derivation, once), 1u) << once;
+  EXPECT_EQ(count_named(derivation, "Eaves"), 2u);
+}
+
 TEST(Offset, ShrinksAndGrows) {
   EXPECT_NEAR(area_of(derived("Lot --> offset(-1, inside)")), 8 * 6, 1e-9);
   EXPECT_NEAR(area_of(derived("Lot --> offset(-1, border)")), 80 - 48, 1e-9);

@@ -1,4 +1,4 @@
-// The rules we ship, from the file to the house.
+// A rule file of some size, from the file to the house: town_house.cga extrudes its lot.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,16 +10,16 @@
 namespace citykiln::grammars {
 namespace {
 
-Result<std::string> shipped(const std::string& file) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/rules/" + file);
+Result<std::string> beside(const std::string& file) {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/tests/grammars/" + file);
   if (!in) return Error{file, "cannot be read"};
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
 }
 
-struct OldTownHouse : testing::Test {
-  Result<Program> program = read_rules("old_town_house.cga", shipped);
+struct TownHouse : testing::Test {
+  Result<Program> program = read_rules("town_house.cga", beside);
 
   Derivation house(double width_m, double depth_m, DeriveOptions options = {}, std::uint64_t id = 1) {
     EXPECT_TRUE(program) << to_string(program.error());
@@ -42,7 +42,7 @@ double volume_of(const Derivation& derivation) {
   return sum;
 }
 
-TEST_F(OldTownHouse, HasItsWindowsDoorAndShop) {
+TEST_F(TownHouse, HasItsWindowsDoorAndShop) {
   const Derivation derivation = house(11, 9);
   // three floors of five tiles; two panes in each window
   EXPECT_EQ(derivation.reports.size(), 1u);
@@ -55,7 +55,7 @@ TEST_F(OldTownHouse, HasItsWindowsDoorAndShop) {
   EXPECT_TRUE(derivation.limits.empty());
 }
 
-TEST_F(OldTownHouse, IsClosedAtEveryTolerance) {
+TEST_F(TownHouse, IsClosedAtEveryTolerance) {
   for (const double tolerance_m : {0.0, 0.02, 0.1, 0.5, 2.5}) {
     DeriveOptions options;
     options.tolerance_m = tolerance_m;
@@ -67,7 +67,7 @@ TEST_F(OldTownHouse, IsClosedAtEveryTolerance) {
   }
 }
 
-TEST_F(OldTownHouse, LosesFacesWithTheTolerance) {
+TEST_F(TownHouse, LosesFacesWithTheTolerance) {
   std::size_t before = ~std::size_t{0};
   for (const double tolerance_m : {0.0, 0.1, 0.5, 2.5}) {
     DeriveOptions options;
@@ -80,7 +80,7 @@ TEST_F(OldTownHouse, LosesFacesWithTheTolerance) {
   EXPECT_LT(before, 20u);
 }
 
-TEST_F(OldTownHouse, WindowsAreNeverCutAtAWallsEnd) {
+TEST_F(TownHouse, WindowsAreNeverCutAtAWallsEnd) {
   std::size_t reveals = 0;
   for (double width_m = 3; width_m < 30; width_m += 0.37) {
     const Derivation derivation = house(width_m, 9);
@@ -95,7 +95,7 @@ TEST_F(OldTownHouse, WindowsAreNeverCutAtAWallsEnd) {
   EXPECT_GT(reveals, 1000u);
 }
 
-TEST_F(OldTownHouse, NeighboursDiffer) {
+TEST_F(TownHouse, NeighboursDiffer) {
   std::set<double> reds;
   for (std::uint64_t id = 1; id <= 20; ++id) {
     const Derivation derivation = house(11, 9, {}, id);
@@ -104,7 +104,7 @@ TEST_F(OldTownHouse, NeighboursDiffer) {
   EXPECT_GT(reds.size(), 2u);
 }
 
-TEST_F(OldTownHouse, StandsOnAnyFootprint) {
+TEST_F(TownHouse, StandsOnAnyFootprint) {
   const std::vector<Polygon> footprints = {
       {{{0, 0}, {14, 0}, {14, 6}, {6, 6}, {6, 12}, {0, 12}}, {}},
       {{{0, 0}, {20, 0}, {20, 16}, {0, 16}}, {{{6, 5}, {6, 11}, {14, 11}, {14, 5}}}},
@@ -119,7 +119,7 @@ TEST_F(OldTownHouse, StandsOnAnyFootprint) {
   }
 }
 
-TEST_F(OldTownHouse, PartyWallsCarryNoWindows) {
+TEST_F(TownHouse, PartyWallsCarryNoWindows) {
   DeriveOptions options;
   options.occlusion = occlusion_by({{{{{-1, -9}, {12, -9}, {12, 0}, {-1, 0}}, {}}, 0, 15}});
   const Derivation derivation = house(11, 9, options);

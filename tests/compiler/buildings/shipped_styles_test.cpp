@@ -1,0 +1,217 @@
+// What every style in grammars/rules keeps, on whatever mass it is given.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "compiler/buildings/dress_terminals.h"
+#include "grammars/form_roofs.h"
+#include "grammars/link.h"
+#include "tests/grammars/made_mass.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using namespace grammars;
+
+Result<std::string> shipped(const std::string& file) {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/rules/" + file);
+  if (!in) return Error{file, "cannot be read"};
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// A style, a mass that it is commonly given, and what it may make of it.
+struct Style {
+  const char* name;
+  double width_m, depth_m, height_m, levels;
+  const char* roof;
+  std::size_t most_triangles;
+  double most_out_m, most_up_m;  ///< Out of the walls, over the highest point of the mass.
+};
+
+constexpr Style kStyles[] = {
+    {"old_town_house", 9, 10, 13, 4, "gabled", 5500, 0.45, 1.6},
+    {"courtyard_block", 24, 20, 19, 5, "flat", 16000, 0.95, 2.6},
+    {"row_house", 6, 9, 6, 2, "gabled", 1600, 0.75, 1.6},
+    {"villa", 11, 9, 5.6, 2, "hipped", 2200, 1.15, 1.6},
+    {"panel_block", 45, 12, 16.8, 6, "flat", 12000, 1.45, 2.6},
+    {"office_slab", 32, 14, 22, 6, "flat", 12000, 0.25, 2.6},
+    {"glass_tower", 26, 26, 110, 30, "flat", 15000, 0.3, 2.6},
+    {"shop", 22, 16, 4.5, 1, "flat", 1300, 1.65, 2.6},
+    {"warehouse", 36, 24, 8, 1, "gabled", 5000, 0.45, 1.6},
+    {"church", 12, 26, 10, 1, "gabled", 2600, 0.85, 1.6},
+    {"barn", 18, 10, 4.5, 1, "gabled", 1100, 0.45, 1.6},
+    {"garage", 12, 6, 2.6, 1, "flat", 450, 0.1, 0.2},
+    {"castle", 14, 14, 16, 4, "flat", 3000, 0.35, 1.3},
+};
+
+void PrintTo(const Style& style, std::ostream* out) { *out << style.name; }
+
+struct ShippedStyles : testing::TestWithParam<Style> {
+  Result<Program> program = read_rules(std::string(GetParam().name) + ".cga", shipped);
+
+  void SetUp() override { ASSERT_TRUE(program) << to_string(program.error()); }
+
+  Derivation derive_on(const MadeMass& made, double levels, std::map<std::string, Value> attributes = {},
+                       double tolerance_m = 0) const {
+    roofs::Form became{};
+    const Shape mass = mass_of(made, &became);
+    DeriveOptions options;
+    options.attributes = std::move(attributes);
+    options.attributes["height"] = made.height_m, options.attributes["levels"] = levels;
+    options.attributes["roof"] = std::string(name_of(became));
+    options.tolerance_m = tolerance_m, options.keep_looks = true;
+    options.roofs = form_roofs(0.02);
+    return derive(*program, mass, options);
+  }
+};
+
+MadeMass made_of(const Style& style) {
+  MadeMass made;
+  made.footprint = {{{0, 0}, {style.width_m, 0}, {style.width_m, style.depth_m}, {0, style.depth_m}}, {}};
+  made.height_m = style.height_m;
+  made.roof.form = *roofs::form_named(style.roof);
+  made.roof.overhang_m = made.roof.form == roofs::Form::kFlat ? 0 : 0.4;
+  return made;
+}
+
+std::size_t triangles_of(const Derivation& derivation) {
+  std::size_t sum = 0;
+  for (const auto& dressed : meshes_of(derivation, {})) sum += dressed.mesh.triangles.size();
+  return sum;
+}
+
+Polygon rectangle(double w, double d) { return {{{0, 0}, {w, 0}, {w, d}, {0, d}}, {}}; }
+
+const Polygon kPlans[] = {
+    rectangle(12, 10),
+    {{{0, 0}, {14, 0}, {14, 6}, {6, 6}, {6, 12}, {0, 12}}, {}},
+    {{{0, 0}, {30, 0}, {30, 26}, {0, 26}}, {{{9, 9}, {9, 17}, {21, 17}, {21, 9}}}},
+    rectangle(0.5, 9),
+    rectangle(0.5, 0.5),
+    {{{0, 0}, {9, 1}, {4, 7}}, {}},
+    rectangle(60, 40),
+};
+
+TEST_P(ShippedStyles, HaveNoTroubleOnAnyMass) {
+  for (const Polygon& plan : kPlans)
+    for (const double height_m : {0.5, 2.5, 7.0, 40.0})
+      for (const char* roof : {"flat", "gabled", "hipped", "mansard", "dome"})
+        for (const bool shop : {false, true}) {
+          MadeMass made{plan, {0, 1}, {2}, {}, height_m, StableId{static_cast<std::uint64_t>(height_m * 8)}};
+          made.roof.form = *roofs::form_named(roof);
+          const Derivation derivation = derive_on(made, std::max(1.0, height_m / 3), {{"shop", shop}});
+          EXPECT_FALSE(derivation.terminals.empty());
+          EXPECT_TRUE(derivation.limits.empty()) << roof << " " << height_m;
+          for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble);
+        }
+}
+
+TEST_P(ShippedStyles, AreNotMuchMoreThanTheyShow) {
+  for (std::uint64_t id = 1; id <= 12; ++id) {
+    MadeMass made = made_of(GetParam());
+    made.id = StableId{id};
+    for (const bool shop : {false, true})
+      EXPECT_LE(triangles_of(derive_on(made, GetParam().levels, {{"shop", shop}})), GetParam().most_triangles);
+  }
+}
+
+TEST_P(ShippedStyles, StandOutAsFarAsTheyMay) {
+  for (std::uint64_t id = 1; id <= 12; ++id) {
+    MadeMass made = made_of(GetParam());
+    made.id = StableId{id};
+    double top_m = 0;
+    for (const Face& face : mass_of(made).faces) each_vertex(face, [&](Vec3 p) { top_m = std::max(top_m, p.z); });
+    double out_m = 0, up_m = 0;
+    for (const Terminal& terminal : derive_on(made, GetParam().levels, {{"shop", true}}).terminals)
+      for (const Face& face : terminal.faces)
+        each_vertex(face, [&](Vec3 p) {
+          out_m = std::max({out_m, -p.x, -p.y, p.x - GetParam().width_m, p.y - GetParam().depth_m});
+          up_m = std::max(up_m, p.z - top_m);
+        });
+    EXPECT_LE(out_m, GetParam().most_out_m + 1e-9);
+    EXPECT_LE(up_m, GetParam().most_up_m + 1e-9);
+  }
+}
+
+TEST_P(ShippedStyles, LoseTrianglesWithTheToleranceAndSayHowFar) {
+  const MadeMass made = made_of(GetParam());
+  std::size_t before = ~std::size_t{0};
+  for (const double tolerance_m : {0.0, 0.02, 0.1, 0.5, 2.5, 12.5}) {
+    const Derivation derivation = derive_on(made, GetParam().levels, {}, tolerance_m);
+    EXPECT_LE(derivation.error_m, tolerance_m);
+    const std::size_t triangles = triangles_of(derivation);
+    EXPECT_LE(triangles, before) << tolerance_m;
+    before = triangles;
+  }
+}
+
+// Widths of the level faces of reveals of what keeps its size, in millimetres.
+std::set<std::int64_t> window_widths_mm(const Derivation& derivation) {
+  std::set<std::int64_t> widths_mm;
+  for (const Terminal& terminal : derivation.terminals) {
+    if (terminal.name != "Reveal" || path_name(derivation, terminal.path).find("/Window/") == std::string::npos)
+      continue;
+    const auto size_m = scope_around(terminal.faces, axes_of(terminal.faces.front()), {}).size_m;
+    if (std::abs(normal_of(terminal.faces.front()).z) > 0.9)
+      widths_mm.insert(std::llround(std::max(size_m[0], size_m[1]) * 1000));
+  }
+  return widths_mm;
+}
+
+TEST_P(ShippedStyles, CutNoWindowAtAWallsEnd) {
+  Style style = GetParam();
+  style.roof = "flat";
+  std::set<std::int64_t> widths_mm;
+  for (style.width_m = 2; style.width_m < 32; style.width_m += 0.73) {
+    const auto of_this = window_widths_mm(derive_on(made_of(style), style.levels, {{"balcony_every", 0.0}}));
+    widths_mm.insert(of_this.begin(), of_this.end());
+  }
+  // as many widths as the style has windows, however long walls are
+  EXPECT_LE(widths_mm.size(), 5u);
+  EXPECT_TRUE(widths_mm.empty() || *widths_mm.begin() >= 800);
+}
+
+TEST_P(ShippedStyles, GiveNeighboursDifferentWalls) {
+  std::set<std::array<double, 3>> colours;
+  for (std::uint64_t id = 1; id <= 24; ++id) {
+    MadeMass made = made_of(GetParam());
+    made.id = StableId{id};
+    const Derivation derivation = derive_on(made, GetParam().levels);
+    std::map<std::uint32_t, double> area_m2_of;
+    for (const Terminal& terminal : derivation.terminals)
+      for (const Face& face : terminal.faces) area_m2_of[terminal.look] += area_m2(face);
+    std::array<double, 3> most{};
+    double most_m2 = 0;
+    for (const auto& [look, m2] : area_m2_of)
+      if (m2 > most_m2) {
+        most_m2 = m2;
+        const Look& l = derivation.looks[look];
+        most = {l.red, l.green, l.blue};
+      }
+    colours.insert(most);
+  }
+  EXPECT_GT(colours.size(), 2u);
+}
+
+TEST_P(ShippedStyles, WearTheTaggedColours) {
+  const Derivation derivation =
+      derive_on(made_of(GetParam()), GetParam().levels,
+                {{"wall_colour", std::string("#123456")}, {"roof_colour", std::string("#654321")}});
+  const auto has = [&](double red) {
+    return std::any_of(derivation.looks.begin(), derivation.looks.end(),
+                       [&](const Look& look) { return std::abs(look.red - red / 255) < 1e-9; });
+  };
+  EXPECT_TRUE(has(0x12));
+  EXPECT_TRUE(has(0x65));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedStyles, testing::ValuesIn(kStyles),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace citykiln::buildings
