@@ -8,7 +8,9 @@
 #include <limits>
 #include <optional>
 
+#include "compiler/buildings/style.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/map/building_classes.h"
 #include "compiler/map/locate.h"
 #include "exporters/chunk_codec.h"
 #include "exporters/file.h"
@@ -25,7 +27,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 1, kMinor = 1;
+constexpr std::uint16_t kMajor = 1, kMinor = 2;
 constexpr const char* kExpanderVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
@@ -47,6 +49,10 @@ std::uint64_t tables_hash() {
     names += values_of(static_cast<materials::Material>(m)).name, names += ' ';
   for (int s = 0; s < static_cast<int>(map::SurfaceClass::kCount); ++s)
     names += values_of(static_cast<map::SurfaceClass>(s)).name, names += ' ';
+  for (int b = 0; b < static_cast<int>(map::BuildingClass::kCount); ++b)
+    names += values_of(static_cast<map::BuildingClass>(b)).name, names += ' ';
+  for (int s = 0; s < static_cast<int>(buildings::Style::kCount); ++s)
+    names += buildings::rules_of(static_cast<buildings::Style>(s)), names += ' ';
   return checksum(std::as_bytes(std::span(names)));
 }
 

@@ -7,7 +7,6 @@
 #include "compiler/buildings/dress_terminals.h"
 #include "compiler/buildings/mass.h"
 #include "compiler/buildings/rule_values.h"
-#include "compiler/buildings/style.h"
 #include "grammars/form_roofs.h"
 
 namespace citykiln::buildings {
@@ -72,9 +71,6 @@ bool expand_by_rules(const Building& building, const Mass& mass, const grammars:
   return true;
 }
 
-// What the tolerance has left for rules; the roof's error is what it has used.
-bool sees_rules(const Building& building, double tolerance_m) { return tolerance_m < depth_m_of(building.style); }
-
 }  // namespace
 
 Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
@@ -83,12 +79,11 @@ Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_
   if (height_m < tolerance_m) return {{}, height_m};
   const Mass mass = mass_of(building, tolerance_m / 2, report);
   Expanded expanded{{}, mass.roof.error_m};
-  const auto program = rulebook.find(building.style);
-  const bool has_rules = program != rulebook.end();
   add_foundation(building, mass, seed, expanded);
-  if (has_rules && !sees_rules(building, tolerance_m)) expanded.error_m += depth_m_of(building.style);
-  if (!has_rules || !sees_rules(building, tolerance_m) ||
-      !expand_by_rules(building, mass, program->second, seed, tolerance_m - mass.roof.error_m, expanded, report))
+  // what the roof has left of the tolerance is for rules
+  const double left_m = tolerance_m - mass.roof.error_m;
+  const auto program = rulebook.find(building.style);
+  if (program == rulebook.end() || !expand_by_rules(building, mass, program->second, seed, left_m, expanded, report))
     expand_plain(building, mass, seed, expanded);
   return expanded;
 }

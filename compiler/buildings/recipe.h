@@ -16,7 +16,7 @@ namespace citykiln::buildings {
 /// Rows of styles.inc: the rules by which walls become facades. The order is part of the manifest's format: add at the
 /// end.
 enum class Style : std::uint8_t {
-#define STYLE(name, rules, depth_m) name,
+#define STYLE(name, rules) name,
 #include "compiler/buildings/styles.inc"
 #undef STYLE
   kCount

@@ -9,18 +9,12 @@ namespace {
 
 using map::BuildingClass;
 
-struct StyleRow {
-  std::string_view rules;
-  double depth_m;
-};
-constexpr StyleRow kStyles[] = {
-#define STYLE(name, rules, depth_m) {rules, depth_m},
+constexpr std::string_view kRules[] = {
+#define STYLE(name, rules) rules,
 #include "compiler/buildings/styles.inc"
 #undef STYLE
 };
-static_assert(std::size(kStyles) == static_cast<std::size_t>(Style::kCount));
-
-const StyleRow& row_of(Style style) { return kStyles[static_cast<std::size_t>(style)]; }
+static_assert(std::size(kRules) == static_cast<std::size_t>(Style::kCount));
 
 // No walls that could have a window.
 constexpr double kLeast_m2 = 12, kLeastWall_m = 2.2;
@@ -74,8 +68,7 @@ Style by_class(const map::Footprint& footprint, const Building& building) {
 
 }  // namespace
 
-std::string_view rules_of(Style style) { return row_of(style).rules; }
-double depth_m_of(Style style) { return row_of(style).depth_m; }
+std::string_view rules_of(Style style) { return kRules[static_cast<std::size_t>(style)]; }
 
 Style style_of(const map::Footprint& footprint, const Building& building) {
   const double wall_m = eaves_m(building) - building.floor_m;

@@ -12,7 +12,5 @@ Style style_of(const map::Footprint& footprint, const Building& building);
 
 /// "old_town_house": the rule file's name without its ending; "" of kPlain.
 std::string_view rules_of(Style style);
-/// How far the style's details stand out of the mass, or lie in it, at most.
-double depth_m_of(Style style);
 
 }  // namespace citykiln::buildings

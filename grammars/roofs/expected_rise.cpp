@@ -26,7 +26,8 @@ bool is_strip(Form form) {
 
 // Of the rectangle with this area and perimeter; of what is rounder than a square, the square's.
 double equivalent_width_m(const Polygon& footprint) {
-  const double area = std::abs(area_m2(footprint)), half = length_m(footprint.outer) / 2;
+  const Ring& ring = footprint.outer;
+  const double half = (length_m(ring) + distance(ring.back(), ring.front())) / 2, area = std::abs(area_m2(footprint));
   return (half - std::sqrt(std::max(0.0, half * half - 4 * area))) / 2;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/map/building_classes.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::exporters {
@@ -44,6 +45,7 @@ class SceneMaker {
     h.sky = {"2024-06-21T12:00:00Z", {0.6, 0, 0.8}, 2.6};
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
+    h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
     return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};
   }
@@ -162,19 +164,40 @@ class SceneMaker {
     if (below(2) == 0) return std::nullopt;
     return map::Srgb{static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 255};
   }
+  roofs::RoofShape roof_shape() {
+    roofs::RoofShape roof{pick(roofs::Form::kCount)};
+    if (roof.form == roofs::Form::kFlat) return roof;
+    roof.height_m = metres(10), roof.overhang_m = metres(1);
+    if (below(2) == 0) roof.direction = Vec2{metres(1), -metres(1)};
+    roof.is_ridge_across = below(2) == 0;
+    return roof;
+  }
+  std::vector<buildings::PartyWall> party_walls(std::size_t edges) {
+    std::vector<buildings::PartyWall> walls;
+    for (std::uint32_t edge = 0; edge < edges; ++edge)
+      if (below(4) == 0) walls.push_back({edge, 0, 1 + metres(9), metres(60), below(2) == 0, below(2) == 0});
+    return walls;
+  }
   buildings::Building building() {
-    const double bottom = metres(100);
-    std::vector<Ring> holes;
-    for (auto i = below(3); i > 0; --i) holes.push_back(ring());
-    return {id(),
-            {ring(), holes},
-            bottom,
-            bottom + metres(40),
-            below(2) == 0,
-            pick(materials::Material::kCount),
-            pick(materials::Material::kCount),
-            colour(),
-            colour()};
+    buildings::Building b;
+    b.id = id();
+    b.footprint.outer = ring();
+    for (auto i = below(3); i > 0; --i) b.footprint.holes.push_back(ring());
+    b.bottom_m = metres(100), b.floor_m = b.bottom_m + metres(3);
+    b.roof_shape = roof_shape();
+    b.top_m = b.floor_m + 1 + metres(40) + b.roof_shape.height_m;
+    b.stands_on_ground = below(2) == 0;
+    b.wall = pick(materials::Material::kCount), b.roof = pick(materials::Material::kCount);
+    b.wall_colour = colour(), b.roof_colour = colour();
+    b.style = pick(buildings::Style::kCount);
+    b.building_class = static_cast<std::uint8_t>(pick(map::BuildingClass::kCount));
+    b.levels = static_cast<std::uint8_t>(1 + below(255));
+    b.year = static_cast<std::uint16_t>(below(2030));
+    b.has_shop = below(2) == 0;
+    for (std::size_t i = 0; i < b.footprint.outer.size(); ++i)
+      b.fronts.push_back({below(2) == 0, static_cast<std::uint8_t>(below(256))});
+    b.party_walls = party_walls(b.footprint.outer.size());
+    return b;
   }
   map::Heightfield field() {
     map::Heightfield h{{-64, -64}, 64, 3, 4, {}, below(9) * kQuantum_m};

@@ -238,10 +238,26 @@ class Chunk:
     def colour(self):
         return [self.plain("colour values") for _ in range(3)] if self.plain("colours") else None
 
+    def roof_shape(self):
+        form = self.plain("roof form")
+        if form == 0:
+            return form, 0
+        rise, traits, eaves = self.metres("roof rise"), self.plain("roof traits"), self.metres("roof eaves")
+        direction = (self.metres("roof direction"), self.metres("roof direction")) if traits & 1 else None
+        return form, rise, traits & 2, eaves, direction
+
+    def party_wall(self):
+        edge = self.plain("party edge")
+        places = [self.metres("party place") for _ in range(2)]
+        return edge, places, self.metres("party top"), self.plain("party traits")
+
     def building(self):
-        return (self.id(), self.points("footprint points"), self.all("footprint holes", lambda: self.points("hole points")),
-                self.metres("building bottom"), self.metres("building top"), self.plain("building stands"),
-                self.plain("wall"), self.plain("roof"), self.colour(), self.colour())
+        seen = (self.id(), self.points("footprint points"), self.all("footprint holes", lambda: self.points("hole points")),
+                self.metres("building bottom"), self.metres("building floor"), self.metres("building top"),
+                self.plain("building stands"), self.plain("wall"), self.plain("roof"), self.colour(), self.colour(),
+                self.roof_shape())
+        style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop")]
+        return (*seen, style, self.all("fronts", lambda: self.plain("front")), self.all("party walls", self.party_wall))
 
     def barrier(self):
         return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
@@ -311,7 +327,7 @@ class Page(ProgramTest):
 
     def test_says_where_things_are(self):
         chunks, _ = self.read(GOLDEN / "crossing")
-        colours = [building[8] for chunk in chunks.values() for building in chunk.buildings]
+        colours = [building[9] for chunk in chunks.values() for building in chunk.buildings]
         self.assertIn([200, 176, 144], colours)
         for (x, y), chunk in chunks.items():
             for _, footprint, *_ in chunk.buildings:

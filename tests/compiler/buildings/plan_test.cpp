@@ -26,6 +26,7 @@ map::Footprint block(std::int64_t id, double x, double y, double size, double he
   f.id = {{OsmType::kWay, id}, 0};
   f.polygon.outer = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
   f.height_m = height_m;
+  f.has_roof_in_height = true;
   return f;
 }
 

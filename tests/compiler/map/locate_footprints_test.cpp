@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compiler/map/building_classes.h"
 #include "tests/compiler/map/map_text.h"
 
@@ -24,11 +26,12 @@ TEST(LocateFootprints, HeightComesFromTagsElseLevelsElseClass) {
       {"building=yes height=423.4", 423.4, 0},
       {"building:part=yes height=0.36", 0.36, 0},  // a step of the Siegessäule, w131446869
       {"building=apartments building:levels=5", 15, 0},
-      {"building=apartments building:levels=5 roof:levels=1", 18, 0},
-      {"building=apartments building:levels=5 roof:height=2", 17, 0},
+      {"building=apartments building:levels=5 roof:levels=1", 15, 0},
+      {"building=apartments building:levels=5 roof:height=2", 15, 0},
       {"building=yes building:levels=4 height=20", 20, 0},
       {"building:part=yes height=30 min_height=10", 30, 10},
       {"building:part=apartments height=30 building:min_level=2", 30, 6},
+      {"building=yes roof:levels=2", 1, 0},
       {"building=garage", 2.75, 0},
       {"building=church", 16, 0},
       {"building=yes", 7.5, 0},  // 108 m²
@@ -53,7 +56,8 @@ TEST(LocateFootprints, EveryOneIsHigherThanItsFoot) {
 
 TEST(LocateFootprints, BadValuesAreDiagnosed) {
   for (const char* bad : {"height=tall", "building:levels=7-7", "building:colour=lightbrown", "roof:colour=#12",
-                          "min_height=low", "height=5000"}) {
+                          "min_height=low", "height=5000", "roof:shape=gabeld", "roof:direction=up", "roof:angle=95",
+                          "start_date=old", "roof:height=tall"}) {
     Report report;
     features_of(std::string("a1 0:0 12:0 12:9 0:9 building=yes ") + bad, report);
     EXPECT_EQ(report.counts()[Code::kBadTagValue], 1u) << bad;
@@ -69,6 +73,31 @@ TEST(LocateFootprints, ColoursMaterialsAndClassAreRead) {
   EXPECT_EQ(f.roof_material, Material::kSlate);
   EXPECT_EQ(f.building_class, static_cast<std::uint8_t>(BuildingClass::kChurch));
   EXPECT_FALSE(footprint_of("building=yes").wall_material.has_value());
+}
+
+TEST(LocateFootprints, RoofsAreReadAsSimple3DBuildingsHasThem) {
+  using roofs::Form;
+  const Footprint f = footprint_of(
+      "building=house roof:shape=half-hipped roof:height=3.5 roof:angle=40 roof:direction=SW roof:orientation=across");
+  EXPECT_TRUE(f.is_roof_told);
+  EXPECT_EQ(f.roof.form, Form::kHalfHipped);
+  EXPECT_EQ(f.roof.height_m, 3.5);
+  EXPECT_EQ(f.roof.angle_deg, 40);
+  EXPECT_TRUE(f.roof.is_ridge_across);
+  ASSERT_TRUE(f.roof.direction);
+  EXPECT_NEAR(f.roof.direction->x, -std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(f.roof.direction->y, -std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(footprint_of("building=yes roof:levels=2").roof.height_m, 6.2, 1e-9);
+  EXPECT_FALSE(footprint_of("building=yes roof:shape=many").is_roof_told);
+  EXPECT_TRUE(footprint_of("building=yes height=9").has_roof_in_height);
+  EXPECT_FALSE(footprint_of("building=yes building:levels=2").has_roof_in_height);
+}
+
+TEST(LocateFootprints, AgeAndShopsAreRead) {
+  EXPECT_EQ(footprint_of("building=yes start_date=~1904").year, 1904);
+  EXPECT_TRUE(footprint_of("building=yes shop=bakery").has_shop);
+  EXPECT_TRUE(footprint_of("building=yes amenity=pub").has_shop);
+  EXPECT_FALSE(footprint_of("building=yes amenity=parking").has_shop);
 }
 
 TEST(LocateFootprints, AnOutlineCoveredByItsPartsIsMarked) {

@@ -45,6 +45,22 @@ TEST(TagValues, ColoursAreHexOrNamed) {
     EXPECT_FALSE(colour_of(text)) << text;
 }
 
+TEST(TagValues, BearingsAreDegreesOrWinds) {
+  const std::pair<const char*, double> rows[] = {{"0", 0},     {"225", 225},      {"360", 0},          {"-90", 270},
+                                                 {"N", 0},     {"ssw", 202.5},    {"South-West", 225}, {"12.5", 12.5},
+                                                 {"north", 0}, {"north east", 45}};
+  for (const auto& [text, degrees] : rows) EXPECT_EQ(bearing_deg_of(text), degrees) << text;
+  for (const char* text : {"", "up", "400", "across", "NNN", "northish"}) EXPECT_FALSE(bearing_deg_of(text)) << text;
+}
+
+TEST(TagValues, YearsAreReadAsTheyAreWritten) {
+  const std::pair<const char*, int> rows[] = {{"1898", 1898},        {"1898-05-01", 1898}, {"~1900", 1900},
+                                              {"before 1850", 1850}, {"C19", 1850},        {"late C18", 1750},
+                                              {"1920s", 1925},       {"1890..1900", 1890}, {"987", 987}};
+  for (const auto& [text, year] : rows) EXPECT_EQ(year_of(text), year) << text;
+  for (const char* text : {"", "old", "12", "99999", "C99", "C", "1899999999999"}) EXPECT_FALSE(year_of(text)) << text;
+}
+
 TEST(TagValues, EverythingButNoSaysYes) {
   for (const char* text : {"yes", "1", "true", "-1", "viaduct"}) EXPECT_TRUE(says_yes(text)) << text;
   for (const char* text : {"", "no", "0", "false"}) EXPECT_FALSE(says_yes(text)) << text;

@@ -1,0 +1,80 @@
+#include "compiler/buildings/plan_roof.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/map/building_classes.h"
+#include "tests/compiler/buildings/made_footprint.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using map::BuildingClass;
+using roofs::Form;
+
+map::Footprint of_class(BuildingClass building, double width_m, double depth_m, double height_m) {
+  map::Footprint f = rectangle(1, {0, 0}, width_m, depth_m, height_m);
+  f.building_class = static_cast<std::uint8_t>(building);
+  return f;
+}
+
+map::Footprint told(Form form, double roof_m) {
+  map::Footprint f = of_class(BuildingClass::kHouse, 12, 9, 8);
+  f.is_roof_told = true;
+  f.roof.form = form, f.roof.height_m = roof_m;
+  return f;
+}
+
+TEST(PlanRoof, TakesWhatIsTold) {
+  const roofs::RoofShape roof = plan_roof(told(Form::kMansard, 2.5), {});
+  EXPECT_EQ(roof.form, Form::kMansard);
+  EXPECT_EQ(roof.height_m, 2.5);
+  EXPECT_EQ(plan_roof(told(Form::kFlat, 2.5), {}), roofs::RoofShape{});
+}
+
+TEST(PlanRoof, NeverRisesHigherThanTheBuilding) {
+  EXPECT_EQ(plan_roof(told(Form::kGabled, 30), {}).height_m, 8);
+  map::Footprint lifted = told(Form::kDome, 30);
+  lifted.min_height_m = 6;
+  EXPECT_EQ(plan_roof(lifted, {}).height_m, 2);
+  // and leaves room to stand where nobody told its height
+  EXPECT_LE(plan_roof(told(Form::kCone, 0), {}).height_m, 4);
+}
+
+TEST(PlanRoof, OfUntoldHeightHasItsFormsPitch) {
+  map::Footprint f = told(Form::kGabled, 0);
+  f.has_roof_in_height = false;
+  f.roof.angle_deg = 45;
+  EXPECT_NEAR(plan_roof(f, {}).height_m, 4.5, 0.01);
+  EXPECT_EQ(plan_roof(f, {}).angle_deg, 0);
+}
+
+TEST(PlanRoof, GivesHousesPitchedRoofsAndBlocksFlatOnes) {
+  EXPECT_NE(plan_roof(of_class(BuildingClass::kHouse, 12, 9, 8), {}).form, Form::kFlat);
+  EXPECT_EQ(plan_roof(of_class(BuildingClass::kApartments, 60, 30, 20), {}).form, Form::kFlat);
+  EXPECT_EQ(plan_roof(of_class(BuildingClass::kGarage, 6, 6, 3), {}).form, Form::kFlat);
+  map::Footprint part = of_class(BuildingClass::kHouse, 12, 9, 8);
+  part.is_part = true;
+  EXPECT_EQ(plan_roof(part, {}).form, Form::kFlat);
+}
+
+TEST(PlanRoof, HasEavesToTheStreetInARow) {
+  const roofs::RoofShape roof = plan_roof(of_class(BuildingClass::kHouse, 6, 12, 8), {true, Vec2{0, -1}});
+  EXPECT_EQ(roof.form, Form::kGabled);
+  ASSERT_TRUE(roof.direction);
+  EXPECT_EQ(*roof.direction, (Vec2{0, -1}));
+  EXPECT_EQ(roof.overhang_m, 0);
+  EXPECT_GT(plan_roof(of_class(BuildingClass::kHouse, 6, 12, 8), {}).overhang_m, 0);
+}
+
+TEST(PlanRoof, IsOnTheGrid) {
+  for (double width_m = 5; width_m < 15; width_m += 0.37) {
+    map::Footprint f = of_class(BuildingClass::kHouse, width_m, 11.3, 40);
+    f.has_roof_in_height = false;
+    const roofs::RoofShape roof = plan_roof(f, {});
+    EXPECT_EQ(roof.height_m, snapped(roof.height_m));
+  }
+}
+
+}  // namespace
+}  // namespace citykiln::buildings
