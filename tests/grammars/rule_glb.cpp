@@ -105,23 +105,29 @@ bool has(const std::string& name, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return name.find(w) != std::string::npos; });
 }
 
-Look look_by_name(const std::string& name) {
+// pieces of one name differ a little, so that one sees where they end
+Look look_by_name(const std::string& name, StableId id) {
   constexpr double kColours[][3] = {{0.80, 0.74, 0.62}, {0.66, 0.58, 0.48}, {0.55, 0.60, 0.62},
                                     {0.72, 0.55, 0.45}, {0.58, 0.62, 0.50}, {0.86, 0.83, 0.76}};
   Look look;
   look.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
-  if (look.name != "paint") return look;
+  if (look.name == "glass") return look;
+  constexpr double kTiles[3] = {0.52, 0.33, 0.27};
   const double* colour =
-      kColours[static_cast<std::uint64_t>(stable_id(StableId{}, name.c_str(), 0)) % std::size(kColours)];
-  look.red = colour[0], look.green = colour[1], look.blue = colour[2];
+      look.name == "roof_tile"
+          ? kTiles
+          : kColours[static_cast<std::uint64_t>(stable_id(StableId{}, name.c_str(), 0)) % std::size(kColours)];
+  const double shade = 0.82 + 0.18 * static_cast<double>(static_cast<std::uint64_t>(id) % 4) / 3;
+  look.red = colour[0] * shade, look.green = colour[1] * shade, look.blue = colour[2] * shade;
   return look;
 }
 
 void colour_by_names(Derivation& derivation) {
   for (Terminal& terminal : derivation.terminals) {
     if (derivation.looks[terminal.look] != Look{}) continue;
+    const Look look = look_by_name(terminal.name, terminal.id);
     terminal.look = static_cast<std::uint32_t>(derivation.looks.size());
-    derivation.looks.push_back(look_by_name(terminal.name));
+    derivation.looks.push_back(look);
   }
 }
 
