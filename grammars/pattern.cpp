@@ -95,24 +95,27 @@ void place_texture(Maker& maker, PatternTerminal& copy) {
   }
 }
 
-// false if it divides the shape's surface at the border
-bool add_terminal(Maker& maker, std::size_t index) {
+// true if it divides the shape's surface at the border
+bool divides_border(const Maker& maker, std::size_t index) {
+  if (maker.run.notes[index].moved_at > maker.shape.birth) return false;
+  const Ring3& border = maker.shape.faces.front().outer;
+  bool divides = false;
+  for (const Face& face : maker.run.out.terminals[index].faces)
+    each_vertex(face, [&](Vec3 p) { divides |= !is_vertex(maker, p) && is_on_border(p, border); });
+  return divides;
+}
+
+void add_terminal(Maker& maker, std::size_t index) {
   const TerminalNote note = maker.run.notes[index];
   PatternTerminal copy{maker.run.out.terminals[index], note, note.moved_at > maker.shape.birth};
-  bool divides = false;
-  for (const Face& face : copy.terminal.faces) {
-    each_vertex(face, [&](Vec3 p) {
-      divides |= !copy.moved && !is_vertex(maker, p) && is_on_border(p, maker.shape.faces.front().outer);
-      copy.points.push_back(add_point(maker, p));
-    });
-  }
+  for (const Face& face : copy.terminal.faces)
+    each_vertex(face, [&](Vec3 p) { copy.points.push_back(add_point(maker, p)); });
   copy.note.birth = add_birth(maker, note.birth);
   Scope& scope = copy.terminal.scope;
   copy.origin = add_point(maker, scope.origin);
   for (Vec3& axis : scope.axis) axis = along_axes(maker.shape.scope, axis);
   place_texture(maker, copy);
   maker.pattern.terminals.push_back(std::move(copy));
-  return !divides;
 }
 
 /// A copy in the making.
@@ -176,7 +179,8 @@ void copy_terminal(Run& run, const PatternTerminal& from, const Copy& copy) {
 std::optional<Pattern> pattern_of(const Run& run, const Shape& shape, const Made& made) {
   Maker maker{run, shape, made};
   for (std::size_t i = made.terminals.first; i < made.terminals.end; ++i)
-    if (!add_terminal(maker, i)) return std::nullopt;
+    if (divides_border(maker, i)) return std::nullopt;
+  for (std::size_t i = made.terminals.first; i < made.terminals.end; ++i) add_terminal(maker, i);
   for (std::size_t i = made.reports.first; i < made.reports.end; ++i)
     maker.pattern.reports.push_back({run.out.reports[i], add_birth(maker, run.report_births[i])});
   return std::move(maker.pattern);
