@@ -72,6 +72,12 @@ bool may_repeat(const Shape& shape) {
   return face.holes.empty() && face.outer.size() >= 3 && face.outer.size() <= kMostVertices;
 }
 
+// a body that only names a successor leaves the note to it
+bool only_names(const Body& body) {
+  return body.kind == BodyKind::kStatements && body.statements.size() == 1 &&
+         body.statements.front().kind == StatementKind::kSuccessor;
+}
+
 Made ends_of(const Run& run) {
   Made made;
   made.terminals.first = run.out.terminals.size();
@@ -124,7 +130,7 @@ Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
 Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
-  if (!run.options.copies || record.never || !may_repeat(execution.shape)) return {};
+  if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
   const auto [found, is_new] = run.memo.entries.try_emplace(key_of(execution, body));
   MemoEntry& entry = found->second;
   record.misses += is_new;
@@ -157,7 +163,9 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   const bool lost = entry.state == MemoState::kLost, repeats = memo.open.back().repeats;
   memo.open.pop_back();
   entry.made = between(recording.before, ends_of(run), trace);
-  record.small_ones += entry.made.shapes <= kFewShapes;
+  const bool is_small = entry.made.shapes <= kFewShapes;
+  record.small_ones += is_small;
+  record.never |= is_small && body.kind == BodyKind::kStatements;
   record.never |= !repeats || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
   entry.state = MemoState::kUnderWay;
   if (!repeats) return;
