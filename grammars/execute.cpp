@@ -189,11 +189,14 @@ void weigh(const Run& run, std::size_t i, Removed& removed) {
   }
 }
 
+// of equal ones the first, whatever rounding says
+bool is_larger(double a_m2, double b_m2) { return a_m2 > b_m2 + 1e-6 * std::abs(b_m2); }
+
 std::uint32_t look_of_most(const LookAreas& areas_m2) {
   double most_m2 = -1;
   std::uint32_t look = 0;
   for (const auto& [each, m2] : areas_m2)
-    if (m2 > most_m2) most_m2 = m2, look = each;
+    if (is_larger(m2, most_m2)) most_m2 = m2, look = each;
   return look;
 }
 
@@ -204,8 +207,10 @@ Removed weigh_from(const Run& run, std::size_t first) {
   double largest_m2 = -1;
   for (std::size_t i = first; i < run.out.terminals.size(); ++i) {
     const Terminal& terminal = run.out.terminals[i];
-    if (terminal.look != removed.look || area_m2_of(terminal) <= largest_m2) continue;
-    largest_m2 = area_m2_of(terminal);
+    if (terminal.look != removed.look) continue;
+    const double m2 = area_m2_of(terminal);
+    if (!is_larger(m2, largest_m2)) continue;
+    largest_m2 = m2;
     removed.texture = run.notes[i].texture;
   }
   return removed;
