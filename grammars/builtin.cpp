@@ -10,7 +10,7 @@ constexpr BuiltinRow kFunctions[] = {
 };
 
 constexpr BuiltinRow kShapeValues[] = {
-#define SHAPE_VALUE(name, computes, text) {name, "", text},
+#define SHAPE_VALUE(name, told_of, computes, text) {name, "", text},
 #include "grammars/shape_values.inc"
 #undef SHAPE_VALUE
 };

@@ -1,6 +1,7 @@
 // The functions and shape values that expressions know, by name.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -11,6 +12,9 @@ struct BuiltinRow {
   const char* arguments;  ///< As in functions.inc; unused for shape values.
   const char* text;
 };
+
+/// What a shape value tells of: the shape itself, the place where it stands, or what a split or comp gave it.
+enum class ToldOf : std::uint8_t { kItself, kPlace, kSplit, kComp };
 
 std::span<const BuiltinRow> builtin_functions();
 std::span<const BuiltinRow> shape_values();

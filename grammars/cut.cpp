@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace citykiln::grammars {
 namespace {
 
 constexpr double kSamePlace_m = 1e-6;  // far above rounding, far below what is built
+constexpr double kNoArea_m2 = 1e-12;   // of twice the area: what is left is rounding
 
 double height_above(const CutPlane& plane, Vec3 p) {
   const double d_m = dot(plane.normal, p) - plane.offset_m;
@@ -27,7 +29,7 @@ struct Chains {
 };
 
 // the chain's ends lie on the plane: its first and last vertex, or crossings
-Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, const std::vector<double>& heights,
+Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const double> heights,
                  const CutPlane& plane) {
   const std::size_t n = ring.size();
   Ring3 chain;
@@ -105,7 +107,7 @@ std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
   for (const Ring3& raw : rings) {
     const Ring3 ring = without_twins(raw);
     const double twice_area_m2 = dot(normal, area_vector_m2(ring));
-    if (ring.size() < 3 || std::abs(twice_area_m2) < 1e-12) continue;
+    if (ring.size() < 3 || std::abs(twice_area_m2) < kNoArea_m2) continue;
     if (twice_area_m2 > 0) {
       faces.emplace_back().outer = ring;
     } else {
@@ -178,9 +180,50 @@ std::size_t edge_from(const std::vector<Edge3>& edges, const std::vector<bool>& 
   return best;
 }
 
+constexpr std::size_t kFew = 16;
+
+/// Where a ring of few points lies, and how often it comes up through the plane.
+struct Course {
+  std::array<double, kFew> heights;
+  bool below = false, above = false;
+  std::size_t rises = 0, first = 0;  ///< `first`: the last point behind which it has come up.
+};
+
+Course course_of(const Ring3& ring, const CutPlane& plane) {
+  const std::size_t n = ring.size();
+  Course course;
+  for (std::size_t i = 0; i < n; ++i) {
+    course.heights[i] = height_above(plane, ring[i]);
+    course.below |= course.heights[i] < 0;
+    course.above |= course.heights[i] > 0;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (course.heights[i] < 0 || course.heights[(i + n - 1) % n] >= 0) continue;
+    ++course.rises;
+    course.first = i;
+  }
+  return course;
+}
+
+// a ring without holes that comes up through the plane once: the chain is the part
+std::optional<std::vector<Face>> part_of_simple(const Face& face, const CutPlane& plane) {
+  if (!face.holes.empty() || face.outer.size() > kFew || face.outer.size() < 3) return std::nullopt;
+  const Course course = course_of(face.outer, plane);
+  if (course.above && !course.below) return std::vector<Face>{face};
+  if (!course.above && course.below) return std::vector<Face>{};
+  if (course.rises != 1) return std::nullopt;
+  std::vector<Face> parts(1);
+  Face& part = parts.front();
+  part.outer = without_twins(chain_from(face.outer, course.first, course.heights, plane));
+  part.tag = face.tag, part.street = face.street;
+  if (part.outer.size() < 3 || length(area_vector_m2(part.outer)) < kNoArea_m2) parts.clear();
+  return parts;
+}
+
 }  // namespace
 
 std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
+  if (std::optional<std::vector<Face>> part = part_of_simple(face, plane)) return std::move(*part);
   const Vec3 normal = normal_of(face);
   if (lies_in(face, plane)) return dot(normal, plane.normal) < 0 ? std::vector{face} : std::vector<Face>{};
   Chains cut;

@@ -14,10 +14,12 @@ std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(Place place) {
   return {place.file, place.line, place.column};
 }
 
-Shape first_shape(const Run& run) {
+Shape first_shape(Run& run) {
   Shape shape = run.initial;
   // an id of its own, so that the start's dice are not the attributes'
   shape.id = stable_id(run.initial.id, "start", 0);
+  run.births.push_back({0, "start", 0});
+  shape.in_split.since = shape.in_comp.since = 0;
   return shape;
 }
 
@@ -38,7 +40,12 @@ void sort_troubles(Run& run) {
 
 }  // namespace
 
+void Run::asked_of(std::uint32_t since) {
+  for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
+}
+
 void Run::trouble(Place place, const std::string& message) {
+  asked_of(0);
   const std::string key = place_name(program.files[place.file], place);
   const auto found = troubles.find({key, message});
   if (found != troubles.end()) return void(++found->second.times);
@@ -51,24 +58,30 @@ bool Run::spend(std::uint64_t steps) {
 }
 
 void Run::hit(LimitKind kind, const std::string& rule, Place place) {
+  asked_of(0);
   for (LimitHit& hit : out.limits)
     if (hit.kind == kind) return void(++hit.times);
   out.limits.push_back({kind, rule, place, 1});
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
-  const auto [entry, is_new] = path_of.emplace(std::pair{parent, rule}, static_cast<std::uint32_t>(out.paths.size()));
-  if (is_new) out.paths.push_back({parent, rule});
-  return entry->second;
+  for (const std::uint32_t path : paths_below[parent])
+    if (out.paths[path].rule == rule) return path;
+  const auto path = static_cast<std::uint32_t>(out.paths.size());
+  out.paths.push_back({parent, rule});
+  paths_below[parent].push_back(path);
+  paths_below.emplace_back();
+  return path;
 }
 
-std::uint32_t Run::look_index(const Look& look) {
-  const auto found = std::find(out.looks.begin(), out.looks.end(), look);
-  if (found != out.looks.end()) return static_cast<std::uint32_t>(found - out.looks.begin());
-  // as many looks as shapes would make a search through all of them slow
-  spend(out.looks.size());
-  out.looks.push_back(look);
-  return static_cast<std::uint32_t>(out.looks.size() - 1);
+std::uint32_t Run::look_index(std::uint32_t look) {
+  looks_in_out.resize(tables.looks.size());
+  std::uint32_t& in_out = looks_in_out[look];
+  if (in_out == 0) {
+    out.looks.push_back(tables.looks[look]);
+    in_out = static_cast<std::uint32_t>(out.looks.size());
+  }
+  return in_out - 1;
 }
 
 double metres(const Argument& argument) { return std::clamp(number_of(argument.value), -kMost_m, kMost_m); }
@@ -98,6 +111,8 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.attributes.resize(program.attributes.size());
   run.attribute_under_way.resize(program.attributes.size());
   run.out.paths.push_back({0, ""});
+  run.paths_below.emplace_back();
+  run.memo.bodies.resize(program.bodies);
   run.out.shapes = 1;
   begin(run);
   sort_troubles(run);

@@ -32,6 +32,7 @@ struct DeriveOptions {
   std::uint64_t seed = 0;
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
+  bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
   RoofBuilder roofs;    ///< None: plain_roof().

@@ -40,6 +40,7 @@ double random_number(Context& context, const double* n, std::size_t given) {
 
 bool occluded(Context& context, OcclusionQuery query) {
   const Occlusion& occlusion = context.run.options.occlusion;
+  if (occlusion && context.dice.of_shape) context.run.asked_of(0);
   // a look at all points of the shape
   context.run.spend(vertex_count(context.shape.faces) * 2);
   return occlusion && occlusion(query, context.shape);
@@ -92,10 +93,24 @@ Value look_value(const std::string& name, const Look& look) {
   return 0.0;
 }
 
-Value shape_value(const Expression& name, const Shape& shape) {
-  if (name.index == ~0u) return look_value(name.text, shape.look);
+// the first shape to have been given what the value tells; ~0 if it is the shape's own
+std::uint32_t given_to(const Shape& shape, std::size_t row) {
+  constexpr ToldOf kTold[] = {
+#define SHAPE_VALUE(key, told_of, computes, text) told_of,
+#include "grammars/shape_values.inc"
+#undef SHAPE_VALUE
+  };
+  if (kTold[row] == ToldOf::kPlace) return 0;
+  if (kTold[row] == ToldOf::kSplit) return shape.in_split.since;
+  return kTold[row] == ToldOf::kComp ? shape.in_comp.since : ~0u;
+}
+
+Value shape_value(const Expression& name, Context& context) {
+  const Shape& shape = context.shape;
+  if (name.index == ~0u) return look_value(name.text, context.run.tables.looks[shape.look]);
+  if (context.dice.of_shape) context.run.asked_of(given_to(shape, name.index));
   std::size_t at = 0;
-#define SHAPE_VALUE(key, computes, text) \
+#define SHAPE_VALUE(key, told_of, computes, text) \
   if (name.index == at++) return Value(computes);
 #include "grammars/shape_values.inc"
 #undef SHAPE_VALUE
@@ -114,7 +129,7 @@ Value evaluate_name(const Expression& name, Context& context) {
       return evaluate_builtin(name, context);
     case Target::kShape:
       context.run.spend(context.shape.faces.size());
-      return shape_value(name, context.shape);
+      return shape_value(name, context);
     default:
       return 0.0;
   }
@@ -235,7 +250,7 @@ Value initial_value(std::uint32_t index, Context& context) {
   Run& run = context.run;
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
-  Dice dice{Draw(run.options.seed, run.initial.id, ("attr " + attribute.name).c_str())};
+  Dice dice{Draw(run.options.seed, run.initial.id, ("attr " + attribute.name).c_str()), 0, false};
   Frame frame;
   Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
@@ -246,22 +261,25 @@ Value initial_value(std::uint32_t index, Context& context) {
 
 Value attribute_value(std::uint32_t index, Context& context) {
   Run& run = context.run;
-  if (context.shape.attributes) {
-    const auto changed = context.shape.attributes->find(index);
-    if (changed != context.shape.attributes->end()) return changed->second;
-  }
+  const AttributeSet& changed = run.tables.attribute_sets[context.shape.attributes];
+  if (const auto found = changed.find(index); found != changed.end()) return found->second;
   if (run.attributes[index]) return *run.attributes[index];
   if (run.attribute_under_way[index]) {
     run.trouble(run.program.attributes[index].place, "the attribute's value asks for itself");
     return 0.0;
   }
   run.attribute_under_way[index] = true;
+  const std::uint64_t before = run.out.steps - run.attribute_steps;
   run.attributes[index] = initial_value(index, context);
+  run.attribute_steps = run.out.steps - before;
   run.attribute_under_way[index] = false;
   return *run.attributes[index];
 }
 
-double draw_unit(Context& context) { return context.dice.draw.unit(context.dice.next++); }
+double draw_unit(Context& context) {
+  if (context.dice.of_shape) context.run.asked_of(0);
+  return context.dice.draw.unit(context.dice.next++);
+}
 
 namespace {
 

@@ -42,8 +42,26 @@ void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, s
 
 Outcome nothing() { return {}; }
 
-StableId child_id(Execution& execution, const std::string& name) {
-  return stable_id(execution.shape.id, name.c_str(), execution.born++);
+/// A child's name for itself.
+struct Newborn {
+  StableId id;
+  std::uint32_t birth;
+};
+
+// `name` has to live in the program
+Newborn bear(Execution& execution, const char* name) {
+  Run& run = execution.run;
+  const auto birth = static_cast<std::uint32_t>(run.births.size());
+  const std::uint64_t ordinal = execution.born++;
+  run.births.push_back({execution.shape.birth, name, ordinal});
+  return {stable_id(execution.shape.id, name, ordinal), birth};
+}
+
+void christen(Shape& shape, Newborn newborn) {
+  shape.id = newborn.id, shape.birth = newborn.birth;
+  // what it was given just now is its own, what came earlier it has inherited
+  shape.in_split.since = std::min(shape.in_split.since, newborn.birth);
+  shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
 }
 
 Dice dice_of(const Run& run, StableId id) { return {Draw(run.options.seed, id, "rule")}; }
@@ -65,10 +83,10 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
   ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  const StableId id = child_id(execution, statement.name);
-  Shape child = last ? std::move(execution.shape) : execution.shape;
-  child.id = id;
+  const Newborn newborn = bear(execution, statement.name.c_str());
   ++execution.run.out.shapes;
+  Shape child = last ? std::move(execution.shape) : execution.shape;
+  christen(child, newborn);
   const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments));
   add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
@@ -103,9 +121,10 @@ bool is_in_world(const Shape& shape) {
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
-  if (row.alters != Alters::kSurface) return row.run(execution, statement, arguments);
+  if (row.alters != Alters::kSurface && row.alters != Alters::kFrame) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
+  if (row.alters == Alters::kSurface) execution.shape.moved_at = static_cast<std::uint32_t>(run.births.size());
   if (is_in_world(execution.shape)) return;
   run.trouble(statement.place, "'" + statement.name + "' takes the shape out of the world; it stays as it was");
   execution.shape = std::move(before);
@@ -139,7 +158,7 @@ void end_pending(Execution& execution) {
   if (!execution.pending) return;
   ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  execution.shape.id = child_id(execution, execution.name);
+  christen(execution.shape, bear(execution, execution.name.c_str()));
   ++execution.run.out.shapes;
   const Outcome outcome = end_as_terminal(execution.run, std::move(execution.shape), execution.name, execution.path);
   add_child(execution, std::move(trace), outcome, first_ring);
@@ -156,25 +175,28 @@ struct Removed {
   std::size_t vertices = 0;
   LookAreas areas_m2;                   ///< Of all detail, also of what was cut before.
   std::uint32_t look = 0;               ///< Of most of it.
-  std::optional<TextureFrame> texture;  ///< Of the largest that looks so.
+  std::uint32_t texture = 0;            ///< Of the largest that looks so; into Tables::textures.
 };
 
 void weigh(const Run& run, std::size_t i, Removed& removed) {
   const Terminal& terminal = run.out.terminals[i];
   // an asset is worth a cut whatever it weighs
   removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
-  if (run.stands_for[i].empty()) {
+  if (run.notes[i].stands_for == 0) {
     removed.areas_m2[terminal.look] += area_m2_of(terminal);
   } else {
-    for (const auto& [look, m2] : run.stands_for[i]) removed.areas_m2[look] += m2;
+    for (const auto& [look, m2] : run.tables.look_areas[run.notes[i].stands_for]) removed.areas_m2[look] += m2;
   }
 }
+
+// of equal ones the first, whatever rounding says
+bool is_larger(double a_m2, double b_m2) { return a_m2 > b_m2 + 1e-6 * std::abs(b_m2); }
 
 std::uint32_t look_of_most(const LookAreas& areas_m2) {
   double most_m2 = -1;
   std::uint32_t look = 0;
   for (const auto& [each, m2] : areas_m2)
-    if (m2 > most_m2) most_m2 = m2, look = each;
+    if (is_larger(m2, most_m2)) most_m2 = m2, look = each;
   return look;
 }
 
@@ -185,9 +207,11 @@ Removed weigh_from(const Run& run, std::size_t first) {
   double largest_m2 = -1;
   for (std::size_t i = first; i < run.out.terminals.size(); ++i) {
     const Terminal& terminal = run.out.terminals[i];
-    if (terminal.look != removed.look || area_m2_of(terminal) <= largest_m2) continue;
-    largest_m2 = area_m2_of(terminal);
-    removed.texture = terminal.texture;
+    if (terminal.look != removed.look) continue;
+    const double m2 = area_m2_of(terminal);
+    if (!is_larger(m2, largest_m2)) continue;
+    largest_m2 = m2;
+    removed.texture = run.notes[i].texture;
   }
   return removed;
 }
@@ -234,20 +258,21 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
   if (vertex_count(start.faces) >= removed.vertices) return;
   const std::span<const Terminal> below = std::span(terminals).subspan(first);
   if (run.options.keep_looks && shows(below, removed.look, run.options.tolerance_m)) return;
-  Terminal terminal{start.id,
-                    execution.name,
-                    execution.path,
-                    removed.look,
-                    start.faces,
-                    removed.texture,
-                    {},
-                    start.scope,
-                    true,
-                    outcome.trace.moved.largest_m()};
+  forget_terminals(run.memo, first);
   terminals.resize(first);
-  run.stands_for.resize(first);
-  terminals.push_back(std::move(terminal));
-  run.stands_for.push_back(std::move(removed.areas_m2));
+  run.notes.resize(first);
+  terminals.push_back({start.id,
+                       execution.name,
+                       execution.path,
+                       removed.look,
+                       start.faces,
+                       run.tables.texture_at(removed.texture),
+                       {},
+                       start.scope,
+                       true,
+                       outcome.trace.moved.largest_m()});
+  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)),
+                       start.moved_at});
 }
 
 NodeTrace traced(const Execution& execution) {
@@ -257,6 +282,8 @@ NodeTrace traced(const Execution& execution) {
 }
 
 Outcome run_node(Execution& execution, const Body& body) {
+  const Recording recording = begin_recording(execution, body);
+  if (recording.known) return {repeat(execution, *recording.entry)};
   const std::size_t first = execution.run.out.terminals.size();
   std::optional<Shape> start;
   if (execution.run.measures()) start = execution.shape;
@@ -264,6 +291,7 @@ Outcome run_node(Execution& execution, const Body& body) {
   end_pending(execution);
   const Outcome outcome{traced(execution)};
   if (start) cut_if_near(execution, *start, first, outcome);
+  end_recording(execution.run, body, recording, outcome.trace);
   return outcome;
 }
 
@@ -278,10 +306,9 @@ Outcome run_piece(Execution& execution, Shape shape, const Body& body) {
 
 Outcome end_as_terminal(Run& run, Shape shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
-  const std::uint32_t look = run.look_index(shape.look);
-  run.stands_for.emplace_back();
-  run.out.terminals.push_back({shape.id, name, path, look, std::move(shape.faces), shape.texture,
-                               std::move(shape.asset), shape.scope, false, 0});
+  run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
+  run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
+                               run.tables.texture_at(shape.texture), std::move(shape.asset), shape.scope, false, 0});
   return {{{}, false}};
 }
 
@@ -320,7 +347,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   const Displacement before = execution.moved + moved;
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
-    piece.shape.id = child_id(execution, "piece");
+    christen(piece.shape, bear(execution, "piece"));
     ChildTrace trace = trace_of(run, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);
     const Outcome outcome =

@@ -8,10 +8,9 @@
 
 #include "compiler/geometry/polygon.h"
 #include "compiler/geometry/vec.h"
+#include "grammars/ring3.h"
 
 namespace citykiln::grammars {
-
-using Ring3 = std::vector<Vec3>;
 
 /// What made a face, for comp(f); kNone: its direction decides.
 enum class FaceTag : std::uint8_t { kNone, kTop, kSide, kBottom, kVertical, kInside, kBorder };

@@ -247,6 +247,7 @@ void resolve(Resolver& names, Statement& statement) {
 }
 
 void resolve(Resolver& names, Body& body) {
+  body.number = names.program.bodies++;
   const std::size_t outer = names.locals.size();
   for (Local& local : body.locals) {
     resolve(names, local.value);

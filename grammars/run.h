@@ -8,6 +8,8 @@
 #include "compiler/contract/draw.h"
 #include "grammars/derive.h"
 #include "grammars/displacement.h"
+#include "grammars/memo.h"
+#include "grammars/tables.h"
 
 namespace citykiln::grammars {
 
@@ -15,24 +17,31 @@ namespace citykiln::grammars {
 struct Dice {
   Draw draw;
   std::uint32_t next = 0;
+  bool of_shape = true;  ///< Not an attribute's, which are the building's.
 };
 
 using Frame = std::vector<Value>;
-
-/// Square metres by look.
-using LookAreas = std::map<std::uint32_t, double>;
 
 struct Run {
   const Program& program;
   const DeriveOptions& options;
   const Shape& initial;
   Derivation out = {};
-  std::vector<LookAreas> stands_for = {};             ///< By terminal: of one that was cut, what its detail looks like.
+  Tables tables = {};
+  std::vector<TerminalNote> notes = {};               ///< By terminal.
+  std::vector<Birth> births = {};                     ///< By shape; the start's first.
+  std::vector<std::uint32_t> looks_in_out = {};       ///< By look: 1 + where Derivation::looks has it; 0 for nowhere.
+  std::vector<std::uint32_t> report_births = {};      ///< By report: whose it is.
   std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, each made when first asked for.
   std::vector<bool> attribute_under_way = {};
+  std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> path_of = {};
+  std::vector<std::vector<std::uint32_t>> paths_below = {};              ///< By path.
+  Memo memo = {};
 
+  /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
+  /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
+  void asked_of(std::uint32_t since);
   /// Without a tolerance nobody asks how far surfaces move.
   bool measures() const { return options.tolerance_m > 0; }
   void trouble(Place place, const std::string& message);
@@ -40,7 +49,8 @@ struct Run {
   bool spend(std::uint64_t steps);
   void hit(LimitKind kind, const std::string& rule, Place place);
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
-  std::uint32_t look_index(const Look& look);
+  /// Where Derivation::looks has this look of the tables.
+  std::uint32_t look_index(std::uint32_t look);
 };
 
 /// What a node tells its parent.
@@ -56,7 +66,7 @@ struct Execution {
   Dice dice;
   int depth = 0;
   std::uint32_t path = 0;
-  std::string name;         ///< Of the shape: the rule's.
+  const std::string& name;  ///< Of the shape: the rule's.
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
   std::vector<ChildTrace> children = {};

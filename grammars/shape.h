@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +19,7 @@ struct Look {
   double red = 1, green = 1, blue = 1;  ///< sRGB, 0 … 1.
   double opacity = 1, roughness = 1, metallic = 0;
   double emissive_red = 0, emissive_green = 0, emissive_blue = 0;
-  bool operator==(const Look&) const = default;
+  auto operator<=>(const Look&) const = default;
 };
 
 /// Texture coordinates as a function of the place: u = dot(p - origin, u_per_m), v likewise; 1 is the picture's width.
@@ -34,26 +32,34 @@ struct TextureFrame {
 /// A count and this one's place in it: split.index of split.total.
 struct Position {
   double index = 0, total = 0;
+  /// The shape (Shape::birth) that was given it; its successors inherit it. Until that shape is born, ~0.
+  std::uint32_t since = ~0u;
 };
+
+/// Attributes that set() has changed, by index into Program::attributes.
+using AttributeSet = std::map<std::uint32_t, Value>;
 
 struct Shape {
   StableId id{};
   Scope scope;
   std::vector<Face> faces;
   Scope parent_scope;  ///< For center().
-  Look look;
-  std::optional<TextureFrame> projection;  ///< Set up; not on the surface yet.
-  std::optional<TextureFrame> texture;     ///< On the surface.
-  std::string asset;                       ///< i("…"): what stands in the scope instead of faces.
+  std::string asset;   ///< i("…"): what stands in the scope instead of faces.
   Position in_split, in_comp;
-  /// Attributes that set() has changed, by index into Program::attributes; shared by those who inherit them.
-  std::shared_ptr<const std::map<std::uint32_t, Value>> attributes;
+  // into the tables of the derivation, whose first entries are what a lot has: 0
+  std::uint32_t look = 0;
+  std::uint32_t projection = 0;  ///< A texture frame set up; not on the surface yet.
+  std::uint32_t texture = 0;     ///< A texture frame on the surface.
+  std::uint32_t attributes = 0;  ///< An AttributeSet.
+  std::uint32_t birth = 0;       ///< Which shape of the derivation this is.
+  std::uint32_t moved_at = 0;    ///< How many shapes had been born when its surface was last moved, as by extrude.
 };
 
 /// All that a successor inherits, but for the faces: those are its own.
 inline Shape heir_of(const Shape& from) {
-  return {from.id,    from.scope,    {},           from.parent_scope, from.look, from.projection, from.texture,
-          from.asset, from.in_split, from.in_comp, from.attributes};
+  return {from.id,   from.scope,      {},           from.parent_scope, from.asset, from.in_split, from.in_comp,
+          from.look, from.projection, from.texture, from.attributes,   from.birth,
+          from.moved_at};
 }
 
 /// Fits the scope to the faces, keeping its axes.

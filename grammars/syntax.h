@@ -61,6 +61,7 @@ struct Body {
   BodyKind kind = BodyKind::kStatements;
   std::vector<Statement> statements;
   std::vector<Branch> branches;  ///< The last may be `else`.
+  std::uint32_t number = 0;      ///< Of the program's bodies.
 };
 
 struct Branch {
@@ -142,6 +143,7 @@ struct Program {
   std::vector<Rule> rules;
   std::map<std::string, std::uint32_t, std::less<>> attribute_of, function_of, rule_of;
   std::string start;
+  std::uint32_t bodies = 0;  ///< How many there are.
 };
 
 }  // namespace citykiln::grammars

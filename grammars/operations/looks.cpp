@@ -66,24 +66,35 @@ double size_along(const Scope& scope, Vec3 direction) {
 
 void op_set(Execution& execution, const Statement&, Arguments arguments) {
   const Expression& name = *arguments[0].word;
-  if (name.index == ~0u) return void(set_look(execution.shape.look, name.text, arguments[1].value));
-  auto changed = execution.shape.attributes ? *execution.shape.attributes : std::map<std::uint32_t, Value>{};
+  Tables& tables = execution.run.tables;
+  Shape& shape = execution.shape;
+  if (name.index == ~0u) {
+    Look look = tables.looks[shape.look];
+    set_look(look, name.text, arguments[1].value);
+    shape.look = tables.index_of(look);
+    return;
+  }
+  AttributeSet changed = tables.attribute_sets[shape.attributes];
   changed[name.index] = arguments[1].value;
-  execution.shape.attributes = std::make_shared<const std::map<std::uint32_t, Value>>(std::move(changed));
+  shape.attributes = tables.index_of(changed);
 }
 
 void op_color(Execution& execution, const Statement& statement, Arguments arguments) {
-  Look& look = execution.shape.look;
+  Tables& tables = execution.run.tables;
+  Look look = tables.looks[execution.shape.look];
   std::array<double, 4> colour = {0, 0, 0, look.opacity};
   for (std::size_t i = 0; i < arguments.size() && arguments.size() > 1; ++i)
     colour[i] = share(number_of(arguments[i].value));
   if (arguments.size() == 1 && !read_colour(text_of(arguments[0].value), colour))
     return execution.run.trouble(statement.place, "expected a colour as \"#rrggbb\"");
   look.red = colour[0], look.green = colour[1], look.blue = colour[2], look.opacity = colour[3];
+  execution.shape.look = tables.index_of(look);
 }
 
 void op_texture(Execution& execution, const Statement&, Arguments arguments) {
-  execution.shape.look.colour_map = text_of(arguments[0].value);
+  Look look = execution.run.tables.looks[execution.shape.look];
+  look.colour_map = text_of(arguments[0].value);
+  execution.shape.look = execution.run.tables.index_of(look);
 }
 
 void op_setup_projection(Execution& execution, const Statement& statement, Arguments arguments) {
@@ -94,12 +105,15 @@ void op_setup_projection(Execution& execution, const Statement& statement, Argum
   const double width_m = width_of(arguments[2], size_along(scope, axes.u));
   const double height_m = width_of(arguments[3], size_along(scope, axes.v));
   const Vec3 from = axes.u * number_or(arguments, 4, 0) + axes.v * number_or(arguments, 5, 0);
-  const Vec3 origin = word_of(arguments[1]).starts_with("world") ? Vec3{} : scope.origin;
-  execution.shape.projection = TextureFrame{origin + from, axes.u * (1 / width_m), axes.v * (1 / height_m)};
+  const bool of_world = word_of(arguments[1]).starts_with("world");
+  if (of_world) execution.run.asked_of(0);
+  const Vec3 origin = of_world ? Vec3{} : scope.origin;
+  execution.shape.projection =
+      execution.run.tables.add(TextureFrame{origin + from, axes.u * (1 / width_m), axes.v * (1 / height_m)});
 }
 
 void op_project_uv(Execution& execution, const Statement& statement, Arguments) {
-  if (!execution.shape.projection)
+  if (execution.shape.projection == 0)
     return execution.run.trouble(statement.place, "projectUV without a setupProjection before it");
   execution.shape.texture = execution.shape.projection;
 }
@@ -107,7 +121,8 @@ void op_project_uv(Execution& execution, const Statement& statement, Arguments) 
 void op_tile_uv(Execution& execution, const Statement&, Arguments arguments) {
   const Scope& scope = execution.shape.scope;
   const double width_m = width_of(arguments[1], scope.size_m[0]), height_m = width_of(arguments[2], scope.size_m[1]);
-  execution.shape.texture = TextureFrame{scope.origin, scope.axis[0] * (1 / width_m), scope.axis[1] * (1 / height_m)};
+  execution.shape.texture = execution.run.tables.add(
+      TextureFrame{scope.origin, scope.axis[0] * (1 / width_m), scope.axis[1] * (1 / height_m)});
 }
 
 }  // namespace citykiln::grammars

@@ -54,6 +54,8 @@ double highest_over(const Face& base, const std::vector<Face>& roof) {
 void build_roofs(Execution& execution, const Statement& statement, const RoofRequest& request) {
   std::vector<Face> faces;
   double highest_m = 0;
+  // a builder may round where the roof stands
+  execution.run.asked_of(0);
   if (!execution.run.spend(64 * vertex_count(execution.shape.faces))) return;
   for (const Face& face : execution.shape.faces) {
     auto roof = roof_over(execution, face, request);

@@ -77,6 +77,7 @@ Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool 
 std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Interval>& intervals, const Leaves& leaves,
                           Saw saw, bool adjust) {
   std::vector<Piece> pieces;
+  pieces.reserve(intervals.size() + 1);
   const Shape& from = execution.shape;
   const double end_m = from.scope.size_m[axis];
   for (std::size_t i = 0; i < intervals.size(); ++i) {

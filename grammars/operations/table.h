@@ -17,7 +17,12 @@ enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
 
 /// What an operation changes of the current shape. Where it changes anything, the shape needs a successor or is a
 /// terminal.
-enum class Alters : std::uint8_t { kNothing, kLook, kSurface };
+enum class Alters : std::uint8_t {
+  kNothing,
+  kLook,
+  kFrame,   ///< The scope's axes or the faces' sides; the surface stays where it is.
+  kSurface
+};
 
 struct OperationRow {
   const char* name;

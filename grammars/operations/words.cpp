@@ -8,9 +8,11 @@ void op_report(Execution& execution, const Statement&, Arguments arguments) {
   // as many as shapes at most
   if (run.out.reports.size() > run.options.limits.shapes) return;
   run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, execution.shape.id});
+  run.report_births.push_back(execution.shape.birth);
 }
 
 void op_print(Execution& execution, const Statement&, Arguments arguments) {
+  execution.run.asked_of(0);
   constexpr std::size_t kMostLines = 10'000;
   if (execution.run.out.printed.size() >= kMostLines) return;
   std::string line;

@@ -1,8 +1,7 @@
-// A house of a rule file of some size, from its footprint to its terminals: L0 is to give 3 million triangles a second
-// and core.
+// Houses of whole rule files, from their footprints to their terminals, at the tolerances of the levels: L0 is to give
+// 3 million triangles a second and core, and coarser levels are to cost less.
 #include <benchmark/benchmark.h>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,38 +11,70 @@
 namespace citykiln::grammars {
 namespace {
 
-Result<std::string> beside(const std::string& file) {
-  std::ifstream in(std::filesystem::path(__FILE__).parent_path() / "../grammars" / file);
-  if (!in) return Error{file, "cannot be read"};
+Result<std::string> file_at(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return Error{path, "cannot be read"};
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
 }
 
-void derive_house(benchmark::State& state) {
-  const auto program = read_rules("town_house.cga", beside);
-  const Polygon footprint{{{0, 0}, {11, 0}, {11, 9}, {0, 9}}, {}};
+Result<std::string> beside(const std::string& file) {
+  return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file);
+}
+
+/// What is derived again and again.
+struct House {
+  Result<Program> program;
+  double width_m, depth_m;
   DeriveOptions options;
-  options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
-  std::uint64_t houses = 0, shapes = 0, triangles = 0;
+};
+
+// an old town's house: a shop, five floors of windows with reveals, frames, sills; no roof, they have a bench of their
+// own
+House old_town() {
+  House house{read_rules("grammars/town_house.cga", beside), 18, 12, {}};
+  house.options.attributes = {{"height", 21.0}, {"levels", 6.0}};
+  return house;
+}
+
+// ten floors of windows, and of balconies with railings
+House flats() { return {read_rules("bench/flats.cga", beside), 24, 14, {}}; }
+
+std::uint64_t triangles_of(const Derivation& derivation) {
+  std::uint64_t triangles = 0;
+  // a polygon of n points is n - 2 triangles, two more for each hole
+  for (const Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) triangles += vertex_count({&face, 1}) - 2 + 2 * face.holes.size();
+  return triangles;
+}
+
+void derive_houses(benchmark::State& state, House house) {
+  if (!house.program) return state.SkipWithError(to_string(house.program.error()).c_str());
+  const Polygon footprint{{{0, 0}, {house.width_m, 0}, {house.width_m, house.depth_m}, {0, house.depth_m}}, {}};
+  house.options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
+  house.options.copies = state.range(1) != 0;
+  std::uint64_t houses = 0, triangles = 0;
   for (auto _ : state) {
-    const Derivation derivation = derive(*program, lot(footprint, 0, 0, StableId{++houses}, {0}), options);
-    shapes += derivation.shapes;
-    // a polygon of n points is n - 2 triangles, two more for each hole
-    for (const Terminal& terminal : derivation.terminals)
-      for (const Face& face : terminal.faces) triangles += vertex_count({&face, 1}) - 2 + 2 * face.holes.size();
+    const Shape first = lot(footprint, 0, 0, StableId{++houses}, {0});
+    triangles += triangles_of(derive(*house.program, first, house.options));
   }
-  state.counters["shapes/s"] = benchmark::Counter(static_cast<double>(shapes), benchmark::Counter::kIsRate);
+  state.counters["triangles"] = static_cast<double>(triangles) / static_cast<double>(houses);
   state.counters["triangles/s"] = benchmark::Counter(static_cast<double>(triangles), benchmark::Counter::kIsRate);
   state.counters["houses/s"] = benchmark::Counter(static_cast<double>(houses), benchmark::Counter::kIsRate);
 }
 
+void derive_old_town(benchmark::State& state) { derive_houses(state, old_town()); }
+void derive_flats(benchmark::State& state) { derive_houses(state, flats()); }
+
 void read_house(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(read_rules("town_house.cga", beside));
+  for (auto _ : state) benchmark::DoNotOptimize(read_rules("grammars/town_house.cga", beside));
 }
 
-// tolerances in millimetres
-BENCHMARK(derive_house)->Arg(0)->Arg(100)->Arg(500)->Arg(2500);
+// tolerances in millimetres; with and without copies
+const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {1, 0}};
+BENCHMARK(derive_old_town)->ArgNames({"mm", "copies"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_flats)->ArgNames({"mm", "copies"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
 BENCHMARK(read_house);
 
 }  // namespace

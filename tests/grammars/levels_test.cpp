@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 #include "compiler/geometry/triangulate.h"
 #include "tests/grammars/on_lot.h"
@@ -197,6 +198,35 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
   // the claim is about something, and is not idle
   EXPECT_GT(cut_ones, 200);
   EXPECT_GT(tightest, 0.9);
+}
+
+std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_places(const Derivation& derivation) {
+  std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> made;
+  for (const Terminal& terminal : derivation.terminals)
+    made.insert({terminal.id, terminal.name, terminal.look, terminal.cut});
+  return made;
+}
+
+TEST_F(Levels, AreTheSameWithoutCopies) {
+  for (int round = 0; round < 300; ++round) {
+    const std::string text = rules();
+    const Program program = program_of(text);
+    const Shape first = lot_of(between(3, 12), between(3, 12));
+    for (const double tolerance_m : {0.0, 0.2, 2.0}) {
+      DeriveOptions options;
+      options.limits.shapes = 400;
+      options.tolerance_m = tolerance_m;
+      const Derivation copied = derive(program, first, options);
+      options.copies = false;
+      const Derivation own = derive(program, first, options);
+      ASSERT_EQ(copied.shapes, own.shapes) << text;
+      ASSERT_EQ(copied.steps, own.steps) << text;
+      ASSERT_EQ(without_places(copied), without_places(own)) << tolerance_m << "\n" << text;
+      const auto a = triangles_of(copied), b = triangles_of(own);
+      if (a.empty() || a.size() > 1000) continue;
+      ASSERT_LE(std::max(sampled_m(a, b), sampled_m(b, a)), 1e-5) << text;
+    }
+  }
 }
 
 const char* const kWall =

@@ -97,18 +97,21 @@ const Polygon kPlans[] = {
     rectangle(60, 40),
 };
 
+// From what is no building to what is a district.
+constexpr std::pair<double, const char*> kRoofed[] = {{0.5, "flat"}, {2.5, "flat"},  {2.5, "gabled"}, {7, "hipped"},
+                                                      {7, "gabled"}, {7, "mansard"}, {40, "flat"},    {40, "dome"}};
+
 TEST_P(ShippedStyles, HaveNoTroubleOnAnyMass) {
+  bool shop = false;
   for (const Polygon& plan : kPlans)
-    for (const double height_m : {0.5, 2.5, 7.0, 40.0})
-      for (const char* roof : {"flat", "gabled", "hipped", "mansard", "dome"})
-        for (const bool shop : {false, true}) {
-          MadeMass made{plan, {0, 1}, {2}, {}, height_m, StableId{static_cast<std::uint64_t>(height_m * 8)}};
-          made.roof.form = *roofs::form_named(roof);
-          const Derivation derivation = derive_on(made, std::max(1.0, height_m / 3), {{"shop", shop}});
-          EXPECT_FALSE(derivation.terminals.empty());
-          EXPECT_TRUE(derivation.limits.empty()) << roof << " " << height_m;
-          for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble);
-        }
+    for (const auto& [height_m, roof] : kRoofed) {
+      MadeMass made{plan, {0, 1}, {2}, {}, height_m, StableId{static_cast<std::uint64_t>(height_m * 8)}};
+      made.roof.form = *roofs::form_named(roof);
+      const Derivation derivation = derive_on(made, std::max(1.0, height_m / 3), {{"shop", shop = !shop}});
+      EXPECT_FALSE(derivation.terminals.empty());
+      EXPECT_TRUE(derivation.limits.empty()) << roof << " " << height_m;
+      for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble);
+    }
 }
 
 TEST_P(ShippedStyles, AreNotMuchMoreThanTheyShow) {

@@ -1,0 +1,33 @@
+#include "grammars/tables.h"
+
+namespace citykiln::grammars {
+namespace {
+
+template <typename Entry>
+std::uint32_t append(std::vector<Entry>& table, Entry entry) {
+  table.push_back(std::move(entry));
+  return static_cast<std::uint32_t>(table.size() - 1);
+}
+
+template <typename Entry>
+std::uint32_t found_or_added(std::vector<Entry>& table, std::map<Entry, std::uint32_t>& index_of, const Entry& entry) {
+  const auto [found, is_new] = index_of.emplace(entry, static_cast<std::uint32_t>(table.size()));
+  if (is_new) table.push_back(entry);
+  return found->second;
+}
+
+}  // namespace
+
+std::uint32_t Tables::index_of(const Look& look) { return found_or_added(looks, look_of, look); }
+std::uint32_t Tables::index_of(const AttributeSet& set) {
+  return found_or_added(attribute_sets, attribute_set_of, set);
+}
+std::uint32_t Tables::add(const TextureFrame& texture) { return append(textures, texture); }
+std::uint32_t Tables::add(LookAreas areas) { return append(look_areas, std::move(areas)); }
+
+std::optional<TextureFrame> Tables::texture_at(std::uint32_t index) const {
+  if (index == 0) return std::nullopt;
+  return textures[index];
+}
+
+}  // namespace citykiln::grammars
