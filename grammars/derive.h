@@ -31,6 +31,7 @@ struct DeriveOptions {
   std::map<std::string, Value> attributes;  ///< Take the place of `attr` values of these names.
   std::uint64_t seed = 0;
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
+  bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
   Limits limits;

@@ -254,6 +254,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
   Run& run = execution.run;
   std::vector<Terminal>& terminals = run.out.terminals;
   if (!may_be_cut(run, outcome, start)) return;
+  if (run.options.keep_start && execution.depth <= 1) return;
   Removed removed = weigh_from(run, first);
   if (vertex_count(start.faces) >= removed.vertices) return;
   const std::span<const Terminal> below = std::span(terminals).subspan(first);

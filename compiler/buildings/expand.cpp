@@ -53,22 +53,19 @@ std::uint64_t times_of(const grammars::Derivation& derivation) {
   return times;
 }
 
-// False where the tolerance sees nothing of the rules.
-bool expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
+void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
                      double tolerance_m, Expanded& expanded, Report& report) {
   grammars::DeriveOptions options;
   options.attributes = rule_values_of(building, mass.roof.form);
   options.seed = seed;
   options.tolerance_m = tolerance_m;
+  options.keep_start = options.keep_looks = true;
   options.roofs = grammars::form_roofs(tolerance_m);
   const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
   const std::uint64_t times = times_of(derivation);
   if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
-  const bool is_bare = derivation.terminals.size() == 1 && derivation.terminals.front().cut;
   expanded.error_m += derivation.error_m;
-  if (is_bare) return false;
   for (DressedMesh& mesh : meshes_of(derivation, building.id.osm)) expanded.meshes.push_back(std::move(mesh));
-  return true;
 }
 
 }  // namespace
@@ -80,11 +77,13 @@ Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_
   const Mass mass = mass_of(building, tolerance_m / 2, report);
   Expanded expanded{{}, mass.roof.error_m};
   add_foundation(building, mass, seed, expanded);
-  // what the roof has left of the tolerance is for rules
-  const double left_m = tolerance_m - mass.roof.error_m;
   const auto program = rulebook.find(building.style);
-  if (program == rulebook.end() || !expand_by_rules(building, mass, program->second, seed, left_m, expanded, report))
+  if (program == rulebook.end()) {
     expand_plain(building, mass, seed, expanded);
+  } else {
+    // what the roof has left of the tolerance is for rules
+    expand_by_rules(building, mass, program->second, seed, tolerance_m - mass.roof.error_m, expanded, report);
+  }
   return expanded;
 }
 
