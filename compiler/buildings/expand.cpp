@@ -40,8 +40,11 @@ void expand_plain(const Building& building, const Mass& mass, std::uint64_t seed
     if (!mesh->mesh.triangles.empty()) expanded.meshes.push_back(std::move(*mesh));
 }
 
-void add_foundation(const Building& building, const Mass& mass, std::uint64_t seed, Expanded& expanded) {
+// Of the wall's own stuff; under walls that rules colour, of stone.
+void add_foundation(const Building& building, const Mass& mass, bool has_rules, std::uint64_t seed,
+                    Expanded& expanded) {
   DressedMesh mesh = wall_mesh(building, seed);
+  if (has_rules) mesh.material = materials::Material::kStone, mesh.tint = materials::kNoTint;
   for (const grammars::Face& face : mass.foundation) add_face(face, mesh.mesh);
   if (!mesh.mesh.triangles.empty()) expanded.meshes.push_back(std::move(mesh));
 }
@@ -76,8 +79,8 @@ Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_
   if (height_m < tolerance_m) return {{}, height_m};
   const Mass mass = mass_of(building, tolerance_m / 2, report);
   Expanded expanded{{}, mass.roof.error_m};
-  add_foundation(building, mass, seed, expanded);
   const auto program = rulebook.find(building.style);
+  add_foundation(building, mass, program != rulebook.end(), seed, expanded);
   if (program == rulebook.end()) {
     expand_plain(building, mass, seed, expanded);
   } else {
