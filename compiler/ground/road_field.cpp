@@ -8,6 +8,8 @@ namespace {
 
 // About the reach of a road of two lanes: most places look into one bucket with few segments.
 constexpr double kBucket_m = 32;
+// Of those that each place looks into.
+constexpr double kNearBucket_m = 8;
 
 // Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
 constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
@@ -28,8 +30,16 @@ void add_segments(const roads::Road& road, double kerb_m, RoadField& field) {
   field.profiles.push_back(road.profile);
 }
 
-Box2 reach_of(const GradedSegment& s) {
-  return box_of(std::array{s.from, s.to}).widened(std::max(s.left_m, s.right_m) + kCarve_m);
+double reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kCarve_m; }
+
+Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(reach_m(s)); }
+
+// False only where no place of the box is in reach.
+bool may_reach(const GradedSegment& s, const Box2& box) {
+  const Vec2 along = s.to - s.from, centre = box.centre();
+  const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+  constexpr double kSlack_m = 0x1p-10;
+  return distance(centre, s.from + along * t) <= reach_m(s) + distance(centre, box.max) + kSlack_m;
 }
 
 double weight_of(double from_axis_m, double half_m, double beyond_m) {
@@ -64,12 +74,17 @@ RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
   }
   for (const GradedSegment& s : field.segments) field.reaches.push_back(reach_of(s));
   field.grid = grid_of(field.reaches, kBucket_m);
+  field.near = grid_of(field.reaches, kNearBucket_m,
+                       [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
   return field;
 }
 
-std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m) {
-  std::vector<Strand> strands;
-  for (const std::uint32_t i : boxes_about(field.grid, p)) {
+std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
+                                    std::pmr::memory_resource* memory) {
+  std::pmr::vector<Strand> strands(memory);
+  const std::span<const std::uint32_t> near = boxes_about(field.near, p);
+  strands.reserve(near.size());
+  for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
     const Strand strand = strand_at(field, field.segments[i], p, terrain_m);
     if (strand.beyond_m < kCarve_m) strands.push_back(strand);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct RoadField {
   std::vector<Profile> profiles;        ///< One a road that has segments; empty: it follows the terrain.
   std::vector<Box2> reaches;            ///< Of the segments: farther off none is felt.
   BoxGrid grid;                         ///< Of those.
+  BoxGrid near;  ///< Of those too, in small buckets, without the corners that the segments do not reach.
 };
 
 /// @param has_kerbs  False where the tolerance sees none: carriageways then lie level with what is beside them.
@@ -55,7 +57,9 @@ struct Strand {
 
 /// Those whose edge is nearer than kCarve_m, in the order of the field's segments.
 /// @param terrain_m  The terrain's height at p.
-std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m);
+/// @param memory     For what is returned: most places are asked once, so no heap should be.
+std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
+                                    std::pmr::memory_resource* memory);
 
 /// What the strands agree on, by their weights: continuous, and beside an edge as steep as two roads' heights differ
 /// over kBlend_m. There must be one at least.

@@ -106,7 +106,8 @@ struct Found {
   BucketSurface entry;
 };
 
-void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& found) {
+void find_in_buckets(const SurfaceMap& map, std::uint32_t number, std::vector<SurfaceMap::Edge>& all_edges,
+                     std::vector<Found>& found) {
   const Surface& surface = map.surfaces[number];
   Box2 box;
   for (const Ring& ring : surface.rings)
@@ -114,16 +115,17 @@ void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& 
   if (box.is_empty() || !box.touches(map.box)) return;
   const Sorted sorted = sort_edges(map, surface, box);
   const std::vector<int> windings = windings_of(map, surface, sorted.range);
+  const std::int32_t priority = map::values_of(surface.surface).priority;
   std::size_t at = 0;
   for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
     for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
       const auto& edges = sorted.edges[at];
       const int winding = windings[at];
       if (edges.empty() && winding <= 0) continue;
-      const auto first = static_cast<std::uint32_t>(map.edges.size());
-      map.edges.insert(map.edges.end(), edges.begin(), edges.end());
+      const auto first = static_cast<std::uint32_t>(all_edges.size());
+      all_edges.insert(all_edges.end(), edges.begin(), edges.end());
       found.push_back({static_cast<std::size_t>(r) * map.columns + c,
-                       {number, winding, first, static_cast<std::uint32_t>(edges.size())}});
+                       {number, winding, priority, first, static_cast<std::uint32_t>(edges.size())}});
     }
 }
 
@@ -165,6 +167,20 @@ double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec
   return nearest_m;
 }
 
+// Takes what was found, sorted by bucket, its borders too: then a question reads them in a row.
+void take(SurfaceMap& map, std::span<const Found> found, std::span<const SurfaceMap::Edge> edges) {
+  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  map.edges.reserve(edges.size());
+  for (const Found& f : found) {
+    ++map.bucket_starts[f.bucket + 1];
+    const auto own = edges.subspan(f.entry.first_edge, f.entry.edge_count);
+    map.entries.push_back(f.entry);
+    map.entries.back().first_edge = static_cast<std::uint32_t>(map.edges.size());
+    map.edges.insert(map.edges.end(), own.begin(), own.end());
+  }
+  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+}
+
 std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
   const std::size_t bucket = static_cast<std::size_t>(row) * map.columns + column;
   return std::span(map.entries)
@@ -182,11 +198,10 @@ SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box) {
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
   // found from the top down, so that a stable sort by bucket leaves each bucket's surfaces in that order
   std::vector<Found> found;
-  for (const std::uint32_t i : order) find_in_buckets(map, i, found);
+  std::vector<SurfaceMap::Edge> edges;
+  for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
-  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
-  for (const Found& f : found) ++map.bucket_starts[f.bucket + 1], map.entries.push_back(f.entry);
-  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+  take(map, found, edges);
   return map;
 }
 
@@ -206,7 +221,7 @@ double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) 
     for (int column = range.first_column; column <= range.last_column; ++column)
       for (const BucketSurface& entry : entries_at(map, column, row)) {
         // sorted from the top down: none of this priority can follow
-        if (map::values_of(map.surfaces[entry.surface].surface).priority < priority) break;
+        if (entry.priority < priority) break;
         if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p))
           return 0;
         nearest_m = distance_to_border(map, entry, p, nearest_m);

@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kNoSurface = 0xffffffffu;
 struct BucketSurface {
   std::uint32_t surface = 0;
   std::int32_t winding = 0;
+  std::int32_t priority = 0;  ///< Of its class.
   std::uint32_t first_edge = 0, edge_count = 0;
 };
 
@@ -33,7 +34,7 @@ struct SurfaceMap {
   std::vector<std::uint32_t>
       bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
   std::vector<BucketSurface> entries;
-  std::vector<Edge> edges;
+  std::vector<Edge> edges;  ///< In the order of entries.
 };
 
 /// Cost: linear in vertices, plus buckets times vertices for the surfaces that reach over many buckets.
