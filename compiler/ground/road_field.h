@@ -35,8 +35,15 @@ struct GradedSegment {
   std::uint32_t road = 0;          ///< Into profiles.
 };
 
+/// What of a segment every place asks for.
+struct SegmentLine {
+  Vec2 along;  ///< From its beginning to its end.
+  double length2_m2 = 0, length_m = 0;
+};
+
 struct RoadField {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
+  std::vector<SegmentLine> lines;       ///< Of the segments.
   std::vector<Profile> profiles;        ///< One a road that has segments; empty: it follows the terrain.
   std::vector<Box2> reaches;            ///< Of the segments: farther off none is felt.
   BoxGrid grid;                         ///< Of those.
