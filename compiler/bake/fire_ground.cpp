@@ -72,22 +72,27 @@ std::vector<CellLevel> cell_levels(std::span<const GroundLevel> levels, std::spa
   return made;
 }
 
-// Knows one cell at a time.
+// The levels that one of them knows the cell for.
+void expand_known(std::span<const GroundLevel> levels, std::span<const CellLevel> made, std::size_t knower,
+                  const Box2& cell, std::vector<ExpandedCell>& expanded) {
+  const ground::Carving& carving = levels[knower].carving;
+  const ground::KnownCell known = ground::know_cell(made[knower].near.surfaces, carving, cell);
+  ground::CarvedNormals normals(carving);
+  for (std::size_t level = knower; level < levels.size(); ++level) {
+    if (made[level].knower != knower) continue;
+    ExpandedCell& here = expanded[level];
+    here.ground = ground::expand_cell(known, normals, levels[level].tolerance_m, here.report);
+    for (std::uint32_t& surface : here.ground.face_surface)
+      if (surface != kNoSurface) surface = made[level].near.numbers[surface];
+  }
+}
+
 std::vector<ExpandedCell> expand_ladder(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
                                         std::size_t c, const Box2& cell) {
   const std::vector<CellLevel> made = cell_levels(levels, candidates, c, cell);
   std::vector<ExpandedCell> expanded(levels.size());
-  for (std::size_t knower = 0; knower < levels.size(); ++knower) {
-    if (made[knower].knower != knower) continue;
-    const ground::KnownCell known = ground::know_cell(made[knower].near.surfaces, levels[knower].carving, cell);
-    for (std::size_t level = knower; level < levels.size(); ++level) {
-      if (made[level].knower != knower) continue;
-      ExpandedCell& here = expanded[level];
-      here.ground = ground::expand_cell(known, levels[level].carving, levels[level].tolerance_m, here.report);
-      for (std::uint32_t& surface : here.ground.face_surface)
-        if (surface != kNoSurface) surface = made[level].near.numbers[surface];
-    }
-  }
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    if (made[level].knower == level) expand_known(levels, made, level, cell, expanded);
   return expanded;
 }
 

@@ -105,10 +105,11 @@ KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, c
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
-  return expand_cell(know_cell(surfaces, carving, cell), carving, tolerance_m, report);
+  CarvedNormals normals(carving);
+  return expand_cell(know_cell(surfaces, carving, cell), normals, tolerance_m, report);
 }
 
-GroundMesh expand_cell(const KnownCell& known, const Carving& carving, double tolerance_m, Report& report) {
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report) {
   const Simpler simpler = simpler_borders(known.between_borders, tolerance_m);
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
@@ -128,7 +129,7 @@ GroundMesh expand_cell(const KnownCell& known, const Carving& carving, double to
     refined = std::move(finer);
   }
   if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  GroundMesh ground = step_mesh(refined, carving);
+  GroundMesh ground = step_mesh(refined, normals);
   ground.border_error_m = simpler.error_m;
   return ground;
 }
