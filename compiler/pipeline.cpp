@@ -108,6 +108,16 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
 
+namespace {
+
+/// So that no more threads than asked for are at work where as many tiles are made at once.
+int threads_of_a_tile(int threads, std::size_t tiles) {
+  if (threads <= 0) return threads;
+  return threads / std::clamp(static_cast<int>(std::min<std::size_t>(tiles, 4096)), 1, threads);
+}
+
+}  // namespace
+
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take) {
   struct Slot {
@@ -116,8 +126,9 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   };
   std::vector<Slot> slots(scene.chunks.size());
   Result<Done> done = Done{};
+  const int inner = threads_of_a_tile(threads, slots.size());
   const auto make = [&](std::size_t i) {
-    slots[i].tiles = bake::bake(scene.header, scene.chunks[i], ladder_m, threads, slots[i].report);
+    slots[i].tiles = bake::bake(scene.header, scene.chunks[i], ladder_m, inner, slots[i].report);
   };
   const auto hand_on = [&](std::size_t i) {
     on_progress("bake", static_cast<double>(i) / static_cast<double>(slots.size()));
