@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 namespace citykiln {
 namespace {
@@ -31,10 +33,12 @@ TEST(ForEachInOrder, KeepsNoMoreThanThreadsWaiting) {
   std::atomic<int> waiting = 0, most = 0;
   for_each_in_order(
       200, kThreads,
-      [&](std::size_t) {
+      [&](std::size_t i) {
         const int now = ++waiting;
         for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
         }
+        // the others could run ahead
+        if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(300));
       },
       [&](std::size_t) {
         --waiting;
