@@ -1,7 +1,9 @@
 #include "compiler/bake/bake.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "compiler/bake/dress_ground.h"
@@ -20,6 +22,45 @@ namespace citykiln::bake {
 namespace {
 
 using materials::DressedMesh;
+
+// What stands along streets. Mapped ones first.
+struct Lamps {
+  std::vector<props::StreetLamp> standing;
+  std::size_t mapped = 0;
+};
+
+// What the levels on one side of kPlainRoads_m have in common: how the ground is carved, and what stands on it.
+struct Common {
+  ground::Carving carving;
+  plants::Placed trees;
+  Report of_trees;
+  Lamps lamps;
+};
+
+// One level's part of the ground.
+struct Level {
+  double tolerance_m;
+  std::shared_ptr<const Common> common;
+  scene::GroundCover cover;
+  std::vector<ground::GroundMesh> cells{};
+  Report of_cells{};
+};
+
+Lamps place_lamps(const scene::Chunk& chunk, const ground::SurfaceMap& map, const Box2& box) {
+  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
+  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
+  return lamps;
+}
+
+Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, place_lamps(chunk, map, box)};
+  common.trees = plants::expand(chunk.trees, chunk.woods, map, common.carving, box, header.seed, common.of_trees);
+  return common;
+}
 
 // What a tile becomes, while it is being fired.
 struct Firing {
@@ -113,15 +154,13 @@ void fire_structures(Firing& firing, std::vector<structures::Expanded>& structur
   }
 }
 
-void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<structures::Expanded> structures,
-                 const Box2& box, int threads, Report& report) {
-  scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
+void fire_ground(Firing& firing, Level& level, std::vector<structures::Expanded> structures, const Box2& box) {
+  scene::GroundCover& cover = level.cover;
   const std::size_t first_of_structures = cover.patterns.size();
   for (const structures::Expanded& built : structures)
     for (const structures::MarkedMesh& marked : built.marked) cover.patterns.push_back(marked.pattern);
   Markings markings = lay_out_markings(cover, firing.tolerance_m);
-  for (const ground::GroundMesh& ground :
-       expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
+  for (const ground::GroundMesh& ground : level.cells) {
     firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
     std::vector<DressedMesh> dressed = dress(ground, cover, markings, firing.header, firing.tolerance_m);
     for (DressedMesh& mesh : dressed) hang_skirt(mesh, box, kSkirt * firing.tolerance_m);
@@ -129,6 +168,13 @@ void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<str
   }
   fire_structures(firing, structures, markings, first_of_structures);
   firing.tile.sheet = std::move(markings.sheet);
+}
+
+// What is placed is named before features are numbered, and written after.
+void name_placed(Firing& firing, const Common& common) {
+  for (const auto& placements : common.trees)
+    for (const Placement& p : placements) firing.features.insert(p.feature);
+  for (const props::StreetLamp& lamp : common.lamps.standing) firing.features.insert(lamp.feature);
 }
 
 std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
@@ -156,16 +202,6 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
   firing.tile.instanced.push_back(std::move(instanced));
 }
 
-// Trees are placed before features are numbered, and written after.
-plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const ground::Carving& carving,
-                           const Box2& box, Report& report) {
-  const scene::Chunk& chunk = firing.chunk;
-  plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, carving, box, firing.header.seed, report);
-  for (const auto& placements : placed)
-    for (const Placement& p : placements) firing.features.insert(p.feature);
-  return placed;
-}
-
 double tallest(const std::vector<Placement>& placements) {
   double tallest_m = 0;
   for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
@@ -180,21 +216,6 @@ void fire_trees(Firing& firing, const plants::Placed& placed) {
     firing.certify(archetype.error_per_m * tallest(placed[a]));
     fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
   }
-}
-
-// Lamps are placed before features are numbered, too. Mapped ones first.
-struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;
-};
-
-Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const Box2& box) {
-  const scene::Chunk& chunk = firing.chunk;
-  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
-  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
-  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
-  for (const props::StreetLamp& lamp : lamps.standing) firing.features.insert(lamp.feature);
-  return lamps;
 }
 
 // What stands of one kind; false where the tolerance leaves nothing of it.
@@ -242,30 +263,78 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
-}  // namespace
-
-BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
-               Report& report) {
+BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, int threads,
+                     Report& report) {
   const Box2 box = scene::box_of(header, chunk.tile);
+  const double tolerance_m = level.tolerance_m;
+  const Common& common = *level.common;
   BakedTile tile{chunk.tile, origin_of(box, chunk.heights), tolerance_m, 0, {}, {}, {}};
   Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
 
-  const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
-  fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
+  std::vector<structures::Expanded> structures = expand_structures(firing, report);
+  report.append(level.of_cells);
+  fire_ground(firing, level, std::move(structures), box);
   fire_buildings(firing, threads, report);
   fire_each(firing, chunk.barriers, "barrier", report,
-            [&](const auto& b) { return props::expand(b, carving, tolerance_m); });
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const plants::Placed trees = place_trees(firing, map, carving, box, report);
-  const Lamps lamps = place_lamps(firing, map, box);
+            [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
+  report.append(common.of_trees);
+  name_placed(firing, common);
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
   tile.textures = textures_shown(tile.primitives, tolerance_m, header.seed);
-  fire_trees(firing, trees);
-  fire_lamps(firing, lamps, carving, report);
+  fire_trees(firing, common.trees);
+  fire_lamps(firing, common.lamps, common.carving, report);
   return tile;
+}
+
+// All but the cells.
+std::vector<Level> levels_of(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m) {
+  std::array<std::shared_ptr<const Common>, 2> commons;
+  std::vector<Level> levels;
+  for (const double tolerance_m : ladder_m) {
+    std::shared_ptr<const Common>& common = commons[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
+    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m));
+    levels.push_back({tolerance_m, common, scene::cover_of(header, chunk, tolerance_m)});
+  }
+  return levels;
+}
+
+void expand_grounds(std::span<Level> levels, const Box2& box, int threads) {
+  std::vector<GroundLevel> grounds;
+  for (const Level& level : levels) grounds.push_back({level.common->carving, level.cover.surfaces, level.tolerance_m});
+  std::vector<Report> reports(levels.size());
+  std::vector<std::vector<ground::GroundMesh>> cells = expand_cells(grounds, box, threads, reports);
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    levels[i].cells = std::move(cells[i]), levels[i].of_cells = std::move(reports[i]);
+}
+
+}  // namespace
+
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
+               Report& report) {
+  return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report).front());
+}
+
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
+                            int threads, Report& report) {
+  struct Slot {
+    BakedTile tile;
+    Report report;
+  };
+  std::vector<Level> levels = levels_of(header, chunk, ladder_m);
+  expand_grounds(levels, scene::box_of(header, chunk.tile), threads);
+  std::vector<Slot> slots = for_each_slot<Slot>(levels.size(), threads, [&](std::size_t i) {
+    Slot slot;
+    slot.tile = fire_level(header, chunk, levels[i], threads, slot.report);
+    return slot;
+  });
+  std::vector<BakedTile> tiles;
+  for (Slot& slot : slots) {
+    report.append(slot.report);
+    tiles.push_back(std::move(slot.tile));
+  }
+  return tiles;
 }
 
 }  // namespace citykiln::bake

@@ -1,6 +1,9 @@
 // Stage 11: fires the clay of one tile at a tolerance.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "compiler/bake/baked.h"
 #include "compiler/contract/report.h"
 #include "compiler/scene/scene.h"
@@ -11,5 +14,10 @@ namespace citykiln::bake {
 /// "bake/lamp" (mapped ones), "bake/derived lamp" (along lit streets): what the tolerance drops. Total. Cost: linear in
 /// what the tile holds at that tolerance, but for the ground's n log n.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
+
+/// The same at every tolerance of a ladder, in its order: what levels have in common is made once. The report takes the
+/// levels one after another. Memory: all levels.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
+                            int threads, Report& report);
 
 }  // namespace citykiln::bake

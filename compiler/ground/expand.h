@@ -21,10 +21,12 @@
 #include "compiler/contract/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
+#include "compiler/ground/carved_normals.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/reference.h"
 #include "compiler/ground/surface_map.h"
+#include "compiler/ground/yield_slivers.h"
 
 namespace citykiln::ground {
 
@@ -36,6 +38,17 @@ struct GroundMesh {
   double error_m = 0;  ///< Largest vertical distance between mesh and carved ground, layer by layer: measured at all
                        ///< vertices of their overlay, so exact.
 };
+
+/// What a cell is made of before any tolerance.
+struct KnownCell {
+  std::vector<FaceHeight> heights;  ///< One a surface.
+  Regions between_borders;          ///< Between the borders that are seen.
+  Reference reference;              ///< What heights are measured against.
+};
+
+/// The dearer half of expand_cell: levels that share surfaces and carving share this too. Parameters as there; what is
+/// returned refers to the carving.
+KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);
 
 /// The ground of one cell.
 ///
@@ -51,6 +64,10 @@ struct GroundMesh {
 /// inserted samples.
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report);
+
+/// The same of a cell that is known.
+/// @param normals  Of the carving that it is known from; those of one level serve the next.
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report);
 
 /// What expand_cell is certified against: the carved ground of the cell, linear on the faces of one triangulation.
 Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);
