@@ -33,6 +33,9 @@ struct DeriveOptions {
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
+  /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
+  /// not derived, so nothing is counted, reported or looked at there. Not with keep_looks.
+  bool ahead = false;
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
   RoofBuilder roofs;    ///< None: plain_roof().

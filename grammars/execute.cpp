@@ -173,9 +173,9 @@ double area_m2_of(const Terminal& terminal) {
 /// What would go if a node were cut.
 struct Removed {
   std::size_t vertices = 0;
-  LookAreas areas_m2;                   ///< Of all detail, also of what was cut before.
-  std::uint32_t look = 0;               ///< Of most of it.
-  std::uint32_t texture = 0;            ///< Of the largest that looks so; into Tables::textures.
+  LookAreas areas_m2;         ///< Of all detail, also of what was cut before.
+  std::uint32_t look = 0;     ///< Of most of it.
+  std::uint32_t texture = 0;  ///< Of the largest that looks so; into Tables::textures.
 };
 
 void weigh(const Run& run, std::size_t i, Removed& removed) {
@@ -271,8 +271,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
                        start.scope,
                        true,
                        outcome.trace.moved.largest_m()});
-  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)),
-                       start.moved_at});
+  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)), start.moved_at});
 }
 
 NodeTrace traced(const Execution& execution) {
@@ -281,7 +280,17 @@ NodeTrace traced(const Execution& execution) {
   return {{}, std::all_of(execution.children.begin(), execution.children.end(), vanished)};
 }
 
+// the node's own surface for all that would be made of it
+Outcome end_ahead(Execution& execution, Displacement moved) {
+  Run& run = execution.run;
+  end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
+  run.out.terminals.back().cut = true;
+  run.out.terminals.back().error_m = moved.largest_m();
+  return {{moved, false}};
+}
+
 Outcome run_node(Execution& execution, const Body& body) {
+  if (const auto moved = known_ahead(execution, body)) return end_ahead(execution, *moved);
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return {repeat(execution, *recording.entry)};
   const std::size_t first = execution.run.out.terminals.size();

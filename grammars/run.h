@@ -9,6 +9,7 @@
 #include "grammars/derive.h"
 #include "grammars/displacement.h"
 #include "grammars/memo.h"
+#include "grammars/reach.h"
 #include "grammars/tables.h"
 
 namespace citykiln::grammars {
@@ -38,6 +39,7 @@ struct Run {
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
   std::vector<std::vector<std::uint32_t>> paths_below = {};              ///< By path.
   Memo memo = {};
+  ReachTable reaches = {};
 
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.

@@ -183,6 +183,7 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
     if (full.empty() || full.size() > 2500) continue;
     for (const double tolerance_m : {0.05, 0.2, 0.6, 2.0, 8.0}) {
       options.tolerance_m = tolerance_m;
+      options.ahead = round % 2 == 1;
       const Derivation derivation = derive(program, first, options);
       const auto cut = triangles_of(derivation);
       ASSERT_LE(derivation.error_m, tolerance_m);
