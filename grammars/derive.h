@@ -107,8 +107,8 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// index), so no shape's dice depend on another's. At a tolerance, the union of all terminals' surfaces lies within
 /// error_m ≤ tolerance_m of that at tolerance 0, Hausdorff, both ways; instances count as their scopes. Total: what
 /// cannot be is a trouble and does nothing; limits end shapes as terminals of their own, and
-/// keep the stack under 2 MB. Cost: that of all detail, at
-/// any tolerance: a node knows what it moves when all below it is derived.
+/// keep the stack under 2 MB. Cost: that of all detail, at any tolerance, but once for each kind of shape where
+/// `copies`, and not below what is known `ahead`.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
 
 /// "Lot/Facade/Floor".

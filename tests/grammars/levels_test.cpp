@@ -207,8 +207,8 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
 struct AheadLevels : Levels {
   std::string relief(int level) {
     const std::string depth = chance() % 3 ? metres_text(-0.4, 0.4) : "rand(0.1, " + metres_text(0.2, 0.4) + ")";
-    const char* const kEnds[] = {"front", "back", "top", "left", "side"};
-    const auto end = [&] { return std::string(kEnds[chance() % 5]) + " : " + successor(level) + " | "; };
+    const char* const kEnds[] = {"front", "back", "top", "left", "side", "vertical"};
+    const auto end = [&] { return std::string(kEnds[chance() % 6]) + " : " + successor(level) + " | "; };
     return "extrude(" + depth + ") comp(f) { " + end() + end() + "all : " + successor(level) + " }";
   }
 
