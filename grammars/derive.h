@@ -34,6 +34,9 @@ struct DeriveOptions {
   bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
+  /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
+  /// not derived, so nothing is counted, reported or looked at there. Not with keep_looks.
+  bool ahead = false;
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
   RoofBuilder roofs;    ///< None: plain_roof().
@@ -105,8 +108,8 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 /// index), so no shape's dice depend on another's. At a tolerance, the union of all terminals' surfaces lies within
 /// error_m ≤ tolerance_m of that at tolerance 0, Hausdorff, both ways; instances count as their scopes. Total: what
 /// cannot be is a trouble and does nothing; limits end shapes as terminals of their own, and
-/// keep the stack under 2 MB. Cost: that of all detail, at
-/// any tolerance: a node knows what it moves when all below it is derived.
+/// keep the stack under 2 MB. Cost: that of all detail, at any tolerance, but once for each kind of shape where
+/// `copies`, and not below what is known `ahead`.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
 
 /// "Lot/Facade/Floor".

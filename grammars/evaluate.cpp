@@ -250,7 +250,8 @@ Value initial_value(std::uint32_t index, Context& context) {
   Run& run = context.run;
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
-  Dice dice{Draw(run.options.seed, run.initial.id, ("attr " + attribute.name).c_str()), 0, false};
+  const std::string purpose = "attr " + attribute.name;
+  Dice dice{run.initial.id, purpose.c_str(), 0, false};
   Frame frame;
   Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
@@ -278,7 +279,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
 
 double draw_unit(Context& context) {
   if (context.dice.of_shape) context.run.asked_of(0);
-  return context.dice.draw.unit(context.dice.next++);
+  return Draw(context.run.options.seed, context.dice.id, context.dice.purpose).unit(context.dice.next++);
 }
 
 namespace {

@@ -36,6 +36,8 @@ void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring)
 std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
 
 void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, std::size_t first_ring) {
+  execution.vanished &= outcome.trace.vanished;
+  if (!execution.run.measures()) return;
   complete(trace, outcome, first_ring);
   execution.children.push_back(std::move(trace));
 }
@@ -64,9 +66,7 @@ void christen(Shape& shape, Newborn newborn) {
   shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
 }
 
-Dice dice_of(const Run& run, StableId id) { return {Draw(run.options.seed, id, "rule")}; }
-
-Outcome derive_successor(Execution& execution, const Statement& statement, Shape child, Frame arguments) {
+Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments) {
   Run& run = execution.run;
   if (statement.name == "NIL") return nothing();
   if (statement.index == ~0u)
@@ -173,9 +173,9 @@ double area_m2_of(const Terminal& terminal) {
 /// What would go if a node were cut.
 struct Removed {
   std::size_t vertices = 0;
-  LookAreas areas_m2;                   ///< Of all detail, also of what was cut before.
-  std::uint32_t look = 0;               ///< Of most of it.
-  std::uint32_t texture = 0;            ///< Of the largest that looks so; into Tables::textures.
+  LookAreas areas_m2;         ///< Of all detail, also of what was cut before.
+  std::uint32_t look = 0;     ///< Of most of it.
+  std::uint32_t texture = 0;  ///< Of the largest that looks so; into Tables::textures.
 };
 
 void weigh(const Run& run, std::size_t i, Removed& removed) {
@@ -272,17 +272,25 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
                        start.scope,
                        true,
                        outcome.trace.moved.largest_m()});
-  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)),
-                       start.moved_at});
+  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)), start.moved_at});
 }
 
 NodeTrace traced(const Execution& execution) {
   if (execution.run.measures()) return together(execution.children);
-  const auto vanished = [](const ChildTrace& child) { return child.vanished; };
-  return {{}, std::all_of(execution.children.begin(), execution.children.end(), vanished)};
+  return {{}, execution.vanished};
+}
+
+// the node's own surface for all that would be made of it
+Outcome end_ahead(Execution& execution, Displacement moved) {
+  Run& run = execution.run;
+  end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
+  run.out.terminals.back().cut = true;
+  run.out.terminals.back().error_m = moved.largest_m();
+  return {{moved, false}};
 }
 
 Outcome run_node(Execution& execution, const Body& body) {
+  if (const auto moved = known_ahead(execution, body)) return end_ahead(execution, *moved);
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return {repeat(execution, *recording.entry)};
   const std::size_t first = execution.run.out.terminals.size();
@@ -296,16 +304,16 @@ Outcome run_node(Execution& execution, const Body& body) {
   return outcome;
 }
 
-Outcome run_piece(Execution& execution, Shape shape, const Body& body) {
+Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
-  const Dice dice = dice_of(run, shape.id);
+  const Dice dice{shape.id};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
 
 }  // namespace
 
-Outcome end_as_terminal(Run& run, Shape shape, const std::string& name, std::uint32_t path) {
+Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
   run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
   run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
@@ -329,7 +337,7 @@ void run_body(Execution& execution, const Body& body, bool last) {
   if (branch >= 0) run_body(execution, body.branches[static_cast<std::size_t>(branch)].body, last);
 }
 
-Outcome apply_rule(Run& run, Shape shape, const Rule& rule, Frame frame, int depth, std::uint32_t parent_path) {
+Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int depth, std::uint32_t parent_path) {
   const std::uint32_t path = run.path(parent_path, rule.name);
   const bool too_deep = depth > run.options.limits.depth, too_many = run.out.shapes > run.options.limits.shapes;
   if (too_deep) run.hit(LimitKind::kDepth, rule.name, rule.place);
@@ -337,7 +345,7 @@ Outcome apply_rule(Run& run, Shape shape, const Rule& rule, Frame frame, int dep
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice = dice_of(run, shape.id);
+  const Dice dice{shape.id};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }

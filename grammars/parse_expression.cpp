@@ -93,29 +93,29 @@ Expression parse_else(Parser& parser, const char* after) {
   return parse_value(parser);
 }
 
-Expression parse_case_value(Parser& parser) {
-  Expression made;
-  made.kind = ExpressionKind::kCase;
-  made.place = parser.peek().place;
-  while (parser.sees_name("case")) {
-    parser.take();
-    made.operands.push_back(parse_expression(parser));
-    parser.expect(":", "after the condition");
-    made.operands.push_back(parse_value(parser));
-  }
-  made.operands.push_back(parse_else(parser, "the last case"));
-  return made;
+bool begins_branch(const Parser& parser, ExpressionKind kind) {
+  return kind == ExpressionKind::kCase ? parser.sees_name("case") : begins_chance(parser);
 }
 
-Expression parse_chance_value(Parser& parser) {
+// "case condition :" or "per cent % :"
+Expression parse_test(Parser& parser, ExpressionKind kind) {
+  if (kind == ExpressionKind::kChance) return parse_percent(parser);
+  parser.take();
+  Expression condition = parse_expression(parser);
+  parser.expect(":", "after the condition");
+  return condition;
+}
+
+// case … else, or p% … else
+Expression parse_choice(Parser& parser, ExpressionKind kind) {
   Expression made;
-  made.kind = ExpressionKind::kChance;
+  made.kind = kind;
   made.place = parser.peek().place;
-  while (begins_chance(parser)) {
-    made.operands.push_back(parse_percent(parser));
+  while (begins_branch(parser, kind)) {
+    made.operands.push_back(parse_test(parser, kind));
     made.operands.push_back(parse_value(parser));
   }
-  made.operands.push_back(parse_else(parser, "the last share"));
+  made.operands.push_back(parse_else(parser, kind == ExpressionKind::kCase ? "the last case" : "the last share"));
   return made;
 }
 
@@ -148,8 +148,8 @@ Expression parse_expression(Parser& parser) { return parse_binary(parser, 1); }
 Expression parse_value(Parser& parser) {
   const Nesting nesting(parser);
   if (parser.sees_name("with")) return parse_with_value(parser);
-  if (parser.sees_name("case")) return parse_case_value(parser);
-  if (begins_chance(parser)) return parse_chance_value(parser);
+  if (parser.sees_name("case")) return parse_choice(parser, ExpressionKind::kCase);
+  if (begins_chance(parser)) return parse_choice(parser, ExpressionKind::kChance);
   return parse_expression(parser);
 }
 

@@ -39,8 +39,8 @@ struct Made {
   NodeTrace trace;
 };
 
-/// A point of a copy: an offset, along the scope's axes, from a vertex of the shape. Without one it is the vertex, bit for
-/// bit.
+/// A point of a copy: an offset, along the scope's axes, from a vertex of the shape. Without one it is the vertex, bit
+/// for bit.
 struct Anchored {
   std::uint32_t vertex = 0;
   Vec3 offset_m;
@@ -50,8 +50,8 @@ struct Anchored {
 enum class TextureSource : std::uint8_t { kTexture, kProjection, kOwn };
 
 struct PatternTerminal {
-  Terminal terminal;  ///< As it was first derived; its scope's axes and texture along the pattern's scope.
-  TerminalNote note;  ///< `birth` into Pattern::births, 0 the pattern's own shape.
+  Terminal terminal;   ///< As it was first derived; its scope's axes and texture along the pattern's scope.
+  TerminalNote note;   ///< `birth` into Pattern::births, 0 the pattern's own shape.
   bool moved = false;  ///< Off the shape's surface: no part of it.
   TextureSource source = TextureSource::kTexture;
   std::uint32_t texture = 0;               ///< Of kOwn: into Pattern::textures.

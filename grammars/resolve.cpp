@@ -164,6 +164,7 @@ void resolve_settable(Resolver& names, Expression& name) {
     return names.fail(name.place, "expected an attribute or material value, found '" + name.text + "'");
   if (names.program.attributes[found->second].is_const)
     return names.fail(name.place, "'" + name.text + "' is a constant; only attributes can be set");
+  names.program.attributes[found->second].is_set = true;
   name.index = found->second;
 }
 

@@ -64,9 +64,7 @@ class Ring3 {
     for (; from != to; ++from) push_back(*from);
   }
 
-  friend bool operator==(const Ring3& a, const Ring3& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  }
+  friend bool operator==(const Ring3& a, const Ring3& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
 
  private:
   void grow() {

@@ -9,13 +9,15 @@
 #include "grammars/derive.h"
 #include "grammars/displacement.h"
 #include "grammars/memo.h"
+#include "grammars/reach.h"
 #include "grammars/tables.h"
 
 namespace citykiln::grammars {
 
 /// Chance for one purpose of one shape: the index counts what the shape itself has drawn.
 struct Dice {
-  Draw draw;
+  StableId id;
+  const char* purpose = "rule";
   std::uint32_t next = 0;
   bool of_shape = true;  ///< Not an attribute's, which are the building's.
 };
@@ -38,6 +40,7 @@ struct Run {
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
   std::vector<std::vector<std::uint32_t>> paths_below = {};              ///< By path.
   Memo memo = {};
+  ReachTable reaches = {};
 
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
@@ -69,7 +72,8 @@ struct Execution {
   const std::string& name;  ///< Of the shape: the rule's.
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
-  std::vector<ChildTrace> children = {};
+  std::vector<ChildTrace> children = {};  ///< Where surfaces are measured.
+  bool vanished = true;                   ///< All children have.
   std::uint32_t groups = 0;
   std::uint64_t born = 0;  ///< Ordinal of the next child.
   bool pending = true;     ///< No successor has been made of the shape as it is now.

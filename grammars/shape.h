@@ -58,8 +58,7 @@ struct Shape {
 /// All that a successor inherits, but for the faces: those are its own.
 inline Shape heir_of(const Shape& from) {
   return {from.id,   from.scope,      {},           from.parent_scope, from.asset, from.in_split, from.in_comp,
-          from.look, from.projection, from.texture, from.attributes,   from.birth,
-          from.moved_at};
+          from.look, from.projection, from.texture, from.attributes,   from.birth, from.moved_at};
 }
 
 /// Fits the scope to the faces, keeping its axes.

@@ -117,6 +117,7 @@ struct Attribute {
   Place place;
   std::string name;
   bool is_const = false;
+  bool is_set = false;  ///< Some rule changes it by set().
   Expression value;
 };
 

@@ -61,8 +61,9 @@ struct Saw {
 
 // a cap's points are no farther from its border than half its shorter side
 Displacement cap_displacement(const Shape& shape, int axis, bool closed) {
+  if (!closed) return {};
   const Scope box = scope_around(shape.faces, shape.scope.axis, shape.scope.origin);
-  return {closed ? std::min(box.size_m[(axis + 1) % 3], box.size_m[(axis + 2) % 3]) / 2 : 0, 0};
+  return {std::min(box.size_m[(axis + 1) % 3], box.size_m[(axis + 2) % 3]) / 2, 0};
 }
 
 Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool adjust) {

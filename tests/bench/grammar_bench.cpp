@@ -53,7 +53,8 @@ void derive_houses(benchmark::State& state, House house) {
   if (!house.program) return state.SkipWithError(to_string(house.program.error()).c_str());
   const Polygon footprint{{{0, 0}, {house.width_m, 0}, {house.width_m, house.depth_m}, {0, house.depth_m}}, {}};
   house.options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
-  house.options.copies = state.range(1) != 0;
+  house.options.copies = state.range(1) > 0;
+  house.options.ahead = state.range(1) > 1;
   std::uint64_t houses = 0, triangles = 0;
   for (auto _ : state) {
     const Shape first = lot(footprint, 0, 0, StableId{++houses}, {0});
@@ -71,10 +72,10 @@ void read_house(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_rules("grammars/town_house.cga", beside));
 }
 
-// tolerances in millimetres; with and without copies
-const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {1, 0}};
-BENCHMARK(derive_old_town)->ArgNames({"mm", "copies"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
-BENCHMARK(derive_flats)->ArgNames({"mm", "copies"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
+// tolerances in millimetres; 0 without copies, 1 with copies, 2 with what is known ahead too
+const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {0, 1, 2}};
+BENCHMARK(derive_old_town)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_flats)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
 BENCHMARK(read_house);
 
 }  // namespace

@@ -13,10 +13,11 @@ namespace {
 using namespace citykiln;
 using namespace citykiln::grammars;
 
-Derivation derived(const Program& program, double tolerance_m) {
+Derivation derived(const Program& program, double tolerance_m, bool ahead = false) {
   DeriveOptions options;
   options.limits = {24, 400, 60'000};
   options.tolerance_m = tolerance_m;
+  options.ahead = ahead;
   const Polygon footprint{{{0, 0}, {12, 0}, {12, 5}, {5, 5}, {5, 9}, {0, 9}}, {}};
   return derive(program, lot(footprint, 2, 0, StableId{7}, {0}), options);
 }
@@ -39,5 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!is_finite(full) || !is_finite(cut)) std::abort();
   if (full.shapes != cut.shapes || full.steps != cut.steps || full.limits.size() != cut.limits.size()) std::abort();
   if (!(cut.error_m <= 0.5) || cut.terminals.empty() != full.terminals.empty()) std::abort();
+  const Derivation ahead = derived(*program, 0.5, true);
+  if (!is_finite(ahead) || !(ahead.error_m <= 0.5)) std::abort();
   return 0;
 }

@@ -102,8 +102,15 @@ std::size_t open_edges(const Derivation& derivation) {
 TEST(Copies, MeetTheirNeighboursBitForBit) {
   const Result<Program> program = read_rules("old_town_house.cga", shipped);
   ASSERT_TRUE(program) << to_string(program.error());
-  for (const Shape& first : {turned_lot(), lot_of(18, 12)})
-    EXPECT_LE(open_edges(derived_with(true, *program, first)), open_edges(derived_with(false, *program, first)));
+  // tiles are divided at the same heights on both sides of their border
+  const Program grid = program_of(
+      "Lot --> extrude(9.3) comp(f) { side : Facade | all : Roof. }\n"
+      "Facade --> split(y) { { ~3 : split(x) { { ~2 : Tile }* } }* }\n"
+      "Tile --> split(y) { ~1 : A. | 1.07 : split(x) { ~1 : B. | 0.41 : A. | ~2 : Niche } | ~1.3 : A. }\n"
+      "Niche --> extrude(-0.2) comp(f) { front : NIL | all : reverseNormals() Block. }");
+  for (const Shape& first : {turned_lot(), lot_of(18.3, 12.1)})
+    for (const Program* rules : {&*program, &grid})
+      EXPECT_LE(open_edges(derived_with(true, *rules, first)), open_edges(derived_with(false, *rules, first)));
 }
 
 struct CopiedRule {

@@ -1,0 +1,373 @@
+#include "grammars/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammars/builtin.h"
+#include "grammars/evaluate.h"
+#include "grammars/operations/table.h"
+#include "grammars/run.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr std::uint32_t kMostLooks =
+    10'000;                            // at bodies and values: some twenty times what our largest rule files hold
+constexpr int kDeepest = 40;           // bodies in each other
+constexpr double kOfTheGrid_m = 2e-4;  // what a setback's overlay bends, generously
+
+using Intervals = std::vector<Interval1>;
+
+/// What is looked at.
+struct Outlook {
+  Execution& execution;
+  int depth = 0;
+};
+
+// ---- numbers
+// ----------------------------------------------------------------------------------------------------------
+
+Interval1 interval_of(Outlook outlook, const Expression& expression, const Intervals& frame);
+
+Interval1 around(std::initializer_list<double> values) {
+  Interval1 interval{std::min(values), std::max(values)};
+  if (!(std::abs(interval.low) + std::abs(interval.high) < kMost_m)) return {};
+  return interval;
+}
+
+Interval1 either(Interval1 a, Interval1 b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+Interval1 interval_of_binary(const std::string& sign, Interval1 a, Interval1 b) {
+  if (sign == "+") return around({a.low + b.low, a.high + b.high});
+  if (sign == "-") return around({a.low - b.high, a.high - b.low});
+  if (sign == "*") return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+  return {};
+}
+
+Interval1 interval_of_value(const Value& value) {
+  const double* number = std::get_if<double>(&value);
+  return number == nullptr ? Interval1{} : around({*number});
+}
+
+Interval1 interval_of_function(Outlook outlook, const Expression& call, const Intervals& frame) {
+  Intervals arguments;
+  for (const Expression& operand : call.operands) arguments.push_back(interval_of(outlook, operand, frame));
+  return interval_of(outlook, outlook.execution.run.program.functions[call.index].value, arguments);
+}
+
+// rand alone: of the others most are about shapes
+Interval1 interval_of_builtin(Outlook outlook, const Expression& call, const Intervals& frame) {
+  if (call.text != "rand") return {};
+  if (call.operands.empty()) return {0, 1};
+  const Interval1 first = interval_of(outlook, call.operands.front(), frame);
+  const Interval1 other = call.operands.size() > 1 ? interval_of(outlook, call.operands[1], frame) : Interval1{0, 0};
+  return either(first, other);
+}
+
+Interval1 interval_of_name(Outlook outlook, const Expression& name, const Intervals& frame) {
+  Execution& execution = outlook.execution;
+  switch (name.target) {
+    case Target::kLocal:
+      return name.index < frame.size() ? frame[name.index] : Interval1{};
+    case Target::kAttribute: {
+      if (execution.run.program.attributes[name.index].is_set) return {};
+      Context context{execution.run, execution.shape, execution.frame, execution.dice};
+      return interval_of_value(attribute_value(name.index, context));
+    }
+    case Target::kFunction:
+      return interval_of_function(outlook, name, frame);
+    case Target::kBuiltin:
+      return interval_of_builtin(outlook, name, frame);
+    default:
+      return {};
+  }
+}
+
+// values of case and of shares: any of them
+Interval1 interval_of_choice(Outlook outlook, const Expression& choice, const Intervals& frame) {
+  if (choice.operands.size() % 2 == 0) return {};
+  Interval1 all = interval_of(outlook, choice.operands.back(), frame);
+  for (std::size_t i = 1; i < choice.operands.size(); i += 2)
+    all = either(all, interval_of(outlook, choice.operands[i], frame));
+  return all;
+}
+
+Interval1 interval_of(Outlook outlook, const Expression& expression, const Intervals& frame) {
+  if (++outlook.depth > kDeepest || ++outlook.execution.run.reaches.looks > kMostLooks) return {};
+  const auto& operands = expression.operands;
+  switch (expression.kind) {
+    case ExpressionKind::kLiteral:
+      return interval_of_value(expression.value);
+    case ExpressionKind::kName:
+    case ExpressionKind::kCall:
+      return interval_of_name(outlook, expression, frame);
+    case ExpressionKind::kUnary:
+      if (expression.text != "-" && expression.text != "+") return {};
+      return interval_of_binary(expression.text, {0, 0}, interval_of(outlook, operands[0], frame));
+    case ExpressionKind::kBinary:
+      return interval_of_binary(expression.text, interval_of(outlook, operands[0], frame),
+                                interval_of(outlook, operands[1], frame));
+    case ExpressionKind::kCase:
+    case ExpressionKind::kChance:
+      return interval_of_choice(outlook, expression, frame);
+    default:
+      return {};
+  }
+}
+
+double largest_m(Interval1 interval) { return std::max(std::abs(interval.low), std::abs(interval.high)); }
+
+// ---- bodies
+// -----------------------------------------------------------------------------------------------------------
+
+Reach reach_of_body(Outlook outlook, const Body& body, Intervals frame);
+
+/// What is known of the current shape.
+enum class Form : std::uint8_t {
+  kFace,   ///< One flat face that looks along the scope's z.
+  kPrism,  ///< A prism over one, along z.
+  kUnknown
+};
+
+/// A body's statements, one after the other.
+struct Course {
+  Outlook outlook;
+  Intervals frame;
+  Form form = Form::kFace;
+  Displacement moved = {};  ///< Up to the current shape.
+  double height_m = 0;      ///< Of kPrism.
+  bool pending = true;
+  bool unbounded = false;  ///< Something was met that is not known.
+  std::vector<std::tuple<Form, Displacement, double>> pushed = {};
+  double out_m = 0;              ///< Of all children.
+  double back_m = kUnbounded_m;  ///< Of the best group of children.
+  bool stays = false;
+};
+
+// `cover_m`: from a point of the current surface to the children that stand for it
+void add_group(Course& course, const Reach& reach, double cover_m) {
+  course.out_m = std::max(course.out_m, course.moved.out_m + reach.moved.out_m);
+  course.pending = false;
+  if (!reach.stays) return;
+  course.stays = true;
+  course.back_m = std::min(course.back_m, course.moved.back_m + cover_m + reach.moved.back_m);
+}
+
+/// All children of a group: as far out as any, as far back as any, and staying if all do.
+Reach worst_of(Reach a, Reach b) {
+  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)}, a.stays && b.stays};
+}
+
+constexpr Reach kNothing = {{0, kUnbounded_m}, false};
+constexpr Reach kItself = {{0, 0}, true};
+
+// nested ones too
+Reach worst_of(Course& course, const std::vector<Selector>& selectors) {
+  Reach worst = kItself;
+  for (const Selector& selector : selectors)
+    worst = worst_of(worst, selector.size == SizeKind::kRepeat
+                                ? worst_of(course, selector.nested)
+                                : reach_of_body(course.outlook, selector.body, course.frame));
+  return worst;
+}
+
+bool floats(const Statement& split) {
+  return split.repeated || std::any_of(split.selectors.begin(), split.selectors.end(), [](const Selector& selector) {
+           return selector.size == SizeKind::kFloating || selector.size == SizeKind::kRepeat;
+         });
+}
+
+bool has(const Statement& statement, const char* word) {
+  return std::any_of(statement.selectors.begin(), statement.selectors.end(), [&](const Selector& selector) {
+    return selector.key.target == Target::kWord && selector.key.text == word;
+  });
+}
+
+void look_at_split(Course& course, const Statement& statement) {
+  Reach pieces = worst_of(course, statement.selectors);
+  // what no size takes is lost
+  pieces.stays &= floats(statement);
+  add_group(course, pieces, 0);
+}
+
+void look_at_setback(Course& course, const Statement& statement) {
+  Reach parts = worst_of(course, statement.selectors);
+  parts.stays &= has(statement, "all") && has(statement, "remainder");
+  course.moved = course.moved + Displacement{kOfTheGrid_m, kOfTheGrid_m};
+  add_group(course, parts, 0);
+}
+
+/// True if the word takes faces that the scope calls `side`, false if it does not; neither if that depends on more.
+enum class Takes : std::uint8_t { kYes, kNo, kPerhaps };
+
+Takes takes(const Selector& selector, const std::string& side) {
+  if (selector.key.target != Target::kWord) return Takes::kPerhaps;
+  const std::string& word = selector.key.text;
+  if (word == "all" || word == side) return Takes::kYes;
+  if (word == "side") return side == "front" || side == "back" ? Takes::kYes : Takes::kNo;
+  return is_among(word, " front back left right top bottom ") ? Takes::kNo : Takes::kPerhaps;
+}
+
+// of the prism's end that the scope calls `side`
+Reach reach_of_end(Course& course, const Statement& comp, const std::string& side) {
+  for (const Selector& selector : comp.selectors) {
+    const Takes taken = takes(selector, side);
+    if (taken == Takes::kPerhaps) return kNothing;
+    if (taken == Takes::kYes) return reach_of_body(course.outlook, selector.body, course.frame);
+  }
+  return kNothing;
+}
+
+// either end will do: both are within the height of each other
+Reach reach_of_ends(Course& course, const Statement& comp, const char* one, const char* other) {
+  const Reach a = reach_of_end(course, comp, one), b = reach_of_end(course, comp, other);
+  if (!a.stays || (b.stays && b.moved.back_m < a.moved.back_m)) return b;
+  return a;
+}
+
+void look_at_comp(Course& course, const Statement& statement) {
+  Reach parts = worst_of(course, statement.selectors);
+  if (course.form == Form::kFace) {
+    parts.stays &= has(statement, "all");
+    return add_group(course, parts, 0);
+  }
+  // ends are front and back of what stands, top and bottom of what lies
+  const Reach ends =
+      worst_of(reach_of_ends(course, statement, "front", "back"), reach_of_ends(course, statement, "top", "bottom"));
+  add_group(course, {{parts.moved.out_m, ends.moved.back_m}, ends.stays}, course.height_m);
+}
+
+void look_at_extrude(Course& course, const Statement& statement) {
+  const bool along_normal = statement.arguments.size() == 1;
+  course.unbounded |= !along_normal || course.form != Form::kFace;
+  course.height_m = largest_m(interval_of(course.outlook, statement.arguments.back(), course.frame));
+  course.form = Form::kPrism;
+  course.moved.out_m += course.height_m;
+}
+
+void look_at_translation(Course& course, const Statement& statement) {
+  double way_m = 0;
+  for (const Expression& argument : statement.arguments)
+    way_m += is_share(argument) ? kUnbounded_m : largest_m(interval_of(course.outlook, argument, course.frame));
+  course.moved = course.moved + Displacement{way_m, way_m};
+}
+
+void look_at_operation(Course& course, const Statement& statement) {
+  const OperationRow& row = operation_table()[statement.index];
+  const bool is_face = course.form == Form::kFace;
+  course.pending |= row.alters != Alters::kNothing;
+  if (statement.name == "comp" && course.form != Form::kUnknown) return look_at_comp(course, statement);
+  if (statement.name == "split" && is_face) return look_at_split(course, statement);
+  if (statement.name == "setback" && is_face) return look_at_setback(course, statement);
+  if (statement.name == "extrude") return look_at_extrude(course, statement);
+  if (statement.name == "t") return look_at_translation(course, statement);
+  // the scope may be turned, but the face stays along its z: that is all that is used
+  const bool keeps_form = statement.name == "reverseNormals" || (statement.name == "alignScopeToGeometry" && is_face);
+  const bool moves = row.alters == Alters::kSurface || row.selectors != SelectorKind::kNone;
+  course.unbounded |= moves || (row.alters == Alters::kFrame && !keeps_form);
+}
+
+void look_at_successor(Course& course, const Statement& statement) {
+  if (statement.name == "NIL") return add_group(course, kNothing, 0);
+  if (statement.index == ~0u) return add_group(course, kItself, 0);
+  // a prism is no face
+  if (course.form != Form::kFace) return void(course.unbounded = true);
+  Intervals arguments;
+  for (const Expression& argument : statement.arguments)
+    arguments.push_back(interval_of(course.outlook, argument, course.frame));
+  const Rule& rule = course.outlook.execution.run.program.rules[statement.index];
+  add_group(course, reach_of_body(course.outlook, rule.body, std::move(arguments)), 0);
+}
+
+void look_at_pop(Course& course) {
+  if (course.pushed.empty()) return;
+  std::tie(course.form, course.moved, course.height_m) = course.pushed.back();
+  course.pushed.pop_back();
+}
+
+void look_at(Course& course, const Statement& statement) {
+  switch (statement.kind) {
+    case StatementKind::kOperation:
+      return look_at_operation(course, statement);
+    case StatementKind::kSuccessor:
+      return look_at_successor(course, statement);
+    case StatementKind::kPush:
+      return void(course.pushed.emplace_back(course.form, course.moved, course.height_m));
+    case StatementKind::kPop:
+      return look_at_pop(course);
+    case StatementKind::kBlock:
+      course.unbounded = true;  // rare
+  }
+}
+
+Reach reach_of_statements(Outlook outlook, const Body& body, Intervals frame) {
+  Course course{outlook, std::move(frame)};
+  for (const Statement& statement : body.statements) {
+    look_at(course, statement);
+    if (course.unbounded) return {};
+  }
+  if (course.pending) add_group(course, kItself, 0);
+  return {{course.out_m, course.back_m}, course.stays};
+}
+
+// a case that no branch fits leaves the shape as it is
+Reach reach_of_branches(Outlook outlook, const Body& body, const Intervals& frame) {
+  Reach worst = kItself;
+  for (const Branch& branch : body.branches) worst = worst_of(worst, reach_of_body(outlook, branch.body, frame));
+  return worst;
+}
+
+std::vector<double> ends_of(const Intervals& frame) {
+  std::vector<double> ends;
+  for (const Interval1& interval : frame) ends.insert(ends.end(), {interval.low, interval.high});
+  return ends;
+}
+
+Reach reach_of_body(Outlook outlook, const Body& body, Intervals frame) {
+  ReachTable& table = outlook.execution.run.reaches;
+  if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
+  // what is under way is unbounded: a rule that comes to itself again
+  const auto [found, is_new] = table.found.try_emplace({body.number, ends_of(frame)});
+  if (!is_new) return found->second;
+  for (const Local& local : body.locals) {
+    const Interval1 value = interval_of(outlook, local.value, frame);
+    frame.resize(std::max<std::size_t>(frame.size(), local.slot + 1));
+    frame[local.slot] = value;
+  }
+  const bool chooses = body.kind != BodyKind::kStatements;
+  const Reach reach = chooses ? reach_of_branches(outlook, body, frame) : reach_of_statements(outlook, body, frame);
+  return found->second = reach;
+}
+
+bool divides(const Body& body) {
+  return std::any_of(body.statements.begin(), body.statements.end(),
+                     [](const Statement& statement) { return statement.has_selectors; }) ||
+         std::any_of(body.branches.begin(), body.branches.end(),
+                     [](const Branch& branch) { return divides(branch.body); });
+}
+
+bool is_flat(const Shape& shape) {
+  if (shape.faces.size() != 1 || !shape.asset.empty()) return false;
+  const Vec3 normal = normal_of(shape.faces.front());
+  constexpr double kNearly = 1 - 1e-9;
+  return std::abs(dot(normal, shape.scope.axis[1])) > kNearly || std::abs(dot(normal, shape.scope.axis[2])) > kNearly;
+}
+
+}  // namespace
+
+Reach reach_of(Execution& execution, const Body& body) {
+  Intervals frame;
+  for (const Value& value : execution.frame) frame.push_back(interval_of_value(value));
+  return reach_of_body({execution}, body, std::move(frame));
+}
+
+std::optional<Displacement> known_ahead(Execution& execution, const Body& body) {
+  const DeriveOptions& options = execution.run.options;
+  if (!options.ahead || options.keep_looks || !execution.run.measures()) return std::nullopt;
+  if (!divides(body) || !is_flat(execution.shape)) return std::nullopt;
+  const Reach reach = reach_of(execution, body);
+  if (!reach.stays || reach.moved.largest_m() > options.tolerance_m) return std::nullopt;
+  return reach.moved;
+}
+
+}  // namespace citykiln::grammars

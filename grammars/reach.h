@@ -1,0 +1,48 @@
+// How far a body can move a surface, known before anything is derived of it.
+//
+// What displacement.h measures is bounded here from the rules alone: numbers are intervals, of a case all branches
+// count, and what cannot be bounded is infinite. Known are flat faces that look along their scope's z or y, as facades,
+// lots and their parts do, and prisms over them; looks, extrude, t, comp, split, setback and successors.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "grammars/displacement.h"
+#include "grammars/syntax.h"
+
+namespace citykiln::grammars {
+
+struct Run;
+struct Execution;
+
+/// A number that lies somewhere between two; infinite where nothing is known.
+struct Interval1 {
+  double low = -kUnbounded_m, high = kUnbounded_m;
+};
+
+struct Reach {
+  Displacement moved = {kUnbounded_m, kUnbounded_m};
+  bool stays = false;  ///< Something surely comes of it; else `moved.back_m` says nothing.
+};
+
+/// Reaches found so far, by body and arguments.
+struct ReachTable {
+  std::map<std::pair<std::uint32_t, std::vector<double>>, Reach> found;
+  std::uint32_t looks = 0;  ///< Bodies and values looked at; after so many, everything is unbounded.
+};
+
+/// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are
+/// thrown. Safe: what the derivation measures is never more, unless a limit ends it. O(bodies that it may come to),
+/// once.
+Reach reach_of(Execution& execution, const Body& body);
+
+/// What the body may move the node's shape, if that is known to be within the tolerance, so that the node need not be
+/// derived (DeriveOptions::ahead). std::nullopt also for bodies that divide nothing: what they name is looked at in its
+/// turn.
+std::optional<Displacement> known_ahead(Execution& execution, const Body& body);
+
+}  // namespace citykiln::grammars
