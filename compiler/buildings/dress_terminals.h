@@ -23,7 +23,8 @@ SurfaceDress dress_of(const grammars::Look& look);
 /// The terminals' faces as meshes, one a material and tint, in that order.
 ///
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
-/// points are its points, bit for bit, and their area is the face's. The same bytes for the same derivation. Total:
+/// points are its points, bit for bit, and their area is the face's. What has a texture has places on it (uvs): along a
+/// face's foot and up it, so that faces of one plane show one picture. The same bytes for the same derivation. Total:
 /// faces without area add nothing; assets are left out. O(n log n); convex faces without holes, O(n).
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature);
 

@@ -16,6 +16,8 @@ enum class Pattern : std::uint8_t {
   kCrags,    ///< Rock.
   kSlabs,    ///< Paving, half a metre square on 4 m.
   kMasonry,  ///< Courses of stone along u.
+  kBricks,   ///< Courses of bricks along u, a decimetre each on 4 m.
+  kTiles,    ///< Rows of roof tiles along u, a third of a metre each on 4 m.
   kWaves     ///< Of water; tone is flat.
 };
 
