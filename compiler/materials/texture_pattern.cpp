@@ -227,9 +227,9 @@ Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
     case Pattern::kMasonry:
       return bricks(side_px, 7, 12, 0.12, key);
     case Pattern::kBricks:
-      return bricks(side_px, 16, 40, 0.25, key);
+      return bricks(side_px, 8, 20, 0.25, key);
     case Pattern::kTiles:
-      return bricks(side_px, 18, 12, 0.16, key);
+      return bricks(side_px, 9, 6, 0.16, key);
     case Pattern::kWaves:
       return waves(side_px, key);
   }
