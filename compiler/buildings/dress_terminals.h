@@ -20,6 +20,12 @@ struct SurfaceDress {
 /// the material its own. Glass is tinted as far as it can be. O(rows).
 SurfaceDress dress_of(const grammars::Look& look);
 
+/// Adds a face's triangles, with its own points. Faces without area add nothing.
+void add_face(const grammars::Face& face, Mesh& mesh);
+
+/// The same with places on the material's texture, if it has one: then all of the mesh has to be added so.
+void add_face(const grammars::Face& face, materials::DressedMesh& dressed);
+
 /// The terminals' faces as meshes, one a material and tint, in that order.
 ///
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
