@@ -43,6 +43,7 @@ void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
 
 // Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
 void add_places(const Face& face, materials::DressedMesh& dressed) {
+  if (dressed.uvs.size() == dressed.mesh.positions.size()) return;
   constexpr double kPeriod_m = materials::kTexturePeriod_m, kStep_m = materials::kTexturePlace_m;
   const std::array<Vec3, 3> axis = grammars::axes_of(face);
   const auto period = [&](std::size_t i) {

@@ -23,9 +23,6 @@ SurfaceDress dress_of(const grammars::Look& look);
 /// Adds a face's triangles, with its own points. Faces without area add nothing.
 void add_face(const grammars::Face& face, Mesh& mesh);
 
-/// The same with places on the material's texture, if it has one: then all of the mesh has to be added so.
-void add_face(const grammars::Face& face, materials::DressedMesh& dressed);
-
 /// The terminals' faces as meshes, one a material and tint, in that order.
 ///
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
@@ -34,5 +31,9 @@ void add_face(const grammars::Face& face, materials::DressedMesh& dressed);
 /// faces without area add nothing; assets, and the terminals' own texture frames, are left out. O(n log n); convex
 /// faces without holes, O(n).
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature);
+
+/// Adds a face as meshes_of() does: with places on the material's texture, if it has one. Then all of the mesh has to
+/// be added so.
+void add_face(const grammars::Face& face, materials::DressedMesh& dressed);
 
 }  // namespace citykiln::buildings

@@ -108,6 +108,8 @@ TEST(MeshesOf, IsTotalOnFacesThatAreNone) {
   faces[1].outer = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   faces[2].outer = {{0, 0, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}};
   EXPECT_LE(meshes_of(derivation, {}).size(), 1u);
+  derivation.looks[0].name = "stone";
+  EXPECT_LE(meshes_of(derivation, {}).size(), 1u);
 }
 
 TEST(DressOfLook, KnowsEveryMaterialByItsName) {
