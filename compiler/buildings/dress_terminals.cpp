@@ -1,10 +1,13 @@
 #include "compiler/buildings/dress_terminals.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "compiler/buildings/painted.h"
 #include "compiler/geometry/triangulate.h"
+#include "compiler/materials/texture.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -36,6 +39,22 @@ void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
   for (std::uint32_t i = 2; i < ring.size(); ++i) mesh.triangles.push_back({first, first + i - 1, first + i});
+}
+
+// Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
+void add_places(const Face& face, materials::DressedMesh& dressed) {
+  if (dressed.uvs.size() == dressed.mesh.positions.size()) return;
+  constexpr double kPeriod_m = materials::kTexturePeriod_m, kStep_m = materials::kTexturePlace_m;
+  const std::array<Vec3, 3> axis = grammars::axes_of(face);
+  const auto period = [&](std::size_t i) {
+    return std::floor(dot(axis[i], face.outer.front()) / kPeriod_m) * kPeriod_m;
+  };
+  const Vec2 whole{period(0), period(1)};
+  const auto on_grid = [&](double m) { return std::floor(m / kStep_m + 0.5) * kStep_m; };
+  for (std::size_t i = dressed.uvs.size(); i < dressed.mesh.positions.size(); ++i) {
+    const Vec3 p = dressed.mesh.positions[i];
+    dressed.uvs.push_back({on_grid(dot(axis[0], p) - whole.x), on_grid(dot(axis[1], p) - whole.y)});
+  }
 }
 
 // The face's own points, in the order in which triangulate() counts them.
@@ -75,15 +94,21 @@ SurfaceDress dress_of(const grammars::Look& look) {
   return {shown, painted(shown, paint)};
 }
 
+void add_face(const Face& face, materials::DressedMesh& dressed) {
+  add_face(face, dressed.mesh);
+  if (materials::has_texture(dressed.material, 0)) add_places(face, dressed);
+}
+
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature) {
   std::vector<SurfaceDress> dress;
   for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
-  std::map<SurfaceDress, Mesh> mesh_of;
+  std::map<SurfaceDress, materials::DressedMesh> mesh_of;
+  for (const SurfaceDress& each : dress) mesh_of[each] = {{}, each.material, each.tint, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces) add_face(face, mesh_of[dress[terminal.look]]);
   std::vector<materials::DressedMesh> meshes;
-  for (auto& [key, mesh] : mesh_of)
-    if (!mesh.triangles.empty()) meshes.push_back({std::move(mesh), key.material, key.tint, feature});
+  for (auto& [key, dressed] : mesh_of)
+    if (!dressed.mesh.triangles.empty()) meshes.push_back(std::move(dressed));
   return meshes;
 }
 

@@ -26,8 +26,14 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// The terminals' faces as meshes, one a material and tint, in that order.
 ///
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
-/// points are its points, bit for bit, and their area is the face's. The same bytes for the same derivation. Total:
-/// faces without area add nothing; assets are left out. O(n log n); convex faces without holes, O(n).
+/// points are its points, bit for bit, and their area is the face's. What has a texture has places on it (uvs): along a
+/// face's foot and up it, so that faces of one plane show one picture. The same bytes for the same derivation. Total:
+/// faces without area add nothing; assets, and the terminals' own texture frames, are left out. O(n log n); convex
+/// faces without holes, O(n).
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature);
+
+/// Adds a face as meshes_of() does: with places on the material's texture, if it has one. Then all of the mesh has to
+/// be added so.
+void add_face(const grammars::Face& face, materials::DressedMesh& dressed);
 
 }  // namespace citykiln::buildings

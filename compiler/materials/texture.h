@@ -1,5 +1,5 @@
-// Textures of the ground: squares of a few metres that repeat both ways. A picture of the material's colour, and where
-// the shape is seen, one of its normals.
+// Textures of the ground and of walls: squares of a few metres that repeat both ways. A picture of the material's
+// colour, and where the shape is seen, one of its normals.
 #pragma once
 
 #include <array>

@@ -164,10 +164,10 @@ Tones slabs(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-Tones masonry(std::uint32_t px, std::uint64_t key) {
+Tones bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along, double joint, std::uint64_t key) {
   const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
   const auto brick = [&](std::uint32_t c, std::uint32_t r) {
-    return brick_at((c + 0.5) / px, (r + 0.5) / px, 7, 12, 0.12, chances);
+    return brick_at((c + 0.5) / px, (r + 0.5) / px, across, along, joint, chances);
   };
   const Field relief = combined(px, [&](auto c, auto r) { return brick(c, r).inside + 0.15 * detail.at(c, r); });
   return tones(
@@ -225,7 +225,11 @@ Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
     case Pattern::kSlabs:
       return slabs(side_px, key);
     case Pattern::kMasonry:
-      return masonry(side_px, key);
+      return bricks(side_px, 7, 12, 0.12, key);
+    case Pattern::kBricks:
+      return bricks(side_px, 8, 20, 0.25, key);
+    case Pattern::kTiles:
+      return bricks(side_px, 9, 6, 0.16, key);
     case Pattern::kWaves:
       return waves(side_px, key);
   }

@@ -1,4 +1,4 @@
-// What the ground looks like from a step away, as light and dark and high and low, without colour.
+// What ground and walls look like from a step away, as light and dark and high and low, without colour.
 #pragma once
 
 #include "compiler/materials/noise.h"
@@ -16,6 +16,8 @@ enum class Pattern : std::uint8_t {
   kCrags,    ///< Rock.
   kSlabs,    ///< Paving, half a metre square on 4 m.
   kMasonry,  ///< Courses of stone along u.
+  kBricks,   ///< Courses of bricks along u, a decimetre each on 2 m.
+  kTiles,    ///< Rows of roof tiles along u, a third of a metre each on 2 m.
   kWaves     ///< Of water; tone is flat.
 };
 

@@ -112,7 +112,7 @@ Look look_by_name(const std::string& name, StableId id) {
   Look look;
   look.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
   if (look.name == "glass") return look;
-  constexpr double kTiles[3] = {0.52, 0.33, 0.27};
+  constexpr double kTiles[3] = {0.50, 0.31, 0.25};
   const double* colour =
       look.name == "roof_tile"
           ? kTiles
@@ -179,6 +179,7 @@ int main(int count, char** arguments) {
   bake::BakedTile tile;
   tile.features = {{}};
   tile.primitives = primitives_of(std::move(merged));
+  tile.textures = textures_shown(tile.primitives, 0.02, 0);
   scene::Header header;
   header.origin = {13.4, 52.5};
   const auto done = exporters::write_glb(tile, header, exporters::Instancing::kNodes, arguments[1]);

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <span>
 #include <string>
 
+#include "compiler/materials/texture.h"
 #include "grammars/link.h"
 
 namespace citykiln::buildings {
@@ -76,6 +78,28 @@ TEST(MeshesOf, UsesTheFacesOwnPoints) {
     for (const Vec3 p : dressed.mesh.positions) EXPECT_TRUE(own.contains(p));
 }
 
+TEST(MeshesOf, LaysMetresOnTextures) {
+  int textured = 0;
+  for (const DressedMesh& dressed : meshes_of(derived(kBlock), {})) {
+    const bool has_texture = materials::has_texture(dressed.material, 0);
+    EXPECT_EQ(dressed.uvs.size(), has_texture ? dressed.mesh.positions.size() : 0u);
+    if (!has_texture) continue;
+    ++textured;
+    for (const Triangle& t : dressed.mesh.triangles) {
+      const auto& p = dressed.mesh.positions;
+      EXPECT_NEAR(distance(dressed.uvs[t[0]], dressed.uvs[t[1]]), length(p[t[0]] - p[t[1]]), 0.006);
+      // a wall's height is told by v
+      if (dressed.material == Material::kBrick) {
+        EXPECT_NEAR(dressed.uvs[t[0]].y, p[t[0]].z, 0.002);
+      }
+    }
+    for (const Vec2 uv : dressed.uvs)
+      for (const double m : {uv.x, uv.y})
+        EXPECT_EQ(m / materials::kTexturePlace_m, std::floor(m / materials::kTexturePlace_m));
+  }
+  EXPECT_EQ(textured, 2);
+}
+
 TEST(MeshesOf, IsTotalOnFacesThatAreNone) {
   grammars::Derivation derivation;
   derivation.looks.emplace_back();
@@ -83,6 +107,8 @@ TEST(MeshesOf, IsTotalOnFacesThatAreNone) {
   faces.resize(3);
   faces[1].outer = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   faces[2].outer = {{0, 0, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}};
+  EXPECT_LE(meshes_of(derivation, {}).size(), 1u);
+  derivation.looks[0].name = "stone";
   EXPECT_LE(meshes_of(derivation, {}).size(), 1u);
 }
 

@@ -201,6 +201,19 @@ TEST_P(ShippedStyles, GiveNeighboursDifferentWalls) {
   EXPECT_GT(colours.size(), 2u);
 }
 
+// A colour that is too light for its material would be paint, without the material's texture.
+TEST_P(ShippedStyles, DrawColoursThatTheirMaterialsCanShow) {
+  for (std::uint64_t id = 1; id <= 24; ++id) {
+    MadeMass made = made_of(GetParam());
+    made.id = StableId{id};
+    for (const Look& look : derive_on(made, GetParam().levels).looks)
+      for (const char* name : {"stone", "roof_tile", "slate", "concrete"})
+        if (look.name == name) {
+          EXPECT_EQ(dress_of(look).material, materials::material_named(name)) << look.red << " " << look.green;
+        }
+  }
+}
+
 TEST_P(ShippedStyles, WearTheTaggedColours) {
   const Derivation derivation =
       derive_on(made_of(GetParam()), GetParam().levels,

@@ -122,7 +122,7 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     EXPECT_NEAR(u / count, 0, 0.02) << name_of(texture);
     EXPECT_NEAR(v / count, 0, 0.02) << name_of(texture);
   }
-  EXPECT_EQ(shaped, 5);  // water, sea, fields, rock, masonry
+  EXPECT_EQ(shaped, 7);  // water, sea, fields, rock, masonry, tiles, slates
 }
 
 TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
