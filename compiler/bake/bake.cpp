@@ -26,8 +26,14 @@ struct Firing {
   const scene::Chunk& chunk;
   double tolerance_m;
   BakedTile& tile;
-  std::vector<DressedMesh> meshes;
+  const TilePart* part = nullptr;  // null: all of the tile
+  std::vector<DressedMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
+
+  bool holds(const Bounds& bounds) const { return !part || is_in(*part, bounds); }
+  // of roads; and of sheets and textures, which all parts of a view share
+  double roads_m() const { return part ? roads_tolerance_m(part->levels, tolerance_m) : tolerance_m; }
+  double texel_m() const { return part ? part->levels.finest_m : tolerance_m; }
 
   void take(std::vector<DressedMesh>&& more) {
     for (DressedMesh& mesh : more) {
@@ -35,17 +41,25 @@ struct Firing {
       meshes.push_back(std::move(mesh));
     }
   }
-  void certify(double error_m) { tile.error_m = std::max(tile.error_m, error_m); }
+  void certify(double error_m, const Bounds& bounds) {
+    tile.error_m = std::max(tile.error_m, error_m);
+    if (!part) return;
+    double& largest_px = tile.seen_from->pixel_error;
+    largest_px = std::max(largest_px, pixels_of(part->levels.view, error_m, bounds));
+  }
 };
 
 // Expands every object of one kind; an object of which nothing is left counts as dropped by the tolerance.
-template <typename Object, typename Expand>
-void fire_each(Firing& firing, const std::vector<Object>& objects, const char* kind, Report& report, Expand expand) {
+template <typename Object, typename BoundsOf, typename Expand>
+void fire_each(Firing& firing, const std::vector<Object>& objects, const char* kind, Report& report, BoundsOf bounds_of,
+               Expand expand) {
   Account account;
   for (const Object& object : objects) {
+    const Bounds bounds = bounds_of(object);
+    if (!firing.holds(bounds)) continue;
     ++account.in;
     auto expanded = expand(object);
-    firing.certify(expanded.error_m);
+    firing.certify(expanded.error_m, bounds);
     if (expanded.meshes.empty()) {
       report.drop(account, Code::kBelowTolerance, object.id.osm, expanded.error_m);
       continue;
@@ -56,13 +70,20 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
+// A bridge or a tunnel, expanded.
+struct Built {
+  structures::Expanded expanded;
+  Bounds bounds;
+};
+
 // Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
 template <typename Expand>
 void expand_spans(const Firing& firing, const std::vector<structures::Span>& spans, const char* kind, Report& report,
-                  std::vector<structures::Expanded>& all, Expand expand) {
+                  std::vector<Built>& all, Expand expand) {
   Account account;
   for (const structures::Span& span : spans) {
-    if (!scene::is_anchored(firing.header, firing.chunk.tile, span.axis.front())) continue;
+    const Bounds bounds = bounds_of(span);
+    if (!scene::is_anchored(firing.header, firing.chunk.tile, span.axis.front()) || !firing.holds(bounds)) continue;
     ++account.in;
     structures::Expanded expanded = expand(span, firing.tolerance_m);
     if (expanded.meshes.empty() && expanded.marked.empty()) {
@@ -70,14 +91,14 @@ void expand_spans(const Firing& firing, const std::vector<structures::Span>& spa
       continue;
     }
     ++account.out;
-    all.push_back(std::move(expanded));
+    all.push_back({std::move(expanded), bounds});
   }
   report.account("bake", kind) = account;
 }
 
 // What is not bored was diagnosed when the map was compiled.
-std::vector<structures::Expanded> expand_structures(const Firing& firing, Report& report) {
-  std::vector<structures::Expanded> all;
+std::vector<Built> expand_structures(const Firing& firing, Report& report) {
+  std::vector<Built> all;
   std::vector<structures::Span> bored = firing.chunk.tunnels;
   std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
   expand_spans(firing, firing.chunk.bridges, "bridge", report, all, structures::expand);
@@ -86,10 +107,10 @@ std::vector<structures::Expanded> expand_structures(const Firing& firing, Report
 }
 
 // What is painted on bridges and in tunnels goes onto the same sheet, after what is painted on the ground.
-void fire_structures(Firing& firing, std::vector<structures::Expanded>& structures, const Markings& markings,
+void fire_structures(Firing& firing, std::vector<Built>& structures, const Markings& markings,
                      std::size_t first_column) {
-  for (structures::Expanded& built : structures) {
-    firing.certify(built.error_m);
+  for (auto& [built, bounds] : structures) {
+    firing.certify(built.error_m, bounds);
     for (structures::MarkedMesh& marked : built.marked) {
       put_on_sheet(markings.columns[first_column++], marked.mesh);
       built.meshes.push_back(std::move(marked.mesh));
@@ -98,18 +119,36 @@ void fire_structures(Firing& firing, std::vector<structures::Expanded>& structur
   }
 }
 
-void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<structures::Expanded> structures,
-                 const Box2& box, int threads, Report& report) {
-  scene::GroundCover cover = scene::cover_of(firing.header, firing.chunk, firing.tolerance_m);
+// The cells of the tile that are made at this tolerance. Those of a tile that is made at one have skirts along the
+// tile's border.
+std::vector<SeenCell> cells_fired(const Firing& firing, const Box2& box) {
+  std::vector<SeenCell> cells;
+  if (!firing.part)
+    for (const Box2& cell : cells_of(box))
+      cells.push_back(
+          {{cell, firing.tolerance_m, ground::all_sides(firing.tolerance_m)}, box, kSkirt * firing.tolerance_m});
+  if (firing.part)
+    for (const SeenCell& cell : cells_of(firing.part->levels, box))
+      if (cell.level.tolerance_m == firing.tolerance_m) cells.push_back(cell);
+  return cells;
+}
+
+void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<Built> structures, const Box2& box,
+                 int threads, Report& report) {
+  const std::vector<SeenCell> cells = cells_fired(firing, box);
+  scene::GroundCover cover;
+  if (!cells.empty()) cover = scene::cover_of(firing.header, firing.chunk, firing.roads_m());
   const std::size_t first_of_structures = cover.patterns.size();
-  for (const structures::Expanded& built : structures)
-    for (const structures::MarkedMesh& marked : built.marked) cover.patterns.push_back(marked.pattern);
-  Markings markings = lay_out_markings(cover, firing.tolerance_m);
-  for (const ground::GroundMesh& ground :
-       expand_cells(carving, cover.surfaces, box, firing.tolerance_m, threads, report)) {
-    firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
-    std::vector<DressedMesh> dressed = dress(ground, cover, markings, firing.header, firing.tolerance_m);
-    for (DressedMesh& mesh : dressed) hang_skirt(mesh, box, kSkirt * firing.tolerance_m);
+  for (const Built& built : structures)
+    for (const structures::MarkedMesh& marked : built.expanded.marked) cover.patterns.push_back(marked.pattern);
+  Markings markings = lay_out_markings(cover, firing.texel_m());
+  std::vector<CellLevel> levels;
+  for (const SeenCell& cell : cells) levels.push_back(cell.level);
+  const std::vector<ground::GroundMesh> grounds = expand_cells(carving, cover.surfaces, levels, threads, report);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    firing.certify(length(Vec2{grounds[c].error_m, grounds[c].border_error_m}), bounds_of(grounds[c].mesh));
+    std::vector<DressedMesh> dressed = dress(grounds[c], cover, markings, firing.header, firing.tolerance_m);
+    for (DressedMesh& mesh : dressed) hang_skirt(mesh, cells[c].skirt, cells[c].skirt_m);
     firing.take(std::move(dressed));
   }
   fire_structures(firing, structures, markings, first_of_structures);
@@ -146,8 +185,10 @@ plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const 
                            const Box2& box, Report& report) {
   const scene::Chunk& chunk = firing.chunk;
   plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, carving, box, firing.header.seed, report);
-  for (const auto& placements : placed)
+  for (auto& placements : placed) {
+    std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
     for (const Placement& p : placements) firing.features.insert(p.feature);
+  }
   return placed;
 }
 
@@ -162,7 +203,7 @@ void fire_trees(Firing& firing, const plants::Placed& placed) {
   for (std::size_t a = 0; a < placed.size(); ++a) {
     const double height_m = std::max(tallest(placed[a]), plants::kTallestTree_m);
     const auto archetype = plants::archetype_mesh(static_cast<plants::Archetype>(a), height_m, firing.tolerance_m);
-    firing.certify(archetype.error_per_m * tallest(placed[a]));
+    for (const Placement& p : placed[a]) firing.certify(archetype.error_per_m * p.scale, bounds_of(p));
     fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
   }
 }
@@ -173,10 +214,16 @@ struct Lamps {
   std::size_t mapped = 0;
 };
 
-Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const Box2& box) {
+Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const ground::Carving& carving, const Box2& box) {
   const scene::Chunk& chunk = firing.chunk;
-  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
-  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  const auto is_elsewhere = [&](const props::StreetLamp& lamp) {
+    return firing.part && !firing.holds(bounds_of(props::place(lamp, carving)));
+  };
+  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), 0};
+  std::erase_if(lamps.standing, is_elsewhere);
+  lamps.mapped = lamps.standing.size();
+  std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  std::erase_if(derived, is_elsewhere);
   lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
   for (const props::StreetLamp& lamp : lamps.standing) firing.features.insert(lamp.feature);
   return lamps;
@@ -189,7 +236,7 @@ bool fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carvi
   for (const props::StreetLamp& lamp : lamps.standing)
     if (lamp.kind == kind) placements.push_back(props::place(lamp, carving));
   const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
-  firing.certify(lamp.error_m);
+  for (const Placement& p : placements) firing.certify(lamp.error_m, bounds_of(p));
   fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
   return !lamp.meshes.empty();
 }
@@ -227,31 +274,59 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
+// All of the tile, or what of it the firing holds.
+void fire(Firing& firing, int threads, Report& report) {
+  const scene::Header& header = firing.header;
+  const scene::Chunk& chunk = firing.chunk;
+  const Box2 box = scene::box_of(header, chunk.tile);
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+
+  const ground::Carving carving = scene::carving_of(header, chunk, firing.tolerance_m);
+  fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
+  fire_each(
+      firing, chunk.buildings, "building", report, [](const auto& b) { return bounds_of(b); },
+      [&](const auto& b) { return buildings::expand(b, header.seed, firing.tolerance_m); });
+  fire_each(
+      firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      [&](const auto& b) { return props::expand(b, carving, firing.tolerance_m); });
+  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  const plants::Placed trees = place_trees(firing, map, carving, box, report);
+  const Lamps lamps = place_lamps(firing, map, carving, box);
+
+  firing.tile.features.assign(firing.features.begin(), firing.features.end());
+  merge_meshes(firing);
+  firing.tile.textures = textures_shown(firing.tile.primitives, firing.texel_m(), header.seed);
+  fire_trees(firing, trees);
+  fire_lamps(firing, lamps, carving, report);
+}
+
+BakedTile empty_tile(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m) {
+  return {chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
+}
+
 }  // namespace
 
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
                Report& report) {
-  const Box2 box = scene::box_of(header, chunk.tile);
-  BakedTile tile{chunk.tile, origin_of(box, chunk.heights), tolerance_m, 0, {}, {}, {}};
-  Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
-
-  const ground::Carving carving = scene::carving_of(header, chunk, tolerance_m);
-  fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
-  fire_each(firing, chunk.buildings, "building", report,
-            [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
-  fire_each(firing, chunk.barriers, "barrier", report,
-            [&](const auto& b) { return props::expand(b, carving, tolerance_m); });
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const plants::Placed trees = place_trees(firing, map, carving, box, report);
-  const Lamps lamps = place_lamps(firing, map, box);
-
-  tile.features.assign(firing.features.begin(), firing.features.end());
-  merge_meshes(firing);
-  tile.textures = textures_shown(tile.primitives, tolerance_m, header.seed);
-  fire_trees(firing, trees);
-  fire_lamps(firing, lamps, carving, report);
+  BakedTile tile = empty_tile(header, chunk, tolerance_m);
+  Firing firing{header, chunk, tolerance_m, tile};
+  fire(firing, threads, report);
   return tile;
+}
+
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& levels,
+                            int threads) {
+  const std::vector<double> tolerances_m = tolerances_of(levels, header, chunk);
+  std::vector<BakedTile> parts;
+  Report ignored;
+  for (const double tolerance_m : tolerances_m) {
+    BakedTile& tile = parts.emplace_back(empty_tile(header, chunk, tolerance_m));
+    tile.seen_from = SeenFrom{levels.view.eye, levels.view.focal_px, 0};
+    const TilePart part{levels, tolerances_m, tolerance_m};
+    Firing firing{header, chunk, tolerance_m, tile, &part};
+    fire(firing, threads, ignored);
+  }
+  return parts;
 }
 
 }  // namespace citykiln::bake

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/bake/baked.h"
+#include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
 #include "compiler/scene/scene.h"
 
@@ -11,5 +12,11 @@ namespace citykiln::bake {
 /// "bake/lamp" (mapped ones), "bake/derived lamp" (along lit streets): what the tolerance drops. Total. Cost: linear in
 /// what the tile holds at that tolerance, but for the ground's n log n.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
+
+/// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
+/// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too
+/// small to be seen. Total. Cost: what the parts hold, and for each what the tile's roads and trees are placed by.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& levels,
+                            int threads);
 
 }  // namespace citykiln::bake

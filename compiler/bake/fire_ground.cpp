@@ -59,16 +59,25 @@ std::vector<Box2> cells_of(const Box2& tile) {
 
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report) {
+  std::vector<CellLevel> cells;
+  for (const Box2& cell : cells_of(tile)) cells.push_back({cell, tolerance_m, ground::all_sides(tolerance_m)});
+  return expand_cells(carving, surfaces, cells, threads, report);
+}
+
+std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
+                                             std::span<const CellLevel> cells, int threads, Report& report) {
   struct Slot {
     ground::GroundMesh ground;
     Report report;
   };
-  const std::vector<Box2> cells = cells_of(tile);
-  const auto candidates = candidates_of(surfaces, cells);
+  std::vector<Box2> boxes;
+  for (const CellLevel& level : cells) boxes.push_back(level.cell);
+  const auto candidates = candidates_of(surfaces, boxes);
   std::vector<Slot> slots = for_each_slot<Slot>(cells.size(), threads, [&](std::size_t c) {
     Slot slot;
-    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cells[c]);
-    slot.ground = ground::expand_cell(near.surfaces, carving, cells[c], tolerance_m, slot.report);
+    const auto& [cell, tolerance_m, sides_m] = cells[c];
+    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cell);
+    slot.ground = ground::expand_cell(near.surfaces, carving, cell, tolerance_m, sides_m, slot.report);
     for (std::uint32_t& surface : slot.ground.face_surface)
       if (surface != kNoSurface) surface = near.numbers[surface];
     return slot;

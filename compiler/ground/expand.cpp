@@ -56,8 +56,14 @@ Simpler simpler_borders(std::span<const Border> borders, double tolerance_m) {
 
 // How far off the ground the cell's own border, the borders inside and the faces may be.
 struct HeightTolerances {
-  double cell_border_m, borders_m, faces_m;
+  SideTolerances cell_border_m;
+  double borders_m, faces_m;
 };
+
+SideTolerances cell_border_m(const SideTolerances& s) {
+  constexpr double kShare = kCellBorderShare;
+  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
+}
 
 // Borders bent to the ground, and points between them.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
@@ -110,6 +116,11 @@ Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& ca
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
+  return expand_cell(surfaces, carving, cell, tolerance_m, all_sides(tolerance_m), report);
+}
+
+GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
+                       const SideTolerances& sides_m, Report& report) {
   const std::vector<FaceHeight> heights = heights_of(surfaces);
   const Known known = known_of(surfaces, heights, carving, cell);
   const Simpler simpler = simpler_borders(known.borders, tolerance_m);
@@ -121,7 +132,7 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
-    return refined_to(reference, simpler.borders, heights, {kCellBorderShare * tolerance_m, inner_m, height_m});
+    return refined_to(reference, simpler.borders, heights, {cell_border_m(sides_m), inner_m, height_m});
   };
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {

@@ -30,11 +30,18 @@ roads::Road path(Profile profile) {
 // Down 4 m to an underpass and up again.
 Profile down_and_up() { return {{0, kAtEnds_m, 0}, {96, kInside_m, 0}, {160, kInside_m, 0}, {256, kAtEnds_m, 0}}; }
 
+// Crosses the path with a headroom of 2 m, which is too little: the land keeps lower than the path.
+roads::Road low_bridge() {
+  roads::Road road = roads::made_road(2, {{64, 32}, {64, 96}}, 6);
+  road.profile = {{0, kInside_m + 2, 0}, {64, kInside_m + 2, 0}};
+  return road;
+}
+
 // How far the path's faces lie from its profile where most.
 double largest_gap_m(const roads::Road& road) {
   const std::vector surfaces{surface_of(road, {})};
-  const std::vector roads{road};
-  const Carving carving = carve(flat_field(), {roads, {}, surfaces, kCell.widened(kCarve_m)});
+  const std::vector roads{road}, decks{low_bridge()};
+  const Carving carving = carve(flat_field(), {roads, {}, surfaces, kCell.widened(kCarve_m), true, decks});
   Report report;
   const GroundMesh ground = expand_cell(surfaces, carving, kCell, 0.1, report);
   double largest_m = -1;
