@@ -6,6 +6,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/level_waters.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/plan_profiles.h"
@@ -107,20 +108,37 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
 
+namespace {
+
+/// So that no more threads than asked for are at work where as many tiles are made at once.
+int threads_of_a_tile(int threads, std::size_t tiles) {
+  if (threads <= 0) return threads;
+  return threads / std::clamp(static_cast<int>(std::min<std::size_t>(tiles, 4096)), 1, threads);
+}
+
+}  // namespace
+
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take) {
-  const std::size_t total = scene.chunks.size() * ladder_m.size();
-  std::size_t fired = 0;
-  for (const scene::Chunk& chunk : scene.chunks) {
-    for (std::size_t level = 0; level < ladder_m.size(); ++level) {
-      on_progress("bake", static_cast<double>(fired++) / static_cast<double>(total));
-      Report here;
-      const bake::BakedTile tile = bake::bake(scene.header, chunk, ladder_m[level], threads, here);
-      report.append(here);
-      if (const Result<Done> done = take(tile, level); !done) return done;
-    }
-  }
-  return Done{};
+  struct Slot {
+    std::vector<bake::BakedTile> tiles;
+    Report report;
+  };
+  std::vector<Slot> slots(scene.chunks.size());
+  Result<Done> done = Done{};
+  const int inner = threads_of_a_tile(threads, slots.size());
+  const auto make = [&](std::size_t i) {
+    slots[i].tiles = bake::bake(scene.header, scene.chunks[i], ladder_m, inner, slots[i].report);
+  };
+  const auto hand_on = [&](std::size_t i) {
+    on_progress("bake", static_cast<double>(i) / static_cast<double>(slots.size()));
+    const Slot slot = std::move(slots[i]);
+    report.append(slot.report);
+    for (std::size_t level = 0; level < slot.tiles.size() && done; ++level) done = take(slot.tiles[level], level);
+    return static_cast<bool>(done);
+  };
+  for_each_in_order(slots.size(), threads, make, hand_on);
+  return done;
 }
 
 namespace {

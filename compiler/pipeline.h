@@ -34,8 +34,8 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 /// Takes one tile at one level; an error ends the firing.
 using TakeBaked = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 
-/// Bakes every chunk at every tolerance, one tile at a time and in the order of tiles then levels, and hands each on.
-/// What the tolerances drop is added to `report`. Memory: one baked tile.
+/// Bakes every chunk at every tolerance and hands each on, one at a time and in the order of tiles then levels. What
+/// the tolerances drop is added to `report`. Memory: all levels of as many tiles as there are threads.
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take);
 

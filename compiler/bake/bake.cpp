@@ -1,7 +1,9 @@
 #include "compiler/bake/bake.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "compiler/bake/dress_ground.h"
@@ -9,6 +11,7 @@
 #include "compiler/bake/merge.h"
 #include "compiler/bake/skirt.h"
 #include "compiler/buildings/expand.h"
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
 #include "compiler/scene/ground_carving.h"
@@ -19,6 +22,46 @@ namespace citykiln::bake {
 namespace {
 
 using materials::DressedMesh;
+
+// What stands along streets. Mapped ones first.
+struct Lamps {
+  std::vector<props::StreetLamp> standing;
+  std::size_t mapped = 0;
+};
+
+// What the levels on one side of kPlainRoads_m have in common: how the ground is carved, and what stands on it.
+struct Common {
+  ground::Carving carving;
+  plants::Placed trees;
+  Report of_trees;
+  Lamps lamps;
+};
+
+// One level's part of the ground.
+struct Level {
+  double tolerance_m;
+  std::shared_ptr<const Common> common;
+  scene::GroundCover cover;
+  std::vector<SeenCell> seen;
+  std::vector<ground::GroundMesh> cells{};
+  Report of_cells{};
+};
+
+Lamps place_lamps(const scene::Chunk& chunk, const ground::SurfaceMap& map, const Box2& box) {
+  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), chunk.lamps.size()};
+  const std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
+  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
+  return lamps;
+}
+
+Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, place_lamps(chunk, map, box)};
+  common.trees = plants::expand(chunk.trees, chunk.woods, map, common.carving, box, header.seed, common.of_trees);
+  return common;
+}
 
 // What a tile becomes, while it is being fired.
 struct Firing {
@@ -31,8 +74,7 @@ struct Firing {
   std::set<OsmId> features{OsmId{}};
 
   bool holds(const Bounds& bounds) const { return !part || is_in(*part, bounds); }
-  // of roads; and of sheets and textures, which all parts of a view share
-  double roads_m() const { return part ? roads_tolerance_m(part->levels, tolerance_m) : tolerance_m; }
+  // of sheets and textures, which all parts of a view share
   double texel_m() const { return part ? part->levels.finest_m : tolerance_m; }
 
   void take(std::vector<DressedMesh>&& more) {
@@ -119,40 +161,49 @@ void fire_structures(Firing& firing, std::vector<Built>& structures, const Marki
   }
 }
 
-// The cells of the tile that are made at this tolerance. Those of a tile that is made at one have skirts along the
-// tile's border.
-std::vector<SeenCell> cells_fired(const Firing& firing, const Box2& box) {
-  std::vector<SeenCell> cells;
-  if (!firing.part)
-    for (const Box2& cell : cells_of(box))
-      cells.push_back(
-          {{cell, firing.tolerance_m, ground::all_sides(firing.tolerance_m)}, box, kSkirt * firing.tolerance_m});
-  if (firing.part)
-    for (const SeenCell& cell : cells_of(firing.part->levels, box))
-      if (cell.level.tolerance_m == firing.tolerance_m) cells.push_back(cell);
-  return cells;
-}
-
-void fire_ground(Firing& firing, const ground::Carving& carving, std::vector<Built> structures, const Box2& box,
-                 int threads, Report& report) {
-  const std::vector<SeenCell> cells = cells_fired(firing, box);
-  scene::GroundCover cover;
-  if (!cells.empty()) cover = scene::cover_of(firing.header, firing.chunk, firing.roads_m());
+void fire_ground(Firing& firing, Level& level, std::vector<Built> structures) {
+  scene::GroundCover& cover = level.cover;
   const std::size_t first_of_structures = cover.patterns.size();
   for (const Built& built : structures)
     for (const structures::MarkedMesh& marked : built.expanded.marked) cover.patterns.push_back(marked.pattern);
   Markings markings = lay_out_markings(cover, firing.texel_m());
-  std::vector<CellLevel> levels;
-  for (const SeenCell& cell : cells) levels.push_back(cell.level);
-  const std::vector<ground::GroundMesh> grounds = expand_cells(carving, cover.surfaces, levels, threads, report);
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    firing.certify(length(Vec2{grounds[c].error_m, grounds[c].border_error_m}), bounds_of(grounds[c].mesh));
-    std::vector<DressedMesh> dressed = dress(grounds[c], cover, markings, firing.header, firing.tolerance_m);
-    for (DressedMesh& mesh : dressed) hang_skirt(mesh, cells[c].skirt, cells[c].skirt_m);
+  for (std::size_t c = 0; c < level.cells.size(); ++c) {
+    const ground::GroundMesh& ground = level.cells[c];
+    firing.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
+    std::vector<DressedMesh> dressed = dress(ground, cover, markings, firing.header, firing.tolerance_m);
+    for (DressedMesh& mesh : dressed) hang_skirt(mesh, level.seen[c].skirt, level.seen[c].skirt_m);
     firing.take(std::move(dressed));
   }
   fire_structures(firing, structures, markings, first_of_structures);
   firing.tile.sheet = std::move(markings.sheet);
+}
+
+// What of the trees and lamps the firing holds.
+struct Placed {
+  plants::Placed trees;
+  Lamps lamps;
+};
+
+Placed placed_in(const Firing& firing, const Common& common) {
+  Placed placed{common.trees, common.lamps};
+  if (!firing.part) return placed;
+  for (auto& placements : placed.trees)
+    std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
+  placed.lamps = {};
+  for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = common.lamps.standing[i];
+    if (!firing.holds(bounds_of(props::place(lamp, common.carving)))) continue;
+    placed.lamps.standing.push_back(lamp);
+    if (i < common.lamps.mapped) ++placed.lamps.mapped;
+  }
+  return placed;
+}
+
+// What is placed is named before features are numbered, and written after.
+void name_placed(Firing& firing, const Placed& placed) {
+  for (const auto& placements : placed.trees)
+    for (const Placement& p : placements) firing.features.insert(p.feature);
+  for (const props::StreetLamp& lamp : placed.lamps.standing) firing.features.insert(lamp.feature);
 }
 
 std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
@@ -180,18 +231,6 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
   firing.tile.instanced.push_back(std::move(instanced));
 }
 
-// Trees are placed before features are numbered, and written after.
-plants::Placed place_trees(Firing& firing, const ground::SurfaceMap& map, const ground::Carving& carving,
-                           const Box2& box, Report& report) {
-  const scene::Chunk& chunk = firing.chunk;
-  plants::Placed placed = plants::expand(chunk.trees, chunk.woods, map, carving, box, firing.header.seed, report);
-  for (auto& placements : placed) {
-    std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
-    for (const Placement& p : placements) firing.features.insert(p.feature);
-  }
-  return placed;
-}
-
 double tallest(const std::vector<Placement>& placements) {
   double tallest_m = 0;
   for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
@@ -206,27 +245,6 @@ void fire_trees(Firing& firing, const plants::Placed& placed) {
     for (const Placement& p : placed[a]) firing.certify(archetype.error_per_m * p.scale, bounds_of(p));
     fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
   }
-}
-
-// Lamps are placed before features are numbered, too. Mapped ones first.
-struct Lamps {
-  std::vector<props::StreetLamp> standing;
-  std::size_t mapped = 0;
-};
-
-Lamps place_lamps(Firing& firing, const ground::SurfaceMap& map, const ground::Carving& carving, const Box2& box) {
-  const scene::Chunk& chunk = firing.chunk;
-  const auto is_elsewhere = [&](const props::StreetLamp& lamp) {
-    return firing.part && !firing.holds(bounds_of(props::place(lamp, carving)));
-  };
-  Lamps lamps{props::mapped_lamps(chunk.lamps, chunk.roads), 0};
-  std::erase_if(lamps.standing, is_elsewhere);
-  lamps.mapped = lamps.standing.size();
-  std::vector<props::StreetLamp> derived = props::lamps_of_streets(chunk.roads, chunk.lamps, map, box);
-  std::erase_if(derived, is_elsewhere);
-  lamps.standing.insert(lamps.standing.end(), derived.begin(), derived.end());
-  for (const props::StreetLamp& lamp : lamps.standing) firing.features.insert(lamp.feature);
-  return lamps;
 }
 
 // What stands of one kind; false where the tolerance leaves nothing of it.
@@ -274,59 +292,138 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
-// All of the tile, or what of it the firing holds.
-void fire(Firing& firing, int threads, Report& report) {
-  const scene::Header& header = firing.header;
-  const scene::Chunk& chunk = firing.chunk;
-  const Box2 box = scene::box_of(header, chunk.tile);
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, const TilePart* part,
+                     Report& report) {
+  const double tolerance_m = level.tolerance_m;
+  const Common& common = *level.common;
+  BakedTile tile{chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
+  if (part) tile.seen_from = SeenFrom{part->levels.view.eye, part->levels.view.focal_px, 0};
+  Firing firing{header, chunk, tolerance_m, tile, part};
 
-  const ground::Carving carving = scene::carving_of(header, chunk, firing.tolerance_m);
-  fire_ground(firing, carving, expand_structures(firing, report), box, threads, report);
+  std::vector<Built> structures = expand_structures(firing, report);
+  report.append(level.of_cells);
+  fire_ground(firing, level, std::move(structures));
   fire_each(
       firing, chunk.buildings, "building", report, [](const auto& b) { return bounds_of(b); },
-      [&](const auto& b) { return buildings::expand(b, header.seed, firing.tolerance_m); });
+      [&](const auto& b) { return buildings::expand(b, header.seed, tolerance_m); });
   fire_each(
       firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
-      [&](const auto& b) { return props::expand(b, carving, firing.tolerance_m); });
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const plants::Placed trees = place_trees(firing, map, carving, box, report);
-  const Lamps lamps = place_lamps(firing, map, carving, box);
+      [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
+  report.append(common.of_trees);
+  const Placed placed = placed_in(firing, common);
+  name_placed(firing, placed);
 
-  firing.tile.features.assign(firing.features.begin(), firing.features.end());
+  tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
-  firing.tile.textures = textures_shown(firing.tile.primitives, firing.texel_m(), header.seed);
-  fire_trees(firing, trees);
-  fire_lamps(firing, lamps, carving, report);
+  tile.textures = textures_shown(tile.primitives, firing.texel_m(), header.seed);
+  fire_trees(firing, placed.trees);
+  fire_lamps(firing, placed.lamps, common.carving, report);
+  return tile;
 }
 
-BakedTile empty_tile(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m) {
-  return {chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
+// What the tile's levels on either side of kPlainRoads_m have in common, each made when it is first asked for.
+struct Commons {
+  const scene::Header& header;
+  const scene::Chunk& chunk;
+  std::array<std::shared_ptr<const Common>, 2> made{};
+
+  std::shared_ptr<const Common> at(double tolerance_m) {
+    std::shared_ptr<const Common>& common = made[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
+    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m));
+    return common;
+  }
+};
+
+// All cells of a tile at one tolerance have skirts along the tile's border.
+std::vector<SeenCell> cells_at(const Box2& tile, double tolerance_m) {
+  std::vector<SeenCell> cells;
+  for (const Box2& cell : cells_of(tile))
+    cells.push_back({{cell, tolerance_m, ground::all_sides(tolerance_m)}, tile, kSkirt * tolerance_m});
+  return cells;
+}
+
+// All but the cells.
+std::vector<Level> levels_of(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  Commons commons{header, chunk};
+  std::vector<Level> levels;
+  for (const double tolerance_m : ladder_m)
+    levels.push_back({tolerance_m, commons.at(tolerance_m), scene::cover_of(header, chunk, tolerance_m),
+                      cells_at(box, tolerance_m)});
+  return levels;
+}
+
+void expand_grounds(std::span<Level> levels, const Box2& box, int threads) {
+  std::vector<GroundLevel> grounds;
+  for (const Level& level : levels) grounds.push_back({level.common->carving, level.cover.surfaces, level.tolerance_m});
+  std::vector<Report> reports(levels.size());
+  std::vector<std::vector<ground::GroundMesh>> cells = expand_cells(grounds, box, threads, reports);
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    levels[i].cells = std::move(cells[i]), levels[i].of_cells = std::move(reports[i]);
+}
+
+// The cells of a tile that a view asks for at a tolerance.
+std::vector<SeenCell> cells_seen(const ViewLevels& view, const Box2& tile, double tolerance_m) {
+  std::vector<SeenCell> cells = cells_of(view, tile);
+  std::erase_if(cells, [&](const SeenCell& cell) { return cell.level.tolerance_m != tolerance_m; });
+  return cells;
+}
+
+// One a part, with its cells.
+std::vector<Level> levels_seen(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                               std::span<const double> tolerances_m, int threads) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  Commons commons{header, chunk};
+  std::vector<Level> levels;
+  for (const double tolerance_m : tolerances_m) {
+    Level& level =
+        levels.emplace_back(Level{tolerance_m, commons.at(tolerance_m), {}, cells_seen(view, box, tolerance_m)});
+    if (level.seen.empty()) continue;
+    level.cover = scene::cover_of(header, chunk, roads_tolerance_m(view, tolerance_m));
+    std::vector<CellLevel> cells;
+    for (const SeenCell& cell : level.seen) cells.push_back(cell.level);
+    level.cells = expand_cells(level.common->carving, level.cover.surfaces, cells, threads, level.of_cells);
+  }
+  return levels;
 }
 
 }  // namespace
 
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
                Report& report) {
-  BakedTile tile = empty_tile(header, chunk, tolerance_m);
-  Firing firing{header, chunk, tolerance_m, tile};
-  fire(firing, threads, report);
-  return tile;
+  return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report).front());
 }
 
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& levels,
-                            int threads) {
-  const std::vector<double> tolerances_m = tolerances_of(levels, header, chunk);
-  std::vector<BakedTile> parts;
-  Report ignored;
-  for (const double tolerance_m : tolerances_m) {
-    BakedTile& tile = parts.emplace_back(empty_tile(header, chunk, tolerance_m));
-    tile.seen_from = SeenFrom{levels.view.eye, levels.view.focal_px, 0};
-    const TilePart part{levels, tolerances_m, tolerance_m};
-    Firing firing{header, chunk, tolerance_m, tile, &part};
-    fire(firing, threads, ignored);
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
+                            int threads, Report& report) {
+  struct Slot {
+    BakedTile tile;
+    Report report;
+  };
+  std::vector<Level> levels = levels_of(header, chunk, ladder_m);
+  expand_grounds(levels, scene::box_of(header, chunk.tile), threads);
+  std::vector<Slot> slots = for_each_slot<Slot>(levels.size(), threads, [&](std::size_t i) {
+    Slot slot;
+    slot.tile = fire_level(header, chunk, levels[i], nullptr, slot.report);
+    return slot;
+  });
+  std::vector<BakedTile> tiles;
+  for (Slot& slot : slots) {
+    report.append(slot.report);
+    tiles.push_back(std::move(slot.tile));
   }
-  return parts;
+  return tiles;
+}
+
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                            int threads) {
+  const std::vector<double> tolerances_m = tolerances_of(view, header, chunk);
+  std::vector<Level> levels = levels_seen(header, chunk, view, tolerances_m, threads);
+  return for_each_slot<BakedTile>(levels.size(), threads, [&](std::size_t i) {
+    const TilePart part{view, tolerances_m, tolerances_m[i]};
+    Report ignored;
+    return fire_level(header, chunk, levels[i], &part, ignored);
+  });
 }
 
 }  // namespace citykiln::bake

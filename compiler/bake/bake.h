@@ -1,6 +1,9 @@
 // Stage 11: fires the clay of one tile at a tolerance.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "compiler/bake/baked.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
@@ -13,10 +16,15 @@ namespace citykiln::bake {
 /// what the tile holds at that tolerance, but for the ground's n log n.
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
 
+/// The same at every tolerance of a ladder, in its order: what levels have in common is made once. The report takes the
+/// levels one after another. Memory: all levels.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
+                            int threads, Report& report);
+
 /// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
 /// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too
-/// small to be seen. Total. Cost: what the parts hold, and for each what the tile's roads and trees are placed by.
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& levels,
+/// small to be seen. Total. Cost: what the parts hold.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
                             int threads);
 
 }  // namespace citykiln::bake

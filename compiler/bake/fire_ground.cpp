@@ -35,8 +35,10 @@ CellSurfaces surfaces_near(std::span<const Surface> surfaces, std::span<const st
 }
 
 // The surfaces whose boxes touch each cell.
-std::vector<std::vector<std::uint32_t>> candidates_of(std::span<const Surface> surfaces, std::span<const Box2> cells) {
-  std::vector<std::vector<std::uint32_t>> candidates(cells.size());
+using Candidates = std::vector<std::vector<std::uint32_t>>;
+
+Candidates candidates_of(std::span<const Surface> surfaces, std::span<const Box2> cells) {
+  Candidates candidates(cells.size());
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     Box2 box;
     for (const Ring& ring : surfaces[i].rings)
@@ -45,6 +47,53 @@ std::vector<std::vector<std::uint32_t>> candidates_of(std::span<const Surface> s
       if (box.touches(cells[c].widened(kCellReach_m))) candidates[c].push_back(i);
   }
   return candidates;
+}
+
+struct ExpandedCell {
+  ground::GroundMesh ground;
+  Report report;
+};
+
+// What one level of a cell is made of, and which level before it, or itself, knows the cell for it.
+struct LevelInCell {
+  CellSurfaces near;
+  std::size_t knower;
+};
+
+std::vector<LevelInCell> cell_levels(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
+                                     std::size_t c, const Box2& cell) {
+  std::vector<LevelInCell> made;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    made.push_back({surfaces_near(levels[level].surfaces, candidates[level][c], cell), level});
+    for (std::size_t before = 0; before < level && made.back().knower == level; ++before)
+      if (&levels[before].carving == &levels[level].carving && made[before].near.surfaces == made.back().near.surfaces)
+        made.back().knower = made[before].knower;
+  }
+  return made;
+}
+
+// The levels that one of them knows the cell for.
+void expand_known(std::span<const GroundLevel> levels, std::span<const LevelInCell> made, std::size_t knower,
+                  const Box2& cell, std::vector<ExpandedCell>& expanded) {
+  const ground::Carving& carving = levels[knower].carving;
+  const ground::KnownCell known = ground::know_cell(made[knower].near.surfaces, carving, cell);
+  ground::CarvedNormals normals(carving);
+  for (std::size_t level = knower; level < levels.size(); ++level) {
+    if (made[level].knower != knower) continue;
+    ExpandedCell& here = expanded[level];
+    here.ground = ground::expand_cell(known, normals, levels[level].tolerance_m, here.report);
+    for (std::uint32_t& surface : here.ground.face_surface)
+      if (surface != kNoSurface) surface = made[level].near.numbers[surface];
+  }
+}
+
+std::vector<ExpandedCell> expand_ladder(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
+                                        std::size_t c, const Box2& cell) {
+  const std::vector<LevelInCell> made = cell_levels(levels, candidates, c, cell);
+  std::vector<ExpandedCell> expanded(levels.size());
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    if (made[level].knower == level) expand_known(levels, made, level, cell, expanded);
+  return expanded;
 }
 
 }  // namespace
@@ -57,33 +106,46 @@ std::vector<Box2> cells_of(const Box2& tile) {
   return cells;
 }
 
+std::vector<std::vector<ground::GroundMesh>> expand_cells(std::span<const GroundLevel> levels, const Box2& tile,
+                                                          int threads, std::span<Report> reports) {
+  const std::vector<Box2> cells = cells_of(tile);
+  std::vector<Candidates> candidates;
+  for (const GroundLevel& level : levels) candidates.push_back(candidates_of(level.surfaces, cells));
+  auto slots = for_each_slot<std::vector<ExpandedCell>>(
+      cells.size(), threads, [&](std::size_t c) { return expand_ladder(levels, candidates, c, cells[c]); });
+  std::vector<std::vector<ground::GroundMesh>> grounds(levels.size());
+  for (std::vector<ExpandedCell>& slot : slots)
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      reports[level].append(slot[level].report);
+      grounds[level].push_back(std::move(slot[level].ground));
+    }
+  return grounds;
+}
+
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report) {
-  std::vector<CellLevel> cells;
-  for (const Box2& cell : cells_of(tile)) cells.push_back({cell, tolerance_m, ground::all_sides(tolerance_m)});
-  return expand_cells(carving, surfaces, cells, threads, report);
+  const GroundLevel level{carving, surfaces, tolerance_m};
+  return std::move(expand_cells(std::span(&level, 1), tile, threads, std::span(&report, 1)).front());
 }
 
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
                                              std::span<const CellLevel> cells, int threads, Report& report) {
-  struct Slot {
-    ground::GroundMesh ground;
-    Report report;
-  };
   std::vector<Box2> boxes;
   for (const CellLevel& level : cells) boxes.push_back(level.cell);
   const auto candidates = candidates_of(surfaces, boxes);
-  std::vector<Slot> slots = for_each_slot<Slot>(cells.size(), threads, [&](std::size_t c) {
-    Slot slot;
+  std::vector<ExpandedCell> slots = for_each_slot<ExpandedCell>(cells.size(), threads, [&](std::size_t c) {
+    ExpandedCell slot;
     const auto& [cell, tolerance_m, sides_m] = cells[c];
     const CellSurfaces near = surfaces_near(surfaces, candidates[c], cell);
-    slot.ground = ground::expand_cell(near.surfaces, carving, cell, tolerance_m, sides_m, slot.report);
+    ground::CarvedNormals normals(carving);
+    const ground::KnownCell known = ground::know_cell(near.surfaces, carving, cell);
+    slot.ground = ground::expand_cell(known, normals, tolerance_m, sides_m, slot.report);
     for (std::uint32_t& surface : slot.ground.face_surface)
       if (surface != kNoSurface) surface = near.numbers[surface];
     return slot;
   });
   std::vector<ground::GroundMesh> grounds;
-  for (Slot& slot : slots) {
+  for (ExpandedCell& slot : slots) {
     report.append(slot.report);
     grounds.push_back(std::move(slot.ground));
   }

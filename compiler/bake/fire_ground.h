@@ -13,7 +13,21 @@ namespace citykiln::bake {
 /// The cells of a tile's box, by column, then row.
 std::vector<Box2> cells_of(const Box2& tile);
 
-/// The ground of each cell, in the order of cells_of.
+/// What the ground of a tile is at one level of a ladder.
+struct GroundLevel {
+  const ground::Carving& carving;
+  std::span<const ground::Surface> surfaces;
+  double tolerance_m;
+};
+
+/// The ground of each cell, in the order of cells_of, level by level. Levels with one carving share what a cell knows
+/// where their surfaces near it are equal: the same bytes as level after level, in less time.
+/// @param reports  One a level.
+/// Memory: one cell's knowledge a thread, and the meshes of all levels.
+std::vector<std::vector<ground::GroundMesh>> expand_cells(std::span<const GroundLevel> levels, const Box2& tile,
+                                                          int threads, std::span<Report> reports);
+
+/// One level of them.
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report);
 

@@ -1,13 +1,41 @@
 #include "compiler/contract/for_each_slot.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+
+#include <atomic>
 
 namespace citykiln {
 
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+}
+
+void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
+                       const std::function<bool(std::size_t)>& take) {
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  std::size_t begun = 0;
+  std::atomic<bool> goes_on = true;
+  const auto next = [&](tbb::flow_control& control) {
+    if (begun == count || !goes_on) control.stop();
+    return begun++;
+  };
+  const auto made = [&](std::size_t i) {
+    make(i);
+    return i;
+  };
+  const auto taken = [&](std::size_t i) {
+    if (goes_on) goes_on = take(i);
+  };
+  using tbb::filter_mode;
+  arena.execute([&] {
+    tbb::parallel_pipeline(static_cast<std::size_t>(arena.max_concurrency()),
+                           tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, next) &
+                               tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, made) &
+                               tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, taken));
+  });
 }
 
 }  // namespace citykiln

@@ -12,6 +12,11 @@ namespace citykiln {
 /// write only to the i-th slot of what it fills. Blocks until all are done.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
+/// Calls `make(i)` as for_each_index does, and `take(i)` for one index after another, each made: at most as many as
+/// there are threads are made and not yet taken. Ends after the first `take` that returns false.
+void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
+                       const std::function<bool(std::size_t)>& take);
+
 /// The slots that `make(i)` filled, in order.
 template <typename T, typename Make>
 std::vector<T> for_each_slot(std::size_t count, int threads, Make make) {

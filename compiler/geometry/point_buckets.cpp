@@ -44,6 +44,7 @@ PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, Gri
   // at most a thousand a side, for boxes that are long and thin
   const double side = std::max({std::sqrt(width * height / wanted), width / 1024, height / 1024, 1.0});
   buckets.side = static_cast<std::int64_t>(std::ceil(side));
+  buckets.per_side = 1 / static_cast<double>(buckets.side);
   buckets.columns = (max.x - min.x) / buckets.side + 1;
   buckets.rows = (max.y - min.y) / buckets.side + 1;
   const auto index = [&](GridPoint p) { return buckets.index(buckets.column(p.x), buckets.row(p.y)); };

@@ -20,18 +20,29 @@ inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
 struct PointBuckets {
   GridPoint min;
   std::int64_t side = 1;
+  double per_side = 1;  ///< 1 / side.
   std::int64_t columns = 1, rows = 1;
   std::vector<std::uint32_t> starts, ends;  ///< One a bucket, row by row: offsets into `members`.
   std::vector<std::uint32_t> members;       ///< Indices of points, rising in each bucket.
 
-  std::int64_t column(std::int64_t x) const { return std::clamp<std::int64_t>((x - min.x) / side, 0, columns - 1); }
-  std::int64_t row(std::int64_t y) const { return std::clamp<std::int64_t>((y - min.y) / side, 0, rows - 1); }
+  std::int64_t column(std::int64_t x) const { return whole_sides(x - min.x, columns - 1); }
+  std::int64_t row(std::int64_t y) const { return whole_sides(y - min.y, rows - 1); }
   std::size_t index(std::int64_t column, std::int64_t row) const {
     return static_cast<std::size_t>(row * columns + column);
   }
   std::span<const std::uint32_t> bucket(std::int64_t column, std::int64_t row) const {
     const std::size_t i = index(column, row);
     return std::span(members).subspan(starts[i], ends[i] - starts[i]);
+  }
+
+ private:
+  // steps / side, rounded down, 0 … most: processors are slow at dividing whole numbers
+  std::int64_t whole_sides(std::int64_t steps, std::int64_t most) const {
+    if (steps <= 0) return 0;
+    auto whole = static_cast<std::int64_t>(static_cast<double>(steps) * per_side);
+    if (whole * side > steps) --whole;
+    if ((whole + 1) * side <= steps) ++whole;
+    return std::min(whole, most);
   }
 };
 
@@ -55,13 +66,17 @@ Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y,
 /// y), and some around. Stops where visit returns true; whether it did.
 template <typename Visit>
 bool any_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 3>& corners, Visit visit) {
+  const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const std::int64_t last = buckets.row(high_y + 1);
+  // in one column or two there is nothing to leave out
+  const Run all{low_x - 1, high_x + 1};
+  const bool is_narrow = buckets.column(all.high) - buckets.column(all.low) < 2;
   for (std::int64_t row = buckets.row(low_y - 1); row <= last; ++row) {
     // the rim's buckets have no end outwards
     const std::int64_t low = row == 0 ? low_y : buckets.min.y + row * buckets.side - 1;
     const std::int64_t high = row == buckets.rows - 1 ? high_y : buckets.min.y + (row + 1) * buckets.side + 1;
-    const Run run = run_of_triangle(corners, low, high);
+    const Run run = is_narrow ? all : run_of_triangle(corners, low, high);
     if (run.low > run.high) continue;
     for (std::int64_t column = buckets.column(run.low); column <= buckets.column(run.high); ++column)
       for (const std::uint32_t i : buckets.bucket(column, row))

@@ -45,6 +45,7 @@ Met through_vertex(StraightWalk& walk, std::uint32_t vertex) {
 Met across_edge(StraightWalk& walk, int i) {
   const DelaunayFace& face = walk.ground.faces[walk.face];
   if (face.neighbours[i] == kNoFace) return {};
+  walk.before = walk.face;
   walk.face = face.neighbours[i];
   walk.vertex = kNoVertex;
   return {face.vertices[(i + 1) % 3], face.vertices[(i + 2) % 3]};
@@ -82,7 +83,22 @@ int way_out(const StraightWalk& walk) {
   return -1;
 }
 
+// Across an edge, the walk has the edge's ends on either side: the third corner tells by which of the others it goes
+// on.
+Met leave_crossed(StraightWalk& walk) {
+  const DelaunayFace& face = walk.ground.faces[walk.face];
+  const int tip = face.neighbours[0] == walk.before ? 0 : face.neighbours[1] == walk.before ? 1 : 2;
+  const std::uint32_t r = face.vertices[tip], left = face.vertices[(tip + 1) % 3], right = face.vertices[(tip + 2) % 3];
+  const int side = side_of(walk.from, walk.to, place(walk, r));
+  const bool is_left_out = side <= 0 && side_of(place(walk, r), place(walk, left), walk.to) < 0;
+  const bool is_right_out = side >= 0 && side_of(place(walk, right), place(walk, r), walk.to) < 0;
+  if (!is_left_out && !is_right_out) return {};
+  if (side == 0) return through_vertex(walk, r);
+  return across_edge(walk, (tip + (is_left_out ? 2 : 1)) % 3);
+}
+
 Met leave_face(StraightWalk& walk) {
+  if (walk.before != kNoFace) return leave_crossed(walk);
   for (;;) {
     const int i = way_out(walk);
     if (i < 0) return {};
@@ -94,6 +110,7 @@ Met leave_face(StraightWalk& walk) {
     const bool starts_here = side_of(place(walk, p), place(walk, q), walk.from) == 0;
     const Met met = across_edge(walk, i);
     if (met.is_end() || !starts_here) return met;
+    return leave_crossed(walk);
   }
 }
 

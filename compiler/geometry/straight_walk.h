@@ -40,6 +40,7 @@ struct StraightWalk {
   FinePoint from, to;
   std::uint32_t face = kNoFace;      ///< Where it is; at its end the face that holds `to` (closed).
   std::uint32_t vertex = kNoVertex;  ///< Where it is at a vertex.
+  std::uint32_t before = kNoFace;    ///< Not at a vertex: the face from which it has come across an edge, if it has.
 };
 
 StraightWalk walk_from_vertex(const WalkGround& ground, std::uint32_t vertex, FinePoint to);

@@ -10,23 +10,28 @@
 namespace citykiln::ground {
 namespace {
 
-struct Place {
+// A point of a border.
+struct Point {
   GridPoint at;
   Heights heights;
+  std::uint32_t face;  // of the reference
 };
 
-Place place_at(const Reference& reference, GridPoint at) { return {at, snapped_heights(reference, plane_point(at))}; }
-
-Vec3 point_of(const Place& place, HeightLayer layer) {
-  return at_height(plane_point(place.at), of(place.heights, layer));
+Point point_at(const Reference& reference, GridPoint at) {
+  const Place place = place_at(reference, plane_point(at));
+  return {at, snapped_heights(reference, place), place.face};
 }
 
-WorstPoint worst_of(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers) {
+EdgeEnd end_at(const Point& point, HeightLayer layer) {
+  return {at_height(plane_point(point.at), of(point.heights, layer)), point.face};
+}
+
+WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers) {
   // all layers are the terrain's
   if (reference.terrain != nullptr && !layers.empty()) layers = layers.first(1);
   WorstPoint worst;
   for (const HeightLayer layer : layers) {
-    const WorstPoint here = worst_on_edge(reference, point_of(a, layer), point_of(b, layer), layer);
+    const WorstPoint here = worst_on_edge(reference, end_at(a, layer), end_at(b, layer), layer);
     if (here.error_m > worst.error_m) worst = here;
   }
   return worst;
@@ -34,11 +39,11 @@ WorstPoint worst_of(const Reference& reference, const Place& a, const Place& b, 
 
 // Cuts an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the
 // edge and the heights alone.
-void split_edge(const Reference& reference, const Place& a, const Place& b, std::span<const HeightLayer> layers,
+void split_edge(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers,
                 double tolerance_m, std::vector<GridPoint>& points) {
   const WorstPoint worst = worst_of(reference, a, b, layers);
   if (worst.error_m <= tolerance_m) return;
-  const Place middle = place_at(reference, grid_point(snapped(worst.at)));
+  const Point middle = point_at(reference, grid_point(snapped(worst.at)));
   if (middle.at == a.at || middle.at == b.at) return;
   points.push_back(middle.at);
   split_edge(reference, a, middle, layers, tolerance_m, points);
@@ -49,7 +54,7 @@ void split_edge(const Reference& reference, const Place& a, const Place& b, std:
 std::vector<GridPoint> path_of(const Reference& reference, const Border& border, std::span<const HeightLayer> layers,
                                double tolerance_m) {
   std::vector<GridPoint> path = {border.a, border.b};
-  split_edge(reference, place_at(reference, border.a), place_at(reference, border.b), layers, tolerance_m, path);
+  split_edge(reference, point_at(reference, border.a), point_at(reference, border.b), layers, tolerance_m, path);
   const auto along = [&](GridPoint p) {
     return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
   };

@@ -1,7 +1,10 @@
 #include "compiler/ground/carving.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
+#include <memory_resource>
 
 namespace citykiln::ground {
 namespace {
@@ -11,6 +14,9 @@ constexpr double kCorner_m = 12;
 
 // Of the grid that tells where there is water at all.
 constexpr double kBucket_m = 64;
+
+// Room for the strands of nearly all places.
+constexpr std::size_t kStrandBytes = 48 * sizeof(Strand);
 
 // How far apart the heights are that a normal is made of.
 constexpr double kNormalStep_m = 1;
@@ -134,6 +140,14 @@ std::vector<Surface> on_layers(std::span<const Surface> surfaces, std::span<cons
   return chosen;
 }
 
+// Smaller in a tile, where borders are asked about all the time: those of roads within some metres, shores within 16 m.
+constexpr double kPavedBucket_m = 8, kWetBucket_m = 16;
+
+double bucket_m(const Box2& box, double in_tile_m) {
+  constexpr double kTile_m = 4096;
+  return std::max(box.width(), box.height()) <= kTile_m ? in_tile_m : kMapBucket_m;
+}
+
 }  // namespace
 
 Carving::Carving(map::Heightfield&& field) : terrain(std::move(field)) {}
@@ -145,15 +159,17 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   carving.decks = span_field_of(parts.decks), carving.bores = span_field_of(parts.bores);
   carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
   carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
-  carving.paved_map = map_surfaces(carving.paved, parts.box);
-  carving.wet_map = map_surfaces(carving.wet, parts.box);
+  carving.paved_map = map_surfaces(carving.paved, parts.box, bucket_m(parts.box, kPavedBucket_m));
+  carving.wet_map = map_surfaces(carving.wet, parts.box, bucket_m(parts.box, kWetBucket_m));
   carving.shores = grid_of(reaches_of(carving.wet), kBucket_m);
   return carving;
 }
 
 Heights heights_at(const Carving& carving, Vec2 p) {
   const double terrain_m = map::height_m_at(carving.terrain, p);
-  const std::vector<Strand> strands = strands_at(carving.roads, p, terrain_m);
+  std::array<std::byte, kStrandBytes> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  const std::pmr::vector<Strand> strands = strands_at(carving.roads, p, terrain_m, &memory);
   const std::optional<NearWater> water = water_near(carving, p);
   if (strands.empty() && !water && !is_near_span(carving, p)) return {terrain_m, terrain_m, terrain_m, terrain_m};
   const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
@@ -184,7 +200,7 @@ Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
 bool is_carved(const Carving& carving, const Box2& box) {
   for (const BoxGrid* grid :
        {&carving.roads.grid, &carving.shores, &carving.decks.field.grid, &carving.bores.field.grid})
-    if (!boxes_about(*grid, box).empty()) return true;
+    if (is_any_about(*grid, box)) return true;
   return false;
 }
 

@@ -11,7 +11,6 @@
 #include "compiler/ground/refine.h"
 #include "compiler/ground/simplify_borders.h"
 #include "compiler/ground/step_mesh.h"
-#include "compiler/ground/yield_slivers.h"
 
 namespace citykiln::ground {
 namespace {
@@ -46,10 +45,10 @@ struct Simpler {
   double error_m;
 };
 
-Simpler simpler_borders(std::span<const Border> borders, double tolerance_m) {
+Simpler simpler_borders(const Regions& between_borders, double tolerance_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
-  YieldedSlivers yielded = yield_slivers(borders, kSliverShare * tolerance_m, any);
+  YieldedSlivers yielded = yield_slivers(between_borders, kSliverShare * tolerance_m, any);
   SimplifiedBorders simplified = simplify_borders(yielded.borders, kBorderShare * tolerance_m, none);
   return {std::move(simplified.borders), yielded.error_m + simplified.error_m};
 }
@@ -83,48 +82,46 @@ Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, con
   return reference_of(std::move(followed.triangulation), std::move(followed.heights), cell);
 }
 
-// What a cell is made of before any tolerance: the borders that are seen, and what heights are measured against.
-struct Known {
-  std::vector<Border> borders;
-  Reference reference;
-};
-
 // Where nothing is carved the terrain is the reference, and its lines matter on the border alone.
-Known known_of_bare(const Layers& layers, const Carving& carving, const Box2& cell) {
-  Reference reference = reference_of(carving.terrain, cell);
-  if (layers.order.empty()) return {bare_borders(cell), std::move(reference)};
+std::vector<Border> borders_of_bare(const Layers& layers, const Carving& carving, const Box2& cell) {
+  if (layers.order.empty()) return bare_borders(cell);
   const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), {}, cell);
-  return {seen_borders(all, joints_of(layers, all.arrangement, cell)), std::move(reference)};
-}
-
-Known known_of(std::span<const Surface> surfaces, std::span<const FaceHeight> heights, const Carving& carving,
-               const Box2& cell) {
-  const std::vector<Surface> bent = bent_rings(surfaces, carving, cell);
-  const Layers layers = layers_near(bent, cell);
-  if (!is_carved(carving, cell)) return known_of_bare(layers, carving, cell);
-  Partition all = carved_partition(layers, carving, cell);
-  std::vector<Border> borders = seen_borders(all, joints_of(layers, all.arrangement, cell));
-  return {std::move(borders), reference_on(std::move(all), heights, carving, cell)};
+  return seen_borders(all, joints_of(layers, all.arrangement, cell));
 }
 
 }  // namespace
 
 Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
   if (!is_carved(carving, cell)) return reference_of(carving.terrain, cell);
-  return known_of(surfaces, heights_of(surfaces), carving, cell).reference;
+  return know_cell(surfaces, carving, cell).reference;
+}
+
+KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
+  std::vector<FaceHeight> heights = heights_of(surfaces);
+  const std::vector<Surface> bent = bent_rings(surfaces, carving, cell);
+  const Layers layers = layers_near(bent, cell);
+  if (!is_carved(carving, cell))
+    return {std::move(heights), regions_between(borders_of_bare(layers, carving, cell)),
+            reference_of(carving.terrain, cell)};
+  Partition all = carved_partition(layers, carving, cell);
+  Regions between = regions_between(seen_borders(all, joints_of(layers, all.arrangement, cell)));
+  Reference reference = reference_on(std::move(all), heights, carving, cell);
+  return {std::move(heights), std::move(between), std::move(reference)};
 }
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report) {
-  return expand_cell(surfaces, carving, cell, tolerance_m, all_sides(tolerance_m), report);
+  CarvedNormals normals(carving);
+  return expand_cell(know_cell(surfaces, carving, cell), normals, tolerance_m, report);
 }
 
-GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report) {
+  return expand_cell(known, normals, tolerance_m, all_sides(tolerance_m), report);
+}
+
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m,
                        const SideTolerances& sides_m, Report& report) {
-  const std::vector<FaceHeight> heights = heights_of(surfaces);
-  const Known known = known_of(surfaces, heights, carving, cell);
-  const Simpler simpler = simpler_borders(known.borders, tolerance_m);
-  const Reference& reference = known.reference;
+  const Simpler simpler = simpler_borders(known.between_borders, tolerance_m);
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
   // vertex: then the borders are split more finely, while that helps. The cell's own border is not: its vertices are
@@ -132,7 +129,7 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
-    return refined_to(reference, simpler.borders, heights, {cell_border_m(sides_m), inner_m, height_m});
+    return refined_to(known.reference, simpler.borders, known.heights, {cell_border_m(sides_m), inner_m, height_m});
   };
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
@@ -142,7 +139,7 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
     refined = std::move(finer);
   }
   if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  GroundMesh ground = step_mesh(refined, carving);
+  GroundMesh ground = step_mesh(refined, normals);
   ground.border_error_m = simpler.error_m;
   return ground;
 }

@@ -22,10 +22,12 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/ground/border.h"
+#include "compiler/ground/carved_normals.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/ground/reference.h"
 #include "compiler/ground/surface_map.h"
+#include "compiler/ground/yield_slivers.h"
 
 namespace citykiln::ground {
 
@@ -37,6 +39,17 @@ struct GroundMesh {
   double error_m = 0;  ///< Largest vertical distance between mesh and carved ground, layer by layer: measured at all
                        ///< vertices of their overlay, so exact.
 };
+
+/// What a cell is made of before any tolerance.
+struct KnownCell {
+  std::vector<FaceHeight> heights;  ///< One a surface.
+  Regions between_borders;          ///< Between the borders that are seen.
+  Reference reference;              ///< What heights are measured against.
+};
+
+/// The dearer half of expand_cell: levels that share surfaces and carving share this too. Parameters as there; what is
+/// returned refers to the carving.
+KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);
 
 /// The ground of one cell.
 ///
@@ -53,10 +66,14 @@ struct GroundMesh {
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
                        Report& report);
 
+/// The same of a cell that is known.
+/// @param normals  Of the carving that it is known from; those of one level serve the next.
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report);
+
 /// The same beside cells that are finer.
 /// @param sides_m  The tolerance at each side: the cell's own, or the neighbour's where that is smaller. So both have
 ///                 the same vertices there.
-GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m,
                        const SideTolerances& sides_m, Report& report);
 
 /// What expand_cell is certified against: the carved ground of the cell, linear on the faces of one triangulation.

@@ -35,11 +35,11 @@ struct Following {
     return face_surface[f] == kNoSurface ? FaceHeight{} : face_heights[face_surface[f]];
   }
 
-  // How far the ground lies off the mean of some vertices.
-  double stray_m(std::initializer_list<std::uint32_t> vertices, Vec2 p, HeightLayer layer) const {
+  // What is straight between some vertices, in the middle of them.
+  double mean_m(std::initializer_list<std::uint32_t> vertices, HeightLayer layer) const {
     double sum_m = 0;
     for (const std::uint32_t v : vertices) sum_m += of(heights[v], layer);
-    return std::abs(sum_m / static_cast<double>(vertices.size()) - of(heights_at(carving, p), layer));
+    return sum_m / static_cast<double>(vertices.size());
   }
 };
 
@@ -53,10 +53,13 @@ double longest_m(const std::array<Vec2, 3>& c) {
 struct Stray {
   double off_m = 0;
   Vec2 at;
+  Heights heights{};
 };
 
-void keep_worse(Stray& worst, double off_m, Vec2 at) {
-  if (off_m > worst.off_m) worst = {off_m, at};
+void keep_worse(Stray& worst, const Carving& carving, Vec2 at, double straight_m, HeightLayer layer) {
+  const Heights heights = heights_at(carving, at);
+  const double off_m = std::abs(straight_m - of(heights, layer));
+  if (off_m > worst.off_m) worst = {off_m, at, heights};
 }
 
 // At the centre, and in the middle of edges that may be cut.
@@ -66,12 +69,12 @@ Stray stray_of(const Following& all, std::uint32_t f, HeightLayer layer) {
   const std::array<Vec2, 3> c = all.corners_of(f);
   Stray worst;
   const Vec2 centre = snapped((c[0] + c[1] + c[2]) * (1.0 / 3));
-  keep_worse(worst, all.stray_m({v[0], v[1], v[2]}, centre, layer), centre);
+  keep_worse(worst, all.carving, centre, all.mean_m({v[0], v[1], v[2]}, layer), layer);
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
     if (face.is_constrained[i] || all.is_seen[face.neighbours[i]] || distance(a, b) < 2 * kShortest_m) continue;
-    const Vec2 middle = snapped((a + b) * 0.5);
-    keep_worse(worst, all.stray_m({v[(i + 1) % 3], v[(i + 2) % 3]}, middle, layer), middle);
+    const double straight_m = all.mean_m({v[(i + 1) % 3], v[(i + 2) % 3]}, layer);
+    keep_worse(worst, all.carving, snapped((a + b) * 0.5), straight_m, layer);
   }
   return worst;
 }
@@ -106,7 +109,7 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
   if (split == kNoFace || is_crowded(all, split, worst.at)) return {};
   const std::uint32_t surface = all.face_surface[split];
   const auto changed = all.triangulation.insert(grid_point(worst.at), split);
-  all.heights.push_back(heights_at(all.carving, worst.at));
+  all.heights.push_back(worst.heights);
   all.face_surface.resize(all.triangulation.faces().size()), all.is_seen.resize(all.face_surface.size());
   for (const std::uint32_t c : changed) all.face_surface[c] = surface, all.is_seen[c] = false;
   return changed;

@@ -120,9 +120,26 @@ bool is_on_border(const Box2& cell, Vec3 a, Vec3 b) {
          (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
 }
 
-StraightWalk walk_along(const Reference& reference, const MeshEdge& edge) {
-  const FinePoint from = fine_point(edge.from);
-  return walk_from_face(walk_ground(reference), face_at(reference, from, edge.from), from, fine_point(edge.to));
+// How a place lies in its face: on the corner `first`, on the edge from `first` on, or inside.
+struct InFace {
+  enum class Where { kCorner, kEdge, kInside } where;
+  int first = 0;
+};
+
+InFace in_face(const Reference& reference, const DelaunayFace& face, FinePoint p) {
+  const auto place = [&](int i) { return fine_point(reference.triangulation.vertices()[face.vertices[i % 3]]); };
+  for (int i = 0; i < 3; ++i)
+    if (place(i) == p) return {InFace::Where::kCorner, i};
+  for (int i = 0; i < 3; ++i)
+    if (side_of(place(i), place(i + 1), p) == 0) return {InFace::Where::kEdge, i};
+  return {InFace::Where::kInside};
+}
+
+double height_in_face(const Reference& reference, const DelaunayFace& face, InFace in, FinePoint p, HeightLayer layer) {
+  if (in.where == InFace::Where::kCorner) return height_of(reference, face.vertices[in.first], layer);
+  if (in.where == InFace::Where::kEdge)
+    return height_on_edge(reference, face.vertices[in.first], face.vertices[(in.first + 1) % 3], p, layer);
+  return height_inside(reference, face, p, layer);
 }
 
 // A triangle in plan, with the plane through its corners.
@@ -164,24 +181,41 @@ double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {
                     std::clamp(p.y, reference.cell.min.y, reference.cell.max.y)};
   const FinePoint fine = fine_point(inside);
   const DelaunayFace& face = reference.triangulation.faces()[face_at(reference, fine, grid_point(inside))];
-  const auto place = [&](int i) { return fine_point(reference.triangulation.vertices()[face.vertices[i % 3]]); };
-  for (int i = 0; i < 3; ++i)
-    if (place(i) == fine) return height_of(reference, face.vertices[i], layer);
-  for (int i = 0; i < 3; ++i)
-    if (side_of(place(i), place(i + 1), fine) == 0)
-      return height_on_edge(reference, face.vertices[i], face.vertices[(i + 1) % 3], fine, layer);
-  return height_inside(reference, face, fine, layer);
+  return height_in_face(reference, face, in_face(reference, face, fine), fine, layer);
+}
+
+Place place_at(const Reference& reference, Vec2 p) {
+  return {p, reference.terrain != nullptr ? kNoFace : face_at(reference, fine_point(p), grid_point(p))};
+}
+
+Heights heights_at(const Reference& reference, const Place& place) {
+  Heights heights;
+  if (reference.terrain != nullptr) {
+    heights.fill(map::height_m_at(*reference.terrain, place.at));
+    return heights;
+  }
+  const FinePoint fine = fine_point(place.at);
+  const DelaunayFace& face = reference.triangulation.faces()[place.face];
+  const InFace in = in_face(reference, face, fine);
+  for (std::size_t layer = 0; layer < heights.size(); ++layer)
+    heights[layer] = height_in_face(reference, face, in, fine, static_cast<HeightLayer>(layer));
+  return heights;
 }
 
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer) {
+  return worst_on_edge(reference, EdgeEnd{a, place_at(reference, in_plan(a)).face},
+                       EdgeEnd{b, place_at(reference, in_plan(b)).face}, layer);
+}
+
+WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
   if (reference.terrain != nullptr)
-    return is_on_border(reference.cell, a, b) ? worst_on_straight_edge(*reference.terrain, a, b)
-                                              : worst_on_edge(*reference.terrain, a, b);
+    return is_on_border(reference.cell, a.at, b.at) ? worst_on_straight_edge(*reference.terrain, a.at, b.at)
+                                                    : worst_on_edge(*reference.terrain, a.at, b.at);
   // from the lower end, so that both faces of an edge find the same
-  if (in_plan(b) < in_plan(a)) std::swap(a, b);
-  const MeshEdge edge{a, b, grid_point(in_plan(a)), grid_point(in_plan(b))};
+  if (in_plan(b.at) < in_plan(a.at)) std::swap(a, b);
+  const MeshEdge edge{a.at, b.at, grid_point(in_plan(a.at)), grid_point(in_plan(b.at))};
   WorstPoint worst;
-  StraightWalk walk = walk_along(reference, edge);
+  StraightWalk walk = walk_from_face(walk_ground(reference), a.face, fine_point(edge.from), fine_point(edge.to));
   for (Met met = next(walk); !met.is_end(); met = next(walk)) {
     if (met.is_vertex())
       consider_vertex(worst, reference, edge, met.p, layer);

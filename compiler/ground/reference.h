@@ -39,10 +39,30 @@ Reference reference_of(const map::Heightfield& terrain, const Box2& cell);
 /// function of the edge alone, so the same from both sides and in both cells of a border. O(1) expected.
 double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer);
 
+/// A place of a mesh: its point, and the reference's face that holds it. Where many edges start from one place, that
+/// face is looked for once.
+struct Place {
+  Vec2 at;
+  std::uint32_t face = kNoFace;  ///< kNoFace where the reference is the terrain.
+};
+
+/// @param p  In the closed cell. O(1) expected.
+Place place_at(const Reference& reference, Vec2 p);
+
+/// To the bit what height_m_at gives for each layer. O(1).
+Heights heights_at(const Reference& reference, const Place& place);
+
 /// Along an edge from a to b (on the 2^-10 m grid, in the closed cell), ends left out: at its crossings with edges of
 /// the reference, and at vertices it passes. The same from b to a. On the cell's border that is the border's vertices,
 /// so both cells find the same. O(faces crossed).
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer);
+
+/// The same, with what is known of the ends.
+struct EdgeEnd {
+  Vec3 at;
+  std::uint32_t face;  ///< As in Place.
+};
+WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
 /// At the reference's vertices inside a triangle (in plan, counter-clockwise, corners on the 2^-10 m grid), its edges
 /// left out. O(vertices in the buckets it touches).

@@ -26,6 +26,13 @@ struct Growing {
   const Reference& reference;
   Refined& refined;
   std::vector<FaceError> errors;
+  std::vector<std::uint32_t> standing{};  // one a vertex: the reference's face that holds it
+
+  void add_vertex(Vec2 p) {
+    const Place place = place_at(reference, p);
+    refined.heights.push_back(snapped_heights(reference, place));
+    standing.push_back(place.face);
+  }
 
   Vec3 at(std::uint32_t vertex, HeightLayer layer) const {
     return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], layer));
@@ -46,7 +53,8 @@ struct Growing {
     if (beyond != kNoFace && errors[beyond].is_known && refined.face_height[beyond] == refined.face_height[f])
       for (int k = 0; k < 3; ++k)
         if (faces[beyond].neighbours[k] == f) return errors[beyond].edges[k];
-    return worst_on_edge(reference, corners[(i + 1) % 3], corners[(i + 2) % 3], layer_of(f));
+    const auto end = [&](int k) { return EdgeEnd{corners[k], standing[faces[f].vertices[k]]}; };
+    return worst_on_edge(reference, end((i + 1) % 3), end((i + 2) % 3), layer_of(f));
   }
 
   void measure(std::uint32_t f) {
@@ -117,7 +125,7 @@ struct Growing {
     const std::uint32_t surface = refined.face_surface[split];
     const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
-    refined.heights.push_back(snapped_heights(reference, p));
+    add_vertex(p);
     // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that
     // region
     const std::size_t count = refined.triangulation.faces().size();
@@ -156,23 +164,17 @@ void grow(Growing& growing, double tolerance_m) {
 
 }  // namespace
 
-Heights snapped_heights(const Reference& reference, Vec2 p) {
-  Heights heights;
-  if (reference.terrain != nullptr) {
-    heights.fill(snapped(height_m_at(reference, p, HeightLayer::kLand)));
-    return heights;
-  }
-  for (std::size_t layer = 0; layer < heights.size(); ++layer)
-    heights[layer] = snapped(height_m_at(reference, p, static_cast<HeightLayer>(layer)));
+Heights snapped_heights(const Reference& reference, const Place& place) {
+  Heights heights = heights_at(reference, place);
+  for (double& height : heights) height = snapped(height);
   return heights;
 }
 
 Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m) {
   Refined refined{std::move(partition.triangulation), std::move(partition.face_surface), std::move(face_height), {}, 0};
-  for (const GridPoint p : refined.triangulation.vertices())
-    refined.heights.push_back(snapped_heights(reference, plane_point(p)));
   Growing growing{reference, refined, std::vector<FaceError>(refined.face_surface.size())};
+  for (const GridPoint p : refined.triangulation.vertices()) growing.add_vertex(plane_point(p));
   grow(growing, tolerance_m);
   for (const FaceError& error : growing.errors) refined.error_m = std::max(refined.error_m, error.error_m);
   return refined;

@@ -19,7 +19,7 @@ struct Refined {
 };
 
 /// The reference's heights at a place, rounded to 2^-10 m.
-Heights snapped_heights(const Reference& reference, Vec2 p);
+Heights snapped_heights(const Reference& reference, const Place& place);
 
 /// Guarantees: no point on a constrained edge, nor on the cell's border; error_m <= tolerance_m, or what no further
 /// point could mend. Cost: n log n in points, times the reference's faces about each.

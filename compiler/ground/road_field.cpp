@@ -8,6 +8,11 @@ namespace {
 
 // About the reach of a road of two lanes: most places look into one bucket with few segments.
 constexpr double kBucket_m = 32;
+// Of those that each place looks into: small in a tile, where there are places without number.
+double near_bucket_m(const Box2& box) {
+  constexpr double kTile_m = 4096, kNearBucket_m = 8;
+  return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kBucket_m;
+}
 
 // Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
 constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
@@ -28,8 +33,16 @@ void add_segments(const roads::Road& road, double kerb_m, RoadField& field) {
   field.profiles.push_back(road.profile);
 }
 
-Box2 reach_of(const GradedSegment& s) {
-  return box_of(std::array{s.from, s.to}).widened(std::max(s.left_m, s.right_m) + kCarve_m);
+double reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kCarve_m; }
+
+Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(reach_m(s)); }
+
+// False only where no place of the box is in reach.
+bool may_reach(const GradedSegment& s, const Box2& box) {
+  const Vec2 along = s.to - s.from, centre = box.centre();
+  const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+  constexpr double kSlack_m = 0x1p-10;
+  return distance(centre, s.from + along * t) <= reach_m(s) + distance(centre, box.max) + kSlack_m;
 }
 
 double weight_of(double from_axis_m, double half_m, double beyond_m) {
@@ -37,11 +50,18 @@ double weight_of(double from_axis_m, double half_m, double beyond_m) {
   return slack * slack + kFarWeight / (far_m * far_m * far_m);
 }
 
-Strand strand_at(const RoadField& field, const GradedSegment& s, Vec2 p, double terrain_m) {
+SegmentLine line_of(const GradedSegment& s) {
   const Vec2 along = s.to - s.from;
-  const double length2 = dot(along, along);
-  const double t = std::clamp(dot(p - s.from, along) / length2, 0.0, 1.0);
-  const double aside_m = cross(along, p - s.from) / std::sqrt(length2);
+  const double length2_m2 = dot(along, along);
+  return {along, length2_m2, std::sqrt(length2_m2)};
+}
+
+Strand strand_at(const RoadField& field, std::uint32_t number, Vec2 p, double terrain_m) {
+  const GradedSegment& s = field.segments[number];
+  const SegmentLine& line = field.lines[number];
+  const Vec2 along = line.along;
+  const double t = std::clamp(dot(p - s.from, along) / line.length2_m2, 0.0, 1.0);
+  const double aside_m = cross(along, p - s.from) / line.length_m;
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
   const double from_axis_m = distance(p, s.from + along * t);
   const double beyond_m = std::max(0.0, from_axis_m - half_m);
@@ -62,16 +82,24 @@ RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
     const double kerb_m = has_kerbs ? kerb_of(road) : 0;
     if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
   }
-  for (const GradedSegment& s : field.segments) field.reaches.push_back(reach_of(s));
+  for (const GradedSegment& s : field.segments) {
+    field.lines.push_back(line_of(s));
+    field.reaches.push_back(reach_of(s));
+  }
   field.grid = grid_of(field.reaches, kBucket_m);
+  field.near = grid_of(field.reaches, near_bucket_m(field.grid.box),
+                       [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
   return field;
 }
 
-std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m) {
-  std::vector<Strand> strands;
-  for (const std::uint32_t i : boxes_about(field.grid, p)) {
+std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
+                                    std::pmr::memory_resource* memory) {
+  std::pmr::vector<Strand> strands(memory);
+  const std::span<const std::uint32_t> near = boxes_about(field.near, p);
+  strands.reserve(near.size());
+  for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
-    const Strand strand = strand_at(field, field.segments[i], p, terrain_m);
+    const Strand strand = strand_at(field, i, p, terrain_m);
     if (strand.beyond_m < kCarve_m) strands.push_back(strand);
   }
   return strands;

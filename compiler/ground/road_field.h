@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -34,11 +35,19 @@ struct GradedSegment {
   std::uint32_t road = 0;          ///< Into profiles.
 };
 
+/// What of a segment every place asks for.
+struct SegmentLine {
+  Vec2 along;  ///< From its beginning to its end.
+  double length2_m2 = 0, length_m = 0;
+};
+
 struct RoadField {
   std::vector<GradedSegment> segments;  ///< In the order of roads.
+  std::vector<SegmentLine> lines;       ///< Of the segments.
   std::vector<Profile> profiles;        ///< One a road that has segments; empty: it follows the terrain.
   std::vector<Box2> reaches;            ///< Of the segments: farther off none is felt.
   BoxGrid grid;                         ///< Of those.
+  BoxGrid near;  ///< Of those too, in small buckets, without the corners that the segments do not reach.
 };
 
 /// @param has_kerbs  False where the tolerance sees none: carriageways then lie level with what is beside them.
@@ -55,7 +64,9 @@ struct Strand {
 
 /// Those whose edge is nearer than kCarve_m, in the order of the field's segments.
 /// @param terrain_m  The terrain's height at p.
-std::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m);
+/// @param memory     For what is returned: most places are asked once, so no heap should be.
+std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
+                                    std::pmr::memory_resource* memory);
 
 /// What the strands agree on, by their weights: continuous, and beside an edge as steep as two roads' heights differ
 /// over kBlend_m. There must be one at least.

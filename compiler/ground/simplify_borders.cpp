@@ -67,8 +67,8 @@ struct Run {
   std::uint32_t left, right;
   bool is_cell_border;
   bool is_gone = false;
-  double error = 0;  // grid steps
-  std::vector<GridPoint> hull;
+  double error = 0;             // grid steps
+  std::vector<GridPoint> hull;  // none while it stands for itself alone: then its ends are
 
   std::uint32_t beyond(std::uint32_t end) const { return end == from ? to : from; }
   void turn_round() {
@@ -144,7 +144,7 @@ Net net_of(std::span<const Border> borders, double tolerance_m, const std::funct
     return static_cast<std::uint32_t>(std::ranges::lower_bound(net.vertices, p) - net.vertices.begin());
   };
   for (const Border& b : borders)
-    net.runs.push_back({number(b.a), number(b.b), b.left, b.right, b.is_cell_border, false, 0, {b.a, b.b}});
+    net.runs.push_back({number(b.a), number(b.b), b.left, b.right, b.is_cell_border, false, 0, {}});
   link_runs(net);
   GridPoint min = net.vertices.front(), max = min;
   for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
@@ -171,12 +171,19 @@ bool are_joined(Net& net, std::uint32_t a, std::uint32_t b) {
   return std::ranges::any_of(net.runs_at(a), [&](std::uint32_t r) { return net.runs[r].beyond(a) == b; });
 }
 
+// The corners of its hull.
+template <typename Visit>
+void for_each_corner(const Net& net, const Run& run, Visit visit) {
+  if (run.hull.empty()) visit(net.vertices[run.from]), visit(net.vertices[run.to]);
+  for (const GridPoint p : run.hull) visit(p);
+}
+
 double error_without(Net& net, std::uint32_t v) {
   const auto [a, b] = neighbours(net, v);
   const GridPoint from = net.vertices[a], to = net.vertices[b];
   double error = 0;
   for (const std::uint32_t r : net.runs_at(v))
-    for (const GridPoint p : net.runs[r].hull) error = std::max(error, distance_to_segment(from, to, p));
+    for_each_corner(net, net.runs[r], [&](GridPoint p) { error = std::max(error, distance_to_segment(from, to, p)); });
   return error;
 }
 
@@ -214,11 +221,12 @@ void leave_out(Net& net, std::uint32_t v, double error) {
   const std::uint32_t kept = net.runs_at(v)[0], lost = net.runs_at(v)[1];
   Run& run = net.runs[kept];
   Run& other = net.runs[lost];
+  std::vector<GridPoint> corners;
+  for (const Run* one : {&run, &other}) for_each_corner(net, *one, [&](GridPoint p) { corners.push_back(p); });
   if (run.from == v) run.turn_round();
   run.to = other.beyond(v);
   run.error = error;
-  run.hull.insert(run.hull.end(), other.hull.begin(), other.hull.end());
-  run.hull = convex_hull(std::move(run.hull));
+  run.hull = convex_hull(std::move(corners));
   other.is_gone = true;
   other.hull.clear();
   std::ranges::replace(net.runs_at(run.to), lost, kept);

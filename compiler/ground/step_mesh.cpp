@@ -14,7 +14,7 @@ using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightL
 
 struct Builder {
   const Refined& refined;
-  const Carving& carving;
+  CarvedNormals& normals;
   GroundMesh ground{};
   std::vector<VertexByLayer> numbers{};
 
@@ -22,8 +22,8 @@ struct Builder {
     return at_height(plane_point(refined.triangulation.vertices()[vertex]), of(refined.heights[vertex], height));
   }
 
-  Vec3 normal(Vec3 at, const FaceHeight& height) const {
-    return height.level_m ? Vec3{0, 0, 1} : normal_at(carving, in_plan(at), height.layer);
+  Vec3 normal(std::uint32_t vertex, const FaceHeight& height) const {
+    return height.level_m ? Vec3{0, 0, 1} : normals.at(refined.triangulation.vertices()[vertex], height.layer);
   }
 
   std::uint32_t add_vertex(Vec3 position, Vec3 normal) {
@@ -37,7 +37,7 @@ struct Builder {
     const Vec3 p = place(v, height);
     // two waters may meet with a level each
     if (number != kNoVertex && ground.mesh.positions[number] == p) return number;
-    const Vec3 up = normal(p, height);
+    const Vec3 up = normal(v, height);
     for (const std::uint32_t other : numbers[v])
       if (other != kNoVertex && ground.mesh.positions[other] == p && ground.mesh.normals[other] == up)
         return number = other;
@@ -72,7 +72,7 @@ struct Builder {
   // A step across the mouth of a bore begins at its ceiling.
   Vec3 over_mouth(Vec3 a, Vec3 b, double upper_m) const {
     constexpr double kWithin_m = 0.25;
-    const double ceiling_m = ceiling_in_mouth_m(carving.bores, in_plan(a), in_plan(b), kWithin_m);
+    const double ceiling_m = ceiling_in_mouth_m(normals.carving().bores, in_plan(a), in_plan(b), kWithin_m);
     return {a.x, a.y, std::clamp(ceiling_m, a.z, std::max(a.z, upper_m))};
   }
 
@@ -96,10 +96,10 @@ struct Builder {
 
 }  // namespace
 
-GroundMesh step_mesh(const Refined& refined, const Carving& carving) {
+GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals) {
   VertexByLayer none;
   none.fill(kNoVertex);
-  Builder builder{refined, carving};
+  Builder builder{refined, normals};
   builder.numbers.assign(refined.triangulation.vertices().size(), none);
   const auto faces = static_cast<std::uint32_t>(refined.triangulation.faces().size());
   for (std::uint32_t f = 0; f < faces; ++f) builder.add_face(f);

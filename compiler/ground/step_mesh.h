@@ -5,7 +5,7 @@
 //                  └─── carriageway
 #pragma once
 
-#include "compiler/ground/carving.h"
+#include "compiler/ground/carved_normals.h"
 #include "compiler/ground/expand.h"
 #include "compiler/ground/refine.h"
 
@@ -13,6 +13,6 @@ namespace citykiln::ground {
 
 /// Vertices are shared within a layer, and between layers that touch; upright faces have their own, with level normals.
 /// O(faces).
-GroundMesh step_mesh(const Refined& refined, const Carving& carving);
+GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals);
 
 }  // namespace citykiln::ground

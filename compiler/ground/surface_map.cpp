@@ -7,8 +7,6 @@
 namespace citykiln::ground {
 namespace {
 
-// Smaller buckets repeat large surfaces too often; larger ones ask too many borders a question.
-constexpr double kBucket_m = 32;
 // Half a grid step: buckets' sides lie between the plane's grid lines.
 constexpr double kOffGrid_m = 0x1p-11;
 
@@ -16,29 +14,37 @@ struct BucketRange {
   int first_column, last_column, first_row, last_row;
 };
 
-int bucket_index(double offset_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0));
+int bucket_index(double offset_m, double bucket_m, int count) {
+  return static_cast<int>(std::clamp(std::floor(offset_m / bucket_m), 0.0, count - 1.0));
 }
 
+int column_of(const SurfaceMap& map, double x) { return bucket_index(x - map.corner.x, map.bucket_m, map.columns); }
+int row_of(const SurfaceMap& map, double y) { return bucket_index(y - map.corner.y, map.bucket_m, map.rows); }
+
 BucketRange buckets_of(const SurfaceMap& map, const Box2& box) {
-  return {bucket_index(box.min.x - map.corner.x, map.columns), bucket_index(box.max.x - map.corner.x, map.columns),
-          bucket_index(box.min.y - map.corner.y, map.rows), bucket_index(box.max.y - map.corner.y, map.rows)};
+  return {column_of(map, box.min.x), column_of(map, box.max.x), row_of(map, box.min.y), row_of(map, box.max.y)};
 }
 
 Vec2 corner_of(const SurfaceMap& map, int column, int row) {
-  return map.corner + Vec2{column * kBucket_m, row * kBucket_m};
+  return map.corner + Vec2{column * map.bucket_m, row * map.bucket_m};
 }
 
-// The borders of one surface, by bucket of the range its box touches.
+// A border of a surface, and a bucket that it comes near to, counted along the range of the surface.
+struct BucketEdge {
+  std::uint32_t bucket;
+  SurfaceMap::Edge edge;
+};
+
+// The borders of one surface, sorted by bucket of the range its box touches.
 struct Sorted {
   BucketRange range;
-  std::vector<std::vector<SurfaceMap::Edge>> edges;
+  std::vector<BucketEdge> edges;
 };
 
 Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box) {
   Sorted sorted{buckets_of(map, box), {}};
-  const int across = sorted.range.last_column - sorted.range.first_column + 1;
-  sorted.edges.resize(static_cast<std::size_t>(across) * (sorted.range.last_row - sorted.range.first_row + 1));
+  const BucketRange& range = sorted.range;
+  const int across = range.last_column - range.first_column + 1;
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const Box2 edge = box_of(std::array{ring[j], ring[i]});
@@ -46,9 +52,10 @@ Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box
       const BucketRange near = buckets_of(map, edge);
       for (int r = near.first_row; r <= near.last_row; ++r)
         for (int c = near.first_column; c <= near.last_column; ++c)
-          sorted.edges[static_cast<std::size_t>(r - sorted.range.first_row) * across + (c - sorted.range.first_column)]
-              .push_back({ring[j], ring[i]});
+          sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
+                                  {ring[j], ring[i]}});
     }
+  std::ranges::stable_sort(sorted.edges, {}, &BucketEdge::bucket);
   return sorted;
 }
 
@@ -68,8 +75,8 @@ struct Windings {
   // The columns whose corners lie west of where the edge crosses a row come first.
   int columns_west(Vec2 a, Vec2 b, int r) const {
     const double y = corner_of(map, 0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-    int count = static_cast<int>(
-        std::clamp(std::ceil((x - map.corner.x) / kBucket_m) - range.first_column, 0.0, static_cast<double>(across())));
+    int count = static_cast<int>(std::clamp(std::ceil((x - map.corner.x) / map.bucket_m) - range.first_column, 0.0,
+                                            static_cast<double>(across())));
     const auto is_west = [&](int column) { return is_west_of(a, b, corner_of(map, range.first_column + column, r)); };
     while (count > 0 && !is_west(count - 1)) --count;
     while (count < across() && is_west(count)) ++count;
@@ -106,7 +113,8 @@ struct Found {
   BucketSurface entry;
 };
 
-void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& found) {
+void find_in_buckets(const SurfaceMap& map, std::uint32_t number, std::vector<SurfaceMap::Edge>& all_edges,
+                     std::vector<Found>& found) {
   const Surface& surface = map.surfaces[number];
   Box2 box;
   for (const Ring& ring : surface.rings)
@@ -114,16 +122,16 @@ void find_in_buckets(SurfaceMap& map, std::uint32_t number, std::vector<Found>& 
   if (box.is_empty() || !box.touches(map.box)) return;
   const Sorted sorted = sort_edges(map, surface, box);
   const std::vector<int> windings = windings_of(map, surface, sorted.range);
-  std::size_t at = 0;
+  const std::int32_t priority = map::values_of(surface.surface).priority;
+  std::uint32_t at = 0;
+  auto edge = sorted.edges.begin();
   for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
     for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
-      const auto& edges = sorted.edges[at];
-      const int winding = windings[at];
-      if (edges.empty() && winding <= 0) continue;
-      const auto first = static_cast<std::uint32_t>(map.edges.size());
-      map.edges.insert(map.edges.end(), edges.begin(), edges.end());
-      found.push_back({static_cast<std::size_t>(r) * map.columns + c,
-                       {number, winding, first, static_cast<std::uint32_t>(edges.size())}});
+      const auto first = static_cast<std::uint32_t>(all_edges.size());
+      for (; edge != sorted.edges.end() && edge->bucket == at; ++edge) all_edges.push_back(edge->edge);
+      const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
+      if (count == 0 && windings[at] <= 0) continue;
+      found.push_back({static_cast<std::size_t>(r) * map.columns + c, {number, windings[at], priority, first, count}});
     }
 }
 
@@ -165,6 +173,20 @@ double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec
   return nearest_m;
 }
 
+// Takes what was found, sorted by bucket, its borders too: then a question reads them in a row.
+void take(SurfaceMap& map, std::span<const Found> found, std::span<const SurfaceMap::Edge> edges) {
+  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  map.edges.reserve(edges.size());
+  for (const Found& f : found) {
+    ++map.bucket_starts[f.bucket + 1];
+    const auto own = edges.subspan(f.entry.first_edge, f.entry.edge_count);
+    map.entries.push_back(f.entry);
+    map.entries.back().first_edge = static_cast<std::uint32_t>(map.edges.size());
+    map.edges.insert(map.edges.end(), own.begin(), own.end());
+  }
+  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+}
+
 std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
   const std::size_t bucket = static_cast<std::size_t>(row) * map.columns + column;
   return std::span(map.entries)
@@ -173,25 +195,24 @@ std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int
 
 }  // namespace
 
-SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box) {
-  SurfaceMap map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, 0, 0, {}, {}, {}};
-  map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / kBucket_m)));
-  map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / kBucket_m)));
+SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box, double bucket_m) {
+  SurfaceMap map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}};
+  map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / bucket_m)));
+  map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / bucket_m)));
   std::vector<std::uint32_t> order(surfaces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
   // found from the top down, so that a stable sort by bucket leaves each bucket's surfaces in that order
   std::vector<Found> found;
-  for (const std::uint32_t i : order) find_in_buckets(map, i, found);
+  std::vector<SurfaceMap::Edge> edges;
+  for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
-  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
-  for (const Found& f : found) ++map.bucket_starts[f.bucket + 1], map.entries.push_back(f.entry);
-  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+  take(map, found, edges);
   return map;
 }
 
 std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
-  const int column = bucket_index(p.x - map.corner.x, map.columns), row = bucket_index(p.y - map.corner.y, map.rows);
+  const int column = column_of(map, p.x), row = row_of(map, p.y);
   for (const BucketSurface& entry : entries_at(map, column, row))
     if (covers_point(map, entry, corner_of(map, column, row), p)) return entry.surface;
   return kNoSurface;
@@ -200,13 +221,12 @@ std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) {
   double nearest_m = reach_m;
   const BucketRange range = buckets_of(map, {{p.x - reach_m, p.y - reach_m}, {p.x + reach_m, p.y + reach_m}});
-  const int own_column = bucket_index(p.x - map.corner.x, map.columns),
-            own_row = bucket_index(p.y - map.corner.y, map.rows);
+  const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column)
       for (const BucketSurface& entry : entries_at(map, column, row)) {
         // sorted from the top down: none of this priority can follow
-        if (map::values_of(map.surfaces[entry.surface].surface).priority < priority) break;
+        if (entry.priority < priority) break;
         if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p))
           return 0;
         nearest_m = distance_to_border(map, entry, p, nearest_m);

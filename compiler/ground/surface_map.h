@@ -17,6 +17,7 @@ inline constexpr std::uint32_t kNoSurface = 0xffffffffu;
 struct BucketSurface {
   std::uint32_t surface = 0;
   std::int32_t winding = 0;
+  std::int32_t priority = 0;  ///< Of its class.
   std::uint32_t first_edge = 0, edge_count = 0;
 };
 
@@ -29,15 +30,20 @@ struct SurfaceMap {
   Box2 box;
   Vec2 corner;  ///< South-west corner of the first bucket, off the plane's grid, so that no vertex lies on a bucket's
                 ///< side.
+  double bucket_m = 0;
   int columns = 0, rows = 0;
   std::vector<std::uint32_t>
       bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
   std::vector<BucketSurface> entries;
-  std::vector<Edge> edges;
+  std::vector<Edge> edges;  ///< In the order of entries.
 };
 
+/// Smaller buckets repeat large surfaces too often; larger ones ask too many borders a question.
+inline constexpr double kMapBucket_m = 32;
+
+/// @param bucket_m  Smaller ones for narrow surfaces that are asked about often.
 /// Cost: linear in vertices, plus buckets times vertices for the surfaces that reach over many buckets.
-SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box);
+SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box, double bucket_m = kMapBucket_m);
 
 /// The index of the surface on top at p, or kNoSurface. p must lie in the map's box. O(edges in p's bucket).
 std::uint32_t surface_at(const SurfaceMap& map, Vec2 p);

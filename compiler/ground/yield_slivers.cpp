@@ -14,22 +14,12 @@
 namespace citykiln::ground {
 namespace {
 
-// A connected piece between borders: its triangles are those of one region.
-struct Region {
-  std::uint32_t surface = 0;
-  std::uint32_t heir = 0;            // itself while it stays
-  std::int64_t twice_area = 0;       // grid steps
-  double own_m2 = 0;                 // without what it has taken
-  std::vector<std::uint32_t> faces;  // its own, and those it has taken
-  bool touches_cell_border = false;
-};
-
 double area_m2(std::int64_t twice_steps) { return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m; }
 
-struct Regions {
-  std::vector<Border> borders;  // sorted
-  Delaunay net;
-  std::vector<std::uint32_t> of_face;
+// Regions while some of them yield.
+struct Yielding {
+  const Delaunay& net;
+  std::span<const std::uint32_t> of_face;
   std::vector<Region> regions;
 };
 
@@ -63,7 +53,7 @@ std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, s
 }
 
 // Fills a region from one of its faces.
-Region region_from(Regions& all, std::uint32_t start) {
+Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t start) {
   const auto number = static_cast<std::uint32_t>(all.regions.size());
   Region region;
   region.heir = number;
@@ -79,7 +69,7 @@ Region region_from(Regions& all, std::uint32_t start) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = face.neighbours[i];
       if (beyond == kNoFace) region.touches_cell_border = true;
-      if (face.is_constrained[i]) region.surface = surface_by(all.borders, all.net, f, i);
+      if (face.is_constrained[i]) region.surface = surface_by(borders, all.net, f, i);
       if (face.is_constrained[i] || beyond == kNoFace || all.of_face[beyond] != kNoFace) continue;
       all.of_face[beyond] = number;
       open.push_back(beyond);
@@ -89,24 +79,13 @@ Region region_from(Regions& all, std::uint32_t start) {
   return region;
 }
 
-Regions regions_between(std::span<const Border> borders) {
-  std::vector<Border> sorted(borders.begin(), borders.end());
-  std::ranges::sort(sorted, is_before);
-  Delaunay net = triangulated(sorted);
-  Regions all{std::move(sorted), std::move(net), {}, {}};
-  all.of_face.assign(all.net.faces().size(), kNoFace);
-  for (std::uint32_t f = 0; f < all.of_face.size(); ++f)
-    if (all.of_face[f] == kNoFace) all.regions.push_back(region_from(all, f));
-  return all;
-}
-
-std::uint32_t heir_of(const Regions& all, std::uint32_t region) {
+std::uint32_t heir_of(const Yielding& all, std::uint32_t region) {
   while (all.regions[region].heir != region) region = all.regions[region].heir;
   return region;
 }
 
 // Is edge i of a face a border of the region that the face is in now?
-bool is_border(const Regions& all, const DelaunayFace& face, std::uint32_t region, int i) {
+bool is_border(const Yielding& all, const DelaunayFace& face, std::uint32_t region, int i) {
   if (!face.is_constrained[i]) return false;
   return face.neighbours[i] == kNoFace || heir_of(all, all.of_face[face.neighbours[i]]) != region;
 }
@@ -118,7 +97,7 @@ struct Rim {
 };
 
 // Sorted.
-std::vector<Rim> rim_of(const Regions& all, std::uint32_t region) {
+std::vector<Rim> rim_of(const Yielding& all, std::uint32_t region) {
   std::vector<Rim> rim;
   for (const std::uint32_t f : all.regions[region].faces)
     for (int i = 0; i < 3; ++i) {
@@ -165,7 +144,7 @@ double reach_of_triangle(std::span<const Piece> pieces, const std::array<Vec2, 3
 }
 
 // A face and up to `count` in all of those about it, in one region.
-std::vector<std::uint32_t> faces_about(const Regions& all, std::uint32_t region, std::uint32_t face,
+std::vector<std::uint32_t> faces_about(const Yielding& all, std::uint32_t region, std::uint32_t face,
                                        std::size_t count) {
   std::vector<std::uint32_t> about = {face};
   for (std::size_t next = 0; next < about.size() && about.size() < count; ++next) {
@@ -180,7 +159,7 @@ std::vector<std::uint32_t> faces_about(const Regions& all, std::uint32_t region,
 }
 
 // The border's pieces at the corners of some faces: in a strip, of both of its sides.
-std::vector<Piece> pieces_at(const Regions& all, std::span<const Rim> rim, std::span<const std::uint32_t> faces) {
+std::vector<Piece> pieces_at(const Yielding& all, std::span<const Rim> rim, std::span<const std::uint32_t> faces) {
   std::vector<Piece> pieces;
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
   for (const std::uint32_t f : faces)
@@ -195,7 +174,7 @@ std::vector<Piece> pieces_at(const Regions& all, std::span<const Rim> rim, std::
 constexpr int kHalvings = 12;
 constexpr std::size_t kFacesAbout = 24;
 
-double reach_of_face(const Regions& all, std::span<const Rim> rim, std::uint32_t region, std::uint32_t face,
+double reach_of_face(const Yielding& all, std::span<const Rim> rim, std::uint32_t region, std::uint32_t face,
                      double enough_m) {
   const auto corner = [&](int i) { return plane_point(all.net.vertices()[all.net.faces()[face].vertices[i]]); };
   const std::array<Vec2, 3> corners = {corner(0), corner(1), corner(2)};
@@ -207,7 +186,7 @@ double reach_of_face(const Regions& all, std::span<const Rim> rim, std::uint32_t
 }
 
 // A bound: no point of a region is farther from its border. Beyond `enough_m` it is not sought closely.
-double reach_m_of(const Regions& all, std::uint32_t region, double enough_m) {
+double reach_m_of(const Yielding& all, std::uint32_t region, double enough_m) {
   const std::vector<Rim> rim = rim_of(all, region);
   double perimeter_m = 0;
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
@@ -229,7 +208,7 @@ struct Shared {
 };
 
 // The neighbour with whom a region shares the longest border; itself if there is none.
-std::uint32_t closest_neighbour(const Regions& all, std::uint32_t region) {
+std::uint32_t closest_neighbour(const Yielding& all, std::uint32_t region) {
   std::vector<Shared> shared;
   for (const std::uint32_t f : all.regions[region].faces)
     for (int i = 0; i < 3; ++i) {
@@ -249,7 +228,7 @@ std::uint32_t closest_neighbour(const Regions& all, std::uint32_t region) {
   return longest.region;
 }
 
-void yield_to(Regions& all, std::uint32_t region, std::uint32_t neighbour) {
+void yield_to(Yielding& all, std::uint32_t region, std::uint32_t neighbour) {
   Region& from = all.regions[region];
   Region& to = all.regions[neighbour];
   from.heir = neighbour;
@@ -268,7 +247,7 @@ struct Turn {
 };
 
 // The borders that still lie between two surfaces.
-std::vector<Border> borders_left(const Regions& all) {
+std::vector<Border> borders_left(const Yielding& all) {
   std::vector<Border> left;
   const auto& faces = all.net.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -289,10 +268,24 @@ std::vector<Border> borders_left(const Regions& all) {
 
 }  // namespace
 
+Regions regions_between(std::span<const Border> borders) {
+  std::vector<Border> sorted(borders.begin(), borders.end());
+  std::ranges::sort(sorted, is_before);
+  Regions all{triangulated(sorted), {}, {}};
+  all.of_face.assign(all.net.faces().size(), kNoFace);
+  for (std::uint32_t f = 0; f < all.of_face.size(); ++f)
+    if (all.of_face[f] == kNoFace) all.regions.push_back(region_from(all, sorted, f));
+  return all;
+}
+
 YieldedSlivers yield_slivers(std::span<const Border> borders, double thickness_m,
                              const std::function<bool(std::uint32_t)>& may_yield) {
-  if (borders.empty()) return {};
-  Regions all = regions_between(borders);
+  return yield_slivers(regions_between(borders), thickness_m, may_yield);
+}
+
+YieldedSlivers yield_slivers(const Regions& between, double thickness_m,
+                             const std::function<bool(std::uint32_t)>& may_yield) {
+  Yielding all{between.net, between.of_face, between.regions};
   std::priority_queue<Turn> turns;
   for (std::uint32_t r = 0; r < all.regions.size(); ++r) turns.push({all.regions[r].twice_area, r});
   YieldedSlivers yielded;

@@ -6,9 +6,31 @@
 #include <span>
 #include <vector>
 
+#include "compiler/geometry/delaunay.h"
 #include "compiler/ground/border.h"
 
 namespace citykiln::ground {
+
+/// A connected piece between borders: its triangles are those of one region.
+struct Region {
+  std::uint32_t surface = 0;
+  std::uint32_t heir = 0;            ///< Itself while it stays.
+  std::int64_t twice_area = 0;       ///< Grid steps.
+  double own_m2 = 0;                 ///< Without what it has taken.
+  std::vector<std::uint32_t> faces;  ///< Its own, and those it has taken.
+  bool touches_cell_border = false;
+};
+
+/// The faces between borders, triangulated: the same for all tolerances.
+struct Regions {
+  Delaunay net;
+  std::vector<std::uint32_t> of_face;  ///< One a face of the net.
+  std::vector<Region> regions;
+};
+
+/// @param borders  Meet only at their ends; the cell's own are among them.
+/// A function of the set of borders. O(n log n).
+Regions regions_between(std::span<const Border> borders);
 
 struct YieldedSlivers {
   std::vector<Border> borders;  ///< Sorted; a part of the old ones, some of new owners.
@@ -20,7 +42,6 @@ struct YieldedSlivers {
 /// Gives each thin face to the neighbour with whom it shares the longest border, the smallest face first. One that has
 /// taken others has its turn again, as one face with them: so rows of thin faces yield while they are thin together.
 ///
-/// @param borders      Meet only at their ends; the cell's own are among them.
 /// @param thickness_m  >= 0. A face is thin if every point of it is proved to lie within this of its border: strips up
 /// to about this width are, strips of more than twice the width never: half a tolerance spares all that is wider than
 /// it.
@@ -30,6 +51,8 @@ struct YieldedSlivers {
 /// Method: a constrained Delaunay triangulation of the borders; a triangle is thin if its corners are close to one
 /// piece of border that starts at them, or its halves are. Cost: O(n log n), times the neighbours that yield to one
 /// face.
+YieldedSlivers yield_slivers(const Regions& between, double thickness_m,
+                             const std::function<bool(std::uint32_t)>& may_yield);
 YieldedSlivers yield_slivers(std::span<const Border> borders, double thickness_m,
                              const std::function<bool(std::uint32_t)>& may_yield);
 

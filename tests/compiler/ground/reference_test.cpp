@@ -98,6 +98,19 @@ TEST(Reference, HeightIsThatOfTheFace) {
   }
 }
 
+TEST(Reference, HeightsOfAPlaceAreThoseOfItsLayersToTheBit) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Reference r = random_reference(kCell, seed, 40, 30);
+    const Draw draw(seed, StableId{12}, "places");
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      const Vec2 p = in_plan(random_end(r, draw, i));
+      const Heights heights = heights_at(r, place_at(r, p));
+      for (std::size_t layer = 0; layer < heights.size(); ++layer)
+        EXPECT_EQ(heights[layer], height_m_at(r, p, static_cast<HeightLayer>(layer)));
+    }
+  }
+}
+
 TEST(Reference, OutsideItIsTheNearestBorder) {
   const Reference r = random_reference(kCell, 1, 20, 30);
   EXPECT_EQ(height_m_at(r, {-500, 400}, kLayer), height_m_at(r, {-128, 400}, kLayer));

@@ -181,5 +181,16 @@ TEST(YieldSlivers, WhatGetsItsOwnSurfaceBackHasNotChanged) {
 
 TEST(YieldSlivers, NothingInNothingOut) { EXPECT_TRUE(yield_slivers({}, 1, all_may).borders.empty()); }
 
+TEST(YieldSlivers, RegionsServeManyTolerances) {
+  const auto borders = borders_of(wavy_surfaces(3, 50, 1), kCell);
+  const Regions between = regions_between(borders);
+  for (const double thickness_m : {2.0, 0.1, 1.0, 2.0}) {
+    const YieldedSlivers one = yield_slivers(between, thickness_m, all_may),
+                         other = yield_slivers(borders, thickness_m, all_may);
+    EXPECT_EQ(one.borders, other.borders);
+    EXPECT_EQ(one.error_m, other.error_m);
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::ground

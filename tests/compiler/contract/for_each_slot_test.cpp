@@ -1,0 +1,56 @@
+#include "compiler/contract/for_each_slot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+namespace citykiln {
+namespace {
+
+TEST(ForEachInOrder, TakesAllInOrderEachMadeBefore) {
+  for (const int threads : {1, 2, 8}) {
+    std::vector<int> made(500, 0);
+    std::vector<std::size_t> taken;
+    for_each_in_order(
+        made.size(), threads, [&](std::size_t i) { made[i] = 1; },
+        [&](std::size_t i) {
+          EXPECT_EQ(made[i], 1);
+          taken.push_back(i);
+          return true;
+        });
+    std::vector<std::size_t> all(made.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    EXPECT_EQ(taken, all) << threads << " threads";
+  }
+}
+
+TEST(ForEachInOrder, KeepsNoMoreThanThreadsWaiting) {
+  constexpr int kThreads = 3;
+  std::atomic<int> waiting = 0, most = 0;
+  for_each_in_order(
+      200, kThreads,
+      [&](std::size_t) {
+        const int now = ++waiting;
+        for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+        }
+      },
+      [&](std::size_t) {
+        --waiting;
+        return true;
+      });
+  EXPECT_LE(most, kThreads);
+}
+
+TEST(ForEachInOrder, EndsWhereNoMoreIsTaken) {
+  std::size_t taken = 0;
+  std::atomic<std::size_t> made = 0;
+  for_each_in_order(
+      1000, 2, [&](std::size_t) { ++made; }, [&](std::size_t i) { return ++taken, i < 10; });
+  EXPECT_EQ(taken, 11u);
+  EXPECT_LT(made, 20u);
+}
+
+}  // namespace
+}  // namespace citykiln

@@ -1,0 +1,48 @@
+#include "compiler/geometry/box_grid.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/contract/draw.h"
+
+namespace citykiln {
+namespace {
+
+std::vector<Box2> random_boxes(std::uint64_t seed, int count) {
+  const Draw draw(seed, StableId{31}, "boxes");
+  std::vector<Box2> boxes;
+  for (int b = 0; b < count; ++b) {
+    const auto i = static_cast<std::uint32_t>(4 * b);
+    const Vec2 min{draw.between(-300, 300, i), draw.between(-200, 200, i + 1)};
+    boxes.push_back({min, min + Vec2{draw.between(0, 60, i + 2), draw.between(0, 60, i + 3)}});
+  }
+  return boxes;
+}
+
+TEST(BoxGrid, AnyIsWhatAllAre) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const BoxGrid grid = grid_of(random_boxes(seed, static_cast<int>(seed)), 16);
+    for (const Box2& box : random_boxes(seed + 100, 200))
+      EXPECT_EQ(is_any_about(grid, box), !boxes_about(grid, box).empty());
+  }
+}
+
+// What is denied is where the box has no place.
+TEST(BoxGrid, FindsAllThatAreNotDenied) {
+  const std::vector<Box2> boxes = random_boxes(1, 60);
+  const auto is_odd_column = [](const Box2& bucket) { return std::fmod(std::floor(bucket.centre().x / 8), 2) != 0; };
+  const BoxGrid whole = grid_of(boxes, 8);
+  const BoxGrid some = grid_of(boxes, 8, [&](std::uint32_t, const Box2& bucket) { return is_odd_column(bucket); });
+  const Draw draw(1, StableId{32}, "places");
+  int found = 0;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const Vec2 p{draw.between(-300, 360, 2 * i), draw.between(-200, 260, 2 * i + 1)};
+    const auto all = boxes_about(whole, p), left = boxes_about(some, p);
+    if (all.empty()) continue;
+    EXPECT_TRUE(left.empty() || std::ranges::equal(all, left));
+    found += left.empty() ? 0 : 1;
+  }
+  EXPECT_GT(found, 100);
+}
+
+}  // namespace
+}  // namespace citykiln
