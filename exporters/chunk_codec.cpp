@@ -118,7 +118,8 @@ constexpr const char* kStreamNames[] = {"point step",
                                         "party edge",
                                         "party place",
                                         "party top",
-                                        "party traits"};
+                                        "party traits",
+                                        "graded"};
 
 constexpr std::size_t kMostPerFile = 1u << 28;
 constexpr std::size_t kMostAtOnce = 1u << 12;
@@ -323,6 +324,7 @@ void surface(auto& io, ground::Surface& s) {
   io.number("surface area", s.area_m2);
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
   level(io, s);
+  flag(io, "graded", s.is_graded);
 }
 
 // Whole quarters of a metre, below 64 m.

@@ -319,6 +319,14 @@ void add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) 
   }
 }
 
+std::optional<bake::SeenFrom> seen_from_of(const Value& extras) {
+  if (!extras.Has("seen_from")) return std::nullopt;
+  const Value &seen = member(extras, "seen_from"), &eye = member(seen, "eye_m");
+  return bake::SeenFrom{{element(eye, 0), element(eye, 1), element(eye, 2)},
+                        number(member(seen, "focal_px")),
+                        number(member(seen, "pixel_error"))};
+}
+
 BakedTile tile_of(const tinygltf::Model& model) {
   expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
   Source source{model, model.buffers.front().data.size()};
@@ -329,6 +337,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tile = {whole(key.Get(0)), whole(key.Get(1))};
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
+  tile.seen_from = seen_from_of(root.extras);
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
   add_instances(source, root, tile);

@@ -332,18 +332,24 @@ std::string joined(const std::vector<std::string>& texts) {
   return all;
 }
 
+Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
+
 Value extras_of(const BakedTile& tile, const scene::Header& header) {
   const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")},
                         {"lon_0", number(header.origin.lon_deg)},
                         {"lat_0", number(header.origin.lat_deg)}};
-  return Value(
-      Object{{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
-             {"origin_m", Value(Array{number(tile.origin.x), number(tile.origin.y), number(tile.origin.z)})},
-             {"tolerance_m", number(tile.tolerance_m)},
-             {"error_m", number(tile.error_m)},
-             // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
-             {"rounding_m", number(0)},
-             {"plane", Value(plane)}});
+  Object extras = {{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
+                   {"origin_m", vector(tile.origin)},
+                   {"tolerance_m", number(tile.tolerance_m)},
+                   {"error_m", number(tile.error_m)},
+                   // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
+                   {"rounding_m", number(0)},
+                   {"plane", Value(plane)}};
+  if (const auto& seen = tile.seen_from)
+    extras["seen_from"] = Value(Object{{"eye_m", vector(seen->eye)},
+                                       {"focal_px", number(seen->focal_px)},
+                                       {"pixel_error", number(seen->pixel_error)}});
+  return Value(std::move(extras));
 }
 
 tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {

@@ -21,7 +21,8 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 
 /// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
 /// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
-/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras;
+/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras,
+/// and for which eye it was made, if for one;
 /// attribution in asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of
 /// materials::kTexturePlace_m; the sheet and the textures as PNGs inside, shown with KHR_texture_transform from there
 /// to the picture: its row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same bytes.

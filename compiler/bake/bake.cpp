@@ -42,6 +42,7 @@ struct Level {
   double tolerance_m;
   std::shared_ptr<const Common> common;
   scene::GroundCover cover;
+  std::vector<SeenCell> seen;
   std::vector<ground::GroundMesh> cells{};
   Report of_cells{};
 };
@@ -68,8 +69,13 @@ struct Firing {
   const scene::Chunk& chunk;
   double tolerance_m;
   BakedTile& tile;
-  std::vector<DressedMesh> meshes;
+  const TilePart* part = nullptr;  // null: all of the tile
+  std::vector<DressedMesh> meshes{};
   std::set<OsmId> features{OsmId{}};
+
+  bool holds(const Bounds& bounds) const { return !part || is_in(*part, bounds); }
+  // of sheets and textures, which all parts of a view share
+  double texel_m() const { return part ? part->levels.finest_m : tolerance_m; }
 
   void take(std::vector<DressedMesh>&& more) {
     for (DressedMesh& mesh : more) {
@@ -77,17 +83,25 @@ struct Firing {
       meshes.push_back(std::move(mesh));
     }
   }
-  void certify(double error_m) { tile.error_m = std::max(tile.error_m, error_m); }
+  void certify(double error_m, const Bounds& bounds) {
+    tile.error_m = std::max(tile.error_m, error_m);
+    if (!part) return;
+    double& largest_px = tile.seen_from->pixel_error;
+    largest_px = std::max(largest_px, pixels_of(part->levels.view, error_m, bounds));
+  }
 };
 
 // Expands every object of one kind; an object of which nothing is left counts as dropped by the tolerance.
-template <typename Object, typename Expand>
-void fire_each(Firing& firing, const std::vector<Object>& objects, const char* kind, Report& report, Expand expand) {
+template <typename Object, typename BoundsOf, typename Expand>
+void fire_each(Firing& firing, const std::vector<Object>& objects, const char* kind, Report& report, BoundsOf bounds_of,
+               Expand expand) {
   Account account;
   for (const Object& object : objects) {
+    const Bounds bounds = bounds_of(object);
+    if (!firing.holds(bounds)) continue;
     ++account.in;
     auto expanded = expand(object);
-    firing.certify(expanded.error_m);
+    firing.certify(expanded.error_m, bounds);
     if (expanded.meshes.empty()) {
       report.drop(account, Code::kBelowTolerance, object.id.osm, expanded.error_m);
       continue;
@@ -105,20 +119,29 @@ void fire_buildings(Firing& firing, int threads, Report& report) {
   std::vector<Report> diagnosed(all.size());
   std::vector<buildings::Expanded> expanded =
       for_each_slot<buildings::Expanded>(all.size(), threads, [&](std::size_t i) {
+        if (!firing.holds(bounds_of(all[i]))) return buildings::Expanded{};
         return buildings::expand(all[i], rulebook, firing.header.seed, firing.tolerance_m, diagnosed[i]);
       });
   for (const Report& of_one : diagnosed) report.append(of_one);
-  std::size_t next = 0;
-  fire_each(firing, all, "building", report, [&](const auto&) { return std::move(expanded[next++]); });
+  fire_each(
+      firing, all, "building", report, [](const auto& b) { return bounds_of(b); },
+      [&](const auto& b) { return std::move(expanded[static_cast<std::size_t>(&b - all.data())]); });
 }
+
+// A bridge or a tunnel, expanded.
+struct Built {
+  structures::Expanded expanded;
+  Bounds bounds;
+};
 
 // Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
 template <typename Expand>
 void expand_spans(const Firing& firing, const std::vector<structures::Span>& spans, const char* kind, Report& report,
-                  std::vector<structures::Expanded>& all, Expand expand) {
+                  std::vector<Built>& all, Expand expand) {
   Account account;
   for (const structures::Span& span : spans) {
-    if (!scene::is_anchored(firing.header, firing.chunk.tile, span.axis.front())) continue;
+    const Bounds bounds = bounds_of(span);
+    if (!scene::is_anchored(firing.header, firing.chunk.tile, span.axis.front()) || !firing.holds(bounds)) continue;
     ++account.in;
     structures::Expanded expanded = expand(span, firing.tolerance_m);
     if (expanded.meshes.empty() && expanded.marked.empty()) {
@@ -126,14 +149,14 @@ void expand_spans(const Firing& firing, const std::vector<structures::Span>& spa
       continue;
     }
     ++account.out;
-    all.push_back(std::move(expanded));
+    all.push_back({std::move(expanded), bounds});
   }
   report.account("bake", kind) = account;
 }
 
 // What is not bored was diagnosed when the map was compiled.
-std::vector<structures::Expanded> expand_structures(const Firing& firing, Report& report) {
-  std::vector<structures::Expanded> all;
+std::vector<Built> expand_structures(const Firing& firing, Report& report) {
+  std::vector<Built> all;
   std::vector<structures::Span> bored = firing.chunk.tunnels;
   std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
   expand_spans(firing, firing.chunk.bridges, "bridge", report, all, structures::expand);
@@ -142,10 +165,10 @@ std::vector<structures::Expanded> expand_structures(const Firing& firing, Report
 }
 
 // What is painted on bridges and in tunnels goes onto the same sheet, after what is painted on the ground.
-void fire_structures(Firing& firing, std::vector<structures::Expanded>& structures, const Markings& markings,
+void fire_structures(Firing& firing, std::vector<Built>& structures, const Markings& markings,
                      std::size_t first_column) {
-  for (structures::Expanded& built : structures) {
-    firing.certify(built.error_m);
+  for (auto& [built, bounds] : structures) {
+    firing.certify(built.error_m, bounds);
     for (structures::MarkedMesh& marked : built.marked) {
       put_on_sheet(markings.columns[first_column++], marked.mesh);
       built.meshes.push_back(std::move(marked.mesh));
@@ -154,27 +177,49 @@ void fire_structures(Firing& firing, std::vector<structures::Expanded>& structur
   }
 }
 
-void fire_ground(Firing& firing, Level& level, std::vector<structures::Expanded> structures, const Box2& box) {
+void fire_ground(Firing& firing, Level& level, std::vector<Built> structures) {
   scene::GroundCover& cover = level.cover;
   const std::size_t first_of_structures = cover.patterns.size();
-  for (const structures::Expanded& built : structures)
-    for (const structures::MarkedMesh& marked : built.marked) cover.patterns.push_back(marked.pattern);
-  Markings markings = lay_out_markings(cover, firing.tolerance_m);
-  for (const ground::GroundMesh& ground : level.cells) {
-    firing.certify(length(Vec2{ground.error_m, ground.border_error_m}));
+  for (const Built& built : structures)
+    for (const structures::MarkedMesh& marked : built.expanded.marked) cover.patterns.push_back(marked.pattern);
+  Markings markings = lay_out_markings(cover, firing.texel_m());
+  for (std::size_t c = 0; c < level.cells.size(); ++c) {
+    const ground::GroundMesh& ground = level.cells[c];
+    firing.certify(length(Vec2{ground.error_m, ground.border_error_m}), bounds_of(ground.mesh));
     std::vector<DressedMesh> dressed = dress(ground, cover, markings, firing.header, firing.tolerance_m);
-    for (DressedMesh& mesh : dressed) hang_skirt(mesh, box, kSkirt * firing.tolerance_m);
+    for (DressedMesh& mesh : dressed) hang_skirt(mesh, level.seen[c].skirt, level.seen[c].skirt_m);
     firing.take(std::move(dressed));
   }
   fire_structures(firing, structures, markings, first_of_structures);
   firing.tile.sheet = std::move(markings.sheet);
 }
 
+// What of the trees and lamps the firing holds.
+struct Placed {
+  plants::Placed trees;
+  Lamps lamps;
+};
+
+Placed placed_in(const Firing& firing, const Common& common) {
+  Placed placed{common.trees, common.lamps};
+  if (!firing.part) return placed;
+  for (auto& placements : placed.trees)
+    std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
+  placed.lamps = {};
+  for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = common.lamps.standing[i];
+    if (!firing.holds(bounds_of(props::place(lamp, common.carving)))) continue;
+    placed.lamps.standing.push_back(lamp);
+    if (i < common.lamps.mapped) ++placed.lamps.mapped;
+  }
+  return placed;
+}
+
 // What is placed is named before features are numbered, and written after.
-void name_placed(Firing& firing, const Common& common) {
-  for (const auto& placements : common.trees)
+void name_placed(Firing& firing, const Placed& placed) {
+  for (const auto& placements : placed.trees)
     for (const Placement& p : placements) firing.features.insert(p.feature);
-  for (const props::StreetLamp& lamp : common.lamps.standing) firing.features.insert(lamp.feature);
+  for (const props::StreetLamp& lamp : placed.lamps.standing) firing.features.insert(lamp.feature);
 }
 
 std::uint32_t number_of(const BakedTile& tile, OsmId feature) {
@@ -213,7 +258,7 @@ void fire_trees(Firing& firing, const plants::Placed& placed) {
   for (std::size_t a = 0; a < placed.size(); ++a) {
     const double height_m = std::max(tallest(placed[a]), plants::kTallestTree_m);
     const auto archetype = plants::archetype_mesh(static_cast<plants::Archetype>(a), height_m, firing.tolerance_m);
-    firing.certify(archetype.error_per_m * tallest(placed[a]));
+    for (const Placement& p : placed[a]) firing.certify(archetype.error_per_m * p.scale, bounds_of(p));
     fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
   }
 }
@@ -225,7 +270,7 @@ bool fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carvi
   for (const props::StreetLamp& lamp : lamps.standing)
     if (lamp.kind == kind) placements.push_back(props::place(lamp, carving));
   const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
-  firing.certify(lamp.error_m);
+  for (const Placement& p : placements) firing.certify(lamp.error_m, bounds_of(p));
   fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
   return !lamp.meshes.empty();
 }
@@ -263,40 +308,62 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
-BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, int threads,
-                     Report& report) {
-  const Box2 box = scene::box_of(header, chunk.tile);
+BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, const TilePart* part,
+                     int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
   const Common& common = *level.common;
-  BakedTile tile{chunk.tile, origin_of(box, chunk.heights), tolerance_m, 0, {}, {}, {}};
-  Firing firing{header, chunk, tolerance_m, tile, {}, {OsmId{}}};
+  BakedTile tile{chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
+  if (part) tile.seen_from = SeenFrom{part->levels.view.eye, part->levels.view.focal_px, 0};
+  Firing firing{header, chunk, tolerance_m, tile, part};
 
-  std::vector<structures::Expanded> structures = expand_structures(firing, report);
+  std::vector<Built> structures = expand_structures(firing, report);
   report.append(level.of_cells);
-  fire_ground(firing, level, std::move(structures), box);
+  fire_ground(firing, level, std::move(structures));
   fire_buildings(firing, threads, report);
-  fire_each(firing, chunk.barriers, "barrier", report,
-            [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
+  fire_each(
+      firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
   report.append(common.of_trees);
-  name_placed(firing, common);
+  const Placed placed = placed_in(firing, common);
+  name_placed(firing, placed);
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
-  tile.textures = textures_shown(tile.primitives, tolerance_m, header.seed);
-  fire_trees(firing, common.trees);
-  fire_lamps(firing, common.lamps, common.carving, report);
+  tile.textures = textures_shown(tile.primitives, firing.texel_m(), header.seed);
+  fire_trees(firing, placed.trees);
+  fire_lamps(firing, placed.lamps, common.carving, report);
   return tile;
+}
+
+// What the tile's levels on either side of kPlainRoads_m have in common, each made when it is first asked for.
+struct Commons {
+  const scene::Header& header;
+  const scene::Chunk& chunk;
+  std::array<std::shared_ptr<const Common>, 2> made{};
+
+  std::shared_ptr<const Common> at(double tolerance_m) {
+    std::shared_ptr<const Common>& common = made[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
+    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m));
+    return common;
+  }
+};
+
+// All cells of a tile at one tolerance have skirts along the tile's border.
+std::vector<SeenCell> cells_at(const Box2& tile, double tolerance_m) {
+  std::vector<SeenCell> cells;
+  for (const Box2& cell : cells_of(tile))
+    cells.push_back({{cell, tolerance_m, ground::all_sides(tolerance_m)}, tile, kSkirt * tolerance_m});
+  return cells;
 }
 
 // All but the cells.
 std::vector<Level> levels_of(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m) {
-  std::array<std::shared_ptr<const Common>, 2> commons;
+  const Box2 box = scene::box_of(header, chunk.tile);
+  Commons commons{header, chunk};
   std::vector<Level> levels;
-  for (const double tolerance_m : ladder_m) {
-    std::shared_ptr<const Common>& common = commons[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
-    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m));
-    levels.push_back({tolerance_m, common, scene::cover_of(header, chunk, tolerance_m)});
-  }
+  for (const double tolerance_m : ladder_m)
+    levels.push_back({tolerance_m, commons.at(tolerance_m), scene::cover_of(header, chunk, tolerance_m),
+                      cells_at(box, tolerance_m)});
   return levels;
 }
 
@@ -307,6 +374,31 @@ void expand_grounds(std::span<Level> levels, const Box2& box, int threads) {
   std::vector<std::vector<ground::GroundMesh>> cells = expand_cells(grounds, box, threads, reports);
   for (std::size_t i = 0; i < levels.size(); ++i)
     levels[i].cells = std::move(cells[i]), levels[i].of_cells = std::move(reports[i]);
+}
+
+// The cells of a tile that a view asks for at a tolerance.
+std::vector<SeenCell> cells_seen(const ViewLevels& view, const Box2& tile, double tolerance_m) {
+  std::vector<SeenCell> cells = cells_of(view, tile);
+  std::erase_if(cells, [&](const SeenCell& cell) { return cell.level.tolerance_m != tolerance_m; });
+  return cells;
+}
+
+// One a part, with its cells.
+std::vector<Level> levels_seen(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                               std::span<const double> tolerances_m, int threads) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  Commons commons{header, chunk};
+  std::vector<Level> levels;
+  for (const double tolerance_m : tolerances_m) {
+    Level& level =
+        levels.emplace_back(Level{tolerance_m, commons.at(tolerance_m), {}, cells_seen(view, box, tolerance_m)});
+    if (level.seen.empty()) continue;
+    level.cover = scene::cover_of(header, chunk, roads_tolerance_m(view, tolerance_m));
+    std::vector<CellLevel> cells;
+    for (const SeenCell& cell : level.seen) cells.push_back(cell.level);
+    level.cells = expand_cells(level.common->carving, level.cover.surfaces, cells, threads, level.of_cells);
+  }
+  return levels;
 }
 
 }  // namespace
@@ -326,7 +418,7 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
   expand_grounds(levels, scene::box_of(header, chunk.tile), threads);
   std::vector<Slot> slots = for_each_slot<Slot>(levels.size(), threads, [&](std::size_t i) {
     Slot slot;
-    slot.tile = fire_level(header, chunk, levels[i], threads, slot.report);
+    slot.tile = fire_level(header, chunk, levels[i], nullptr, threads, slot.report);
     return slot;
   });
   std::vector<BakedTile> tiles;
@@ -335,6 +427,17 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
     tiles.push_back(std::move(slot.tile));
   }
   return tiles;
+}
+
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                            int threads) {
+  const std::vector<double> tolerances_m = tolerances_of(view, header, chunk);
+  std::vector<Level> levels = levels_seen(header, chunk, view, tolerances_m, threads);
+  return for_each_slot<BakedTile>(levels.size(), threads, [&](std::size_t i) {
+    const TilePart part{view, tolerances_m, tolerances_m[i]};
+    Report ignored;
+    return fire_level(header, chunk, levels[i], &part, threads, ignored);
+  });
 }
 
 }  // namespace citykiln::bake

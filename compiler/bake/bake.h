@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
+#include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
 #include "compiler/scene/scene.h"
 
@@ -19,5 +20,11 @@ BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double to
 /// levels one after another. Memory: all levels.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
                             int threads, Report& report);
+
+/// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
+/// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too
+/// small to be seen. Total. Cost: what the parts hold.
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
+                            int threads);
 
 }  // namespace citykiln::bake

@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
@@ -55,6 +56,14 @@ struct Instanced {
   bool operator==(const Instanced&) const = default;
 };
 
+/// For which eye a tile was made (view_levels.h).
+struct SeenFrom {
+  Vec3 eye;                ///< Plane metres.
+  double focal_px = 0;     ///< Focal length.
+  double pixel_error = 0;  ///< Certified: no error is longer on the picture, but for what is as fine as it gets.
+  bool operator==(const SeenFrom&) const = default;
+};
+
 struct BakedTile {
   scene::TileKey tile;
   Vec3 origin;                        ///< Plane metres, whole numbers; z too.
@@ -67,6 +76,7 @@ struct BakedTile {
   /// Of the tile's own primitives that have uvs and are not on the sheet, by material, rising, where the tolerance has
   /// any.
   std::vector<materials::Texture> textures{};
+  std::optional<SeenFrom> seen_from{};  ///< Then tolerance_m is the finest of many.
   bool operator==(const BakedTile&) const = default;
 };
 

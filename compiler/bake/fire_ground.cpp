@@ -55,14 +55,14 @@ struct ExpandedCell {
 };
 
 // What one level of a cell is made of, and which level before it, or itself, knows the cell for it.
-struct CellLevel {
+struct LevelInCell {
   CellSurfaces near;
   std::size_t knower;
 };
 
-std::vector<CellLevel> cell_levels(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
-                                   std::size_t c, const Box2& cell) {
-  std::vector<CellLevel> made;
+std::vector<LevelInCell> cell_levels(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
+                                     std::size_t c, const Box2& cell) {
+  std::vector<LevelInCell> made;
   for (std::size_t level = 0; level < levels.size(); ++level) {
     made.push_back({surfaces_near(levels[level].surfaces, candidates[level][c], cell), level});
     for (std::size_t before = 0; before < level && made.back().knower == level; ++before)
@@ -73,7 +73,7 @@ std::vector<CellLevel> cell_levels(std::span<const GroundLevel> levels, std::spa
 }
 
 // The levels that one of them knows the cell for.
-void expand_known(std::span<const GroundLevel> levels, std::span<const CellLevel> made, std::size_t knower,
+void expand_known(std::span<const GroundLevel> levels, std::span<const LevelInCell> made, std::size_t knower,
                   const Box2& cell, std::vector<ExpandedCell>& expanded) {
   const ground::Carving& carving = levels[knower].carving;
   const ground::KnownCell known = ground::know_cell(made[knower].near.surfaces, carving, cell);
@@ -89,7 +89,7 @@ void expand_known(std::span<const GroundLevel> levels, std::span<const CellLevel
 
 std::vector<ExpandedCell> expand_ladder(std::span<const GroundLevel> levels, std::span<const Candidates> candidates,
                                         std::size_t c, const Box2& cell) {
-  const std::vector<CellLevel> made = cell_levels(levels, candidates, c, cell);
+  const std::vector<LevelInCell> made = cell_levels(levels, candidates, c, cell);
   std::vector<ExpandedCell> expanded(levels.size());
   for (std::size_t level = 0; level < levels.size(); ++level)
     if (made[level].knower == level) expand_known(levels, made, level, cell, expanded);
@@ -126,6 +126,30 @@ std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std
                                              const Box2& tile, double tolerance_m, int threads, Report& report) {
   const GroundLevel level{carving, surfaces, tolerance_m};
   return std::move(expand_cells(std::span(&level, 1), tile, threads, std::span(&report, 1)).front());
+}
+
+std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const Surface> surfaces,
+                                             std::span<const CellLevel> cells, int threads, Report& report) {
+  std::vector<Box2> boxes;
+  for (const CellLevel& level : cells) boxes.push_back(level.cell);
+  const auto candidates = candidates_of(surfaces, boxes);
+  std::vector<ExpandedCell> slots = for_each_slot<ExpandedCell>(cells.size(), threads, [&](std::size_t c) {
+    ExpandedCell slot;
+    const auto& [cell, tolerance_m, sides_m] = cells[c];
+    const CellSurfaces near = surfaces_near(surfaces, candidates[c], cell);
+    ground::CarvedNormals normals(carving);
+    const ground::KnownCell known = ground::know_cell(near.surfaces, carving, cell);
+    slot.ground = ground::expand_cell(known, normals, tolerance_m, sides_m, slot.report);
+    for (std::uint32_t& surface : slot.ground.face_surface)
+      if (surface != kNoSurface) surface = near.numbers[surface];
+    return slot;
+  });
+  std::vector<ground::GroundMesh> grounds;
+  for (ExpandedCell& slot : slots) {
+    report.append(slot.report);
+    grounds.push_back(std::move(slot.ground));
+  }
+  return grounds;
 }
 
 std::vector<ground::Reference> reference_cells(const ground::Carving& carving, std::span<const Surface> surfaces,

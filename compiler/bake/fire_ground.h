@@ -31,7 +31,18 @@ std::vector<std::vector<ground::GroundMesh>> expand_cells(std::span<const Ground
 std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
                                              const Box2& tile, double tolerance_m, int threads, Report& report);
 
-/// What each of them is certified against, in the same order.
+/// A cell, and how fine it is made.
+struct CellLevel {
+  Box2 cell;
+  double tolerance_m;
+  ground::SideTolerances sides_m;
+};
+
+/// The ground of some cells of a tile, each at its own level.
+std::vector<ground::GroundMesh> expand_cells(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
+                                             std::span<const CellLevel> cells, int threads, Report& report);
+
+/// What each of a tile's cells is certified against, in the order of cells_of.
 std::vector<ground::Reference> reference_cells(const ground::Carving& carving,
                                                std::span<const ground::Surface> surfaces, const Box2& tile,
                                                int threads);

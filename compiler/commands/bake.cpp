@@ -1,9 +1,14 @@
 // citykiln bake SCENE.kiln … : fires a manifest, to one file or to the very folder that compile writes.
+#include "compiler/bake/bake.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/eye_options.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/commands/output_folder.h"
 #include "compiler/commands/run_report.h"
@@ -12,14 +17,19 @@
 #include "compiler/pipeline.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
+#include "preview/preview.h"
 
 namespace citykiln::commands {
 namespace {
 
 struct Request {
   std::string manifest_path, out_path;
-  std::optional<double> tolerance_m;  ///< One file at this tolerance; else a folder with levels.
-  CompileSpec spec;                   ///< The settings that compile has too: only, emit, lods, instancing, threads.
+  std::optional<double> tolerance_m;  ///< One file at this tolerance; for an eye the finest; else a folder with levels.
+  std::optional<Vec3> eye, eye_lonlat;  ///< One file for it.
+  std::optional<double> fov_deg;
+  PictureSize size;
+  double pixel_error = 1;
+  CompileSpec spec;  ///< The settings that compile has too: only, emit, lods, instancing, threads.
 };
 
 /// All tiles of the scene, as one.
@@ -36,6 +46,12 @@ Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
+Result<Done> write_whole(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
+  const auto instancing =
+      request.spec.outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+  return exporters::write_glb(tile, header, instancing, request.out_path);
+}
+
 Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
@@ -43,15 +59,52 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<bake::BakedTile> tile =
       bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-
-  const auto instancing =
-      request.spec.outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  const Result<Done> written = exporters::write_glb(*tile, scene->header, instancing, request.out_path);
-  if (!written) return written.error();
+  if (const Result<Done> done = write_whole(request, scene->header, *tile); !done) return done.error();
   console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
                           triangles_of(*tile), tile->error_m));
   console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
                              triangles_of(*tile), tile->error_m));
+  return Exit::kDone;
+}
+
+Result<bake::View> view_of(const Request& request, const scene::Header& header) {
+  const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, header);
+  if (!eye) return eye.error();
+  bake::View view{**eye, focal_px(request.size, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
+  view.pixel_error = request.pixel_error;
+  view.finest_m = request.tolerance_m.value_or(view.finest_m);
+  return view;
+}
+
+/// Tiles that are wanted, all at the levels that all of the scene asks for: so they fit whichever are wanted.
+Result<bake::BakedTile> bake_seen(const Request& request, const scene::Scene& scene, const bake::View& view,
+                                  const OnProgress& on_progress) {
+  const bake::ViewLevels levels = bake::levels_for(scene, view);
+  const std::vector<scene::TileKey>& only = request.spec.only;
+  std::vector<bake::BakedTile> parts;
+  for (std::size_t i = 0; i < scene.chunks.size(); ++i) {
+    on_progress("bake", static_cast<double>(i) / static_cast<double>(scene.chunks.size()));
+    const scene::Chunk& chunk = scene.chunks[i];
+    if (!only.empty() && std::ranges::find(only, chunk.tile) == only.end()) continue;
+    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads), std::back_inserter(parts));
+  }
+  if (parts.empty()) return Error{"", "the scene has none of the tiles asked for"};
+  return join_tiles(parts);
+}
+
+Result<Exit> bake_for_eye(const Request& request, const Console& console) {
+  const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
+  if (!scene) return scene.error();
+  const Result<bake::View> view = view_of(request, scene->header);
+  if (!view) return view.error();
+  const Result<bake::BakedTile> tile = bake_seen(request, *scene, *view, console.progress());
+  if (!tile) return Error{request.out_path, tile.error().message};
+  if (const Result<Done> done = write_whole(request, scene->header, *tile); !done) return done.error();
+  console.say(fmt::format("{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m",
+                          request.out_path, triangles_of(*tile), tile->seen_from->pixel_error, view->pixel_error,
+                          view->finest_m));
+  console.answer(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
+                             triangles_of(*tile), tile->error_m, view->focal_px, tile->seen_from->pixel_error));
   return Exit::kDone;
 }
 
@@ -78,7 +131,8 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.manifest_path.empty()) return Error{"", "no manifest is given"};
   if (request.out_path.empty())
-    return Error{"", "no output is given (-o FILE.glb with --tolerance, -o FOLDER without)"};
+    return Error{"", "no output is given (-o FILE.glb with --tolerance or --eye, -o FOLDER without)"};
+  if (request.eye || request.eye_lonlat) return bake_for_eye(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
@@ -111,9 +165,18 @@ Verb bake_verb() {
   Verb verb{"bake", "fires a manifest: to one file, or to a folder as compile does", {}, {}};
   verb.options = {
       {"manifest", "SCENE.kiln", "the manifest", false, into(request->manifest_path)},
-      {"--tolerance", "M", "largest deviation in metres of the one file", false,
+      {"--tolerance", "M", "largest deviation in metres of the one file; with an eye the least asked for (0.02)", false,
        [request](const std::string& text) { return take_tolerance(text, request->tolerance_m); }},
       {"-o,--out", "FILE.glb|FOLDER", "where it goes", false, into(request->out_path)},
+      {"--eye", "X,Y,Z", "one file for an eye there, metres of the plane: near finely, far coarsely", false,
+       into_point(request->eye)},
+      {"--eye-lonlat", "LON,LAT,HEIGHT", "the same, degrees and metres", false, into_point(request->eye_lonlat)},
+      {"--pixel-error", "PIXELS", "largest deviation on its picture (1)", false,
+       [request = request.get()](const std::string& text) { return take_positive(text, request->pixel_error); }},
+      {"--size", "WxH", "pixels of its picture (1280x720)", false,
+       [request = request.get()](const std::string& text) { return take_size(text, request->size); }},
+      {"--fov", "DEG", "vertical field of view (45)", false,
+       [request = request.get()](const std::string& text) { return take_fov(text, request->fov_deg); }},
   };
   add_settings(verb, *request);
   verb.run = [request](const Console& console) { return run(*request, console); };

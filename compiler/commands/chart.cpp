@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "compiler/commands/eye_options.h"
 #include "compiler/commands/verb.h"
 #include "compiler/spec.h"
 
@@ -20,7 +21,8 @@ struct Kind {
 };
 constexpr std::array kKinds = {Kind{"plane", chart_plane},         Kind{"terrain", chart_terrain},
                                Kind{"junctions", chart_junctions}, Kind{"roads", chart_roads},
-                               Kind{"ground", chart_ground},       Kind{"profile", chart_profile}};
+                               Kind{"ground", chart_ground},       Kind{"view", chart_view},
+                               Kind{"profile", chart_profile}};
 
 Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
   std::string known;
@@ -32,7 +34,8 @@ Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& req
 }
 
 Result<Exit> run(const ChartRequest& request, const Console& console) {
-  if (request.names.empty()) return Error{"", "no chart is named (plane, terrain, junctions, roads, ground, profile)"};
+  if (request.names.empty())
+    return Error{"", "no chart is named (plane, terrain, junctions, roads, ground, view, profile)"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
     const Result<std::vector<Chart>> charts = make(name, request);
@@ -74,15 +77,17 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME...", "plane, terrain, junctions, roads, ground, profile", true, onto(request->names)},
-      {"--map", "FILE...", "junctions, roads, ground, profile: the maps", true, onto(request->maps)},
-      {"--dem", "FILE[,key=value...]", "terrain, ground, profile: the heightmap", true, onto(request->rasters)},
+      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile", true, onto(request->names)},
+      {"--map", "FILE...", "junctions, roads, ground, view, profile: the maps", true, onto(request->maps)},
+      {"--dem", "FILE[,key=value...]", "terrain, ground, view, profile: the heightmap", true, onto(request->rasters)},
       {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false,
        [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
       {"--cell", "M", "terrain: size of the pieces that are meshed (1024)", false,
        [request = request.get()](const std::string& t) { return take_number(t, 128, 65536, request->cell_m); }},
       {"--lat", "DEG", "plane: latitude of the origin (42.5)", false,
        [request = request.get()](const std::string& t) { return take_number(t, -80, 80, request->lat_deg); }},
+      {"--eye", "X,Y,Z", "view: where the eye is, metres of the plane (100 m over the map's middle)", false,
+       into_point(request->eye)},
       {"--threads", "N", "0: as many as the machine has (0)", false,
        [request = request.get()](const std::string& t) { return take_threads(t, request->threads); }},
       {"-o,--out", "FOLDER", "where charts go", false, into(request->folder)},

@@ -1,11 +1,14 @@
 // Charts of speed against accuracy: a table of series, written as CSV, and drawn as SVG by gnuplot.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "compiler/contract/result.h"
+#include "compiler/geometry/vec.h"
+#include "compiler/scene/scene.h"
 #include "compiler/source/raster.h"
 
 namespace citykiln::commands {
@@ -39,7 +42,8 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of the junctions, roads, ground and profile charts.
+  std::vector<std::string> maps;     ///< Of the junctions, roads, ground, view and profile charts.
+  std::optional<Vec3> eye;           ///< Of the view chart; else 100 m over the middle of the map.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
   int threads = 0;
@@ -63,9 +67,16 @@ Result<std::vector<Chart>> chart_roads(const ChartRequest& request);
 /// beside 1.3 times those of its heights without borders and two for each vertex of its borders without heights.
 Result<std::vector<Chart>> chart_ground(const ChartRequest& request);
 
+/// Triangles of a map's ground for one eye, over the error on its picture: a tolerance a cell, by its distance, beside
+/// one tolerance everywhere.
+Result<std::vector<Chart>> chart_view(const ChartRequest& request);
+
 /// Earth moved, distance from the heightmap and share over the limit of a map's roads, over the scale of their grade
 /// limits.
 Result<std::vector<Chart>> chart_profile(const ChartRequest& request);
+
+/// The scene of the first map that the request names. Errors: none named; as compile().
+Result<scene::Scene> compile_first_map(const ChartRequest& request);
 
 /// p of the power law y = c x^p that fits the points, all positive, by least squares of logarithms. 0 for fewer than
 /// two different x.

@@ -15,7 +15,6 @@
 #include "compiler/pipeline.h"
 #include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
-#include "compiler/source/read_raster.h"
 
 namespace citykiln::commands {
 namespace {
@@ -31,21 +30,6 @@ struct Bound {
   double bare_triangles = 0, border_vertices = 0;
   double triangles() const { return kBoundFactor * (bare_triangles + 2 * border_vertices); }
 };
-
-Result<scene::Scene> read_scene(const ChartRequest& request) {
-  if (request.maps.empty()) return Error{"chart ground", "needs a map (--map FILE)"};
-  CompileSpec spec;
-  spec.map_path = request.maps.front();
-  spec.threads = request.threads;
-  for (const std::string& text : request.rasters) {
-    Result<source::RasterSpec> raster = source::parse_raster_spec(text);
-    if (!raster) return raster.error();
-    spec.rasters.push_back(std::move(*raster));
-  }
-  Result<Compiled> compiled = compile(spec, [](std::string_view, double) {});
-  if (!compiled) return compiled.error();
-  return std::move(compiled->scene);
-}
 
 void fire_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
   Report ignored;
@@ -182,7 +166,7 @@ void add_level(GroundCharts& charts, double tolerance_m, const Measure& measure,
 }  // namespace
 
 Result<std::vector<Chart>> chart_ground(const ChartRequest& request) {
-  const Result<scene::Scene> scene = read_scene(request);
+  const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   const Box2& region = scene->header.region;
   const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);

@@ -123,7 +123,10 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
       add_primitive(primitive_of(joined, bake::key_of(p)), p, guest, reach_m);
     for (const bake::Instanced& i : tile.instanced)
       add_instanced(instanced_of(joined, i, guest.sheet_m), i, guest, reach_m);
+    joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
+    if (tile.seen_from && (!joined.seen_from || joined.seen_from->pixel_error < tile.seen_from->pixel_error))
+      joined.seen_from = tile.seen_from;
   }
   if (reach_m > kExactReach_m) {
     return Error{

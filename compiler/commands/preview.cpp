@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/commands/eye_options.h"
 #include "compiler/commands/load_tiles.h"
 #include "compiler/commands/verb.h"
-#include "compiler/map/plane.h"
 #include "compiler/sky/plan.h"
 #include "compiler/spec.h"
 
@@ -22,17 +22,9 @@ struct Request {
   std::optional<Vec3> eye, look_at;             ///< Plane metres.
   std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Degrees, degrees, metres of height.
   std::optional<double> fov_deg;
+  PictureSize size;
   preview::Options options;
 };
-
-std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& point) {
-  return [&point](const std::string& text) -> Result<Done> {
-    const Result<std::vector<double>> n = parse_numbers(text, 3);
-    if (!n) return n.error();
-    point = Vec3{(*n)[0], (*n)[1], (*n)[2]};
-    return Done{};
-  };
-}
 
 std::function<Result<Done>(const std::string&)> into_whole(int& number, int least) {
   return [&number, least](const std::string& text) -> Result<Done> {
@@ -43,49 +35,11 @@ std::function<Result<Done>(const std::string&)> into_whole(int& number, int leas
   };
 }
 
-/// "1280x720".
-Result<Done> take_size(const std::string& text, preview::Options& options) {
-  const std::size_t cross = text.find('x');
-  const Result<std::int64_t> width = parse_whole(text.substr(0, cross), 1);
-  const Result<std::int64_t> height = parse_whole(cross == std::string::npos ? "" : text.substr(cross + 1), 1);
-  // a wider picture would not fit into memory
-  if (!width || !height || *width > 32768 || *height > 32768) {
-    return Error{"", fmt::format("expected pixels as WxH, at most 32768 each, found \"{}\"", text)};
-  }
-  options.width = static_cast<int>(*width);
-  options.height = static_cast<int>(*height);
-  return Done{};
-}
-
-Result<Done> take_positive(const std::string& text, double& number) {
-  const Result<double> given = parse_number(text);
-  if (!given || *given <= 0) return Error{"", fmt::format("expected a number above 0, found \"{}\"", text)};
-  number = *given;
-  return Done{};
-}
-
-Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg) {
-  const Result<double> given = parse_number(text);
-  if (!given || *given <= 0 || *given >= 180)
-    return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
-  fov_deg = *given;
-  return Done{};
-}
-
 Result<Done> take_level(const std::string& text, std::size_t& level) {
   const Result<std::int64_t> whole = parse_whole(text, 0);
   if (!whole) return whole.error();
   level = static_cast<std::size_t>(*whole);
   return Done{};
-}
-
-/// A point as given, in the plane, or by longitude and latitude.
-Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
-                                     const std::optional<scene::Header>& header) {
-  if (in_plane || !lonlat) return in_plane;
-  if (!header) return Error{"--eye-lonlat", "needs the scene's origin: give the manifest, or the folder that holds it"};
-  const Vec2 at = map::Plane(header->origin).forward({lonlat->x, lonlat->y});
-  return std::optional<Vec3>(at_height(at, lonlat->z));
 }
 
 Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) {
@@ -119,6 +73,7 @@ Result<Exit> run(const Request& request, const Console& console) {
 
   on_progress("render", 0);
   preview::Options options = request.options;
+  options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
   const preview::Image image = preview::render(loaded->tiles, *sky, *camera, options);
   const Result<Done> written = preview::write_image(image, request.picture_path);
@@ -166,8 +121,7 @@ std::vector<Option> camera_options(Request& request) {
 
 std::vector<Option> picture_options(Request& request) {
   return {
-      {"--size", "WxH", "pixels (1280x720)", false,
-       [&](const std::string& t) { return take_size(t, request.options); }},
+      {"--size", "WxH", "pixels (1280x720)", false, [&](const std::string& t) { return take_size(t, request.size); }},
       {"--spp", "N", "paths a pixel (64)", false, into_whole(request.options.samples, 1)},
       {"--bounces", "N", "of each path (3)", false, into_whole(request.options.bounces, 0)},
       {"--exposure", "X", "brightness (1)", false,

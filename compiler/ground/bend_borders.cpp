@@ -77,13 +77,19 @@ std::vector<HeightLayer> layers_beside(const Border& border, std::span<const Fac
 
 }  // namespace
 
+double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min);
+  if (border.a.x == border.b.x) return border.a.x == min.x ? sides.west_m : sides.east_m;
+  return border.a.y == min.y ? sides.south_m : sides.north_m;
+}
+
 Bent bend_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
-             double tolerance_m, double inner_m) {
+             const SideTolerances& sides_m, double inner_m) {
   Bent bent;
   for (const Border& border : borders) {
     if (border.is_cell_border) {
       // the neighbour's surfaces may lie on other layers
-      const auto path = path_of(reference, border, kAllLayers, tolerance_m);
+      const auto path = path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
       bent.points.insert(bent.points.end(), path.begin(), path.end());
       bent.borders.push_back(border);
       continue;

@@ -15,11 +15,11 @@ struct Bent {
 };
 
 /// @param heights      Of each surface; kNoSurface lies on the land.
-/// @param tolerance_m  How far the cell's border may be off, in any layer.
+/// @param sides_m      How far the cell's border may be off, in any layer.
 /// @param inner_m      How far others may be off, in the layers on both sides; standing water asks for no point.
 /// Guarantees: a border is cut by its ends and by the heights along it alone, so both cells of a common border cut it
 /// alike. O(points + the reference's edges crossed).
 Bent bend_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
-             double tolerance_m, double inner_m);
+             const SideTolerances& sides_m, double inner_m);
 
 }  // namespace citykiln::ground

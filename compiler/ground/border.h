@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "compiler/geometry/arrangement.h"
+#include "compiler/geometry/box.h"
 
 namespace citykiln::ground {
 
@@ -15,5 +16,14 @@ struct Border {
   bool is_cell_border = false;
   bool operator==(const Border&) const = default;
 };
+
+/// A tolerance for each side of a cell. Both cells of a side must be given the same one there.
+struct SideTolerances {
+  double west_m, east_m, south_m, north_m;
+};
+inline SideTolerances all_sides(double m) { return {m, m, m, m}; }
+
+/// That of the side on which a piece of the cell's own border lies.
+double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell);
 
 }  // namespace citykiln::ground

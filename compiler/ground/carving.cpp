@@ -74,6 +74,7 @@ void keep_near_roads(Bounds& bounds, std::span<const Strand> strands, double nea
     keep_near(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
     bounds.least_m = std::max(bounds.least_m, here.least_m);
     bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
+    bounds.wall_m = std::min(bounds.wall_m, here.wall_m + higher_m(over, s.z_m));
   }
 }
 

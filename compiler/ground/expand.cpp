@@ -55,8 +55,14 @@ Simpler simpler_borders(const Regions& between_borders, double tolerance_m) {
 
 // How far off the ground the cell's own border, the borders inside and the faces may be.
 struct HeightTolerances {
-  double cell_border_m, borders_m, faces_m;
+  SideTolerances cell_border_m;
+  double borders_m, faces_m;
 };
+
+SideTolerances cell_border_m(const SideTolerances& s) {
+  constexpr double kShare = kCellBorderShare;
+  return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
+}
 
 // Borders bent to the ground, and points between them.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
@@ -110,6 +116,11 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
 }
 
 GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report) {
+  return expand_cell(known, normals, tolerance_m, all_sides(tolerance_m), report);
+}
+
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m,
+                       const SideTolerances& sides_m, Report& report) {
   const Simpler simpler = simpler_borders(known.between_borders, tolerance_m);
 
   // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
@@ -118,8 +129,7 @@ GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double to
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
-    return refined_to(known.reference, simpler.borders, known.heights,
-                      {kCellBorderShare * tolerance_m, inner_m, height_m});
+    return refined_to(known.reference, simpler.borders, known.heights, {cell_border_m(sides_m), inner_m, height_m});
   };
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {

@@ -21,6 +21,7 @@
 #include "compiler/contract/report.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
+#include "compiler/ground/border.h"
 #include "compiler/ground/carved_normals.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/recipe.h"
@@ -68,6 +69,12 @@ GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving
 /// The same of a cell that is known.
 /// @param normals  Of the carving that it is known from; those of one level serve the next.
 GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m, Report& report);
+
+/// The same beside cells that are finer.
+/// @param sides_m  The tolerance at each side: the cell's own, or the neighbour's where that is smaller. So both have
+///                 the same vertices there.
+GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double tolerance_m,
+                       const SideTolerances& sides_m, Report& report);
 
 /// What expand_cell is certified against: the carved ground of the cell, linear on the faces of one triangulation.
 Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);

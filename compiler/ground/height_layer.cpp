@@ -37,6 +37,8 @@ bool is_strip_or_junction(const Surface& surface) { return surface.area_m2 <= kP
 
 HeightLayer layer_of(const Surface& surface) {
   const HeightLayer layer = layer_of_class(surface.surface);
+  // paths follow the land, but for those that lead to bridges and underpasses
+  if (surface.is_graded && layer == HeightLayer::kLand) return HeightLayer::kCarriageway;
   return layer == HeightLayer::kWater || is_strip_or_junction(surface) ? layer : HeightLayer::kLand;
 }
 

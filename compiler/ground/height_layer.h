@@ -25,6 +25,7 @@ using Heights = std::array<double, static_cast<std::size_t>(HeightLayer::kCount)
 inline double of(const Heights& heights, HeightLayer layer) { return heights[static_cast<std::size_t>(layer)]; }
 
 /// The layer on which a surface lies. Areas of a road's class, squares and car parks, have no profile: they are land.
+/// Paths are land too, unless they are graded.
 HeightLayer layer_of(const Surface& surface);
 
 /// How high a face lies: as its layer does; standing water at its one level, even where its shore has been simplified.

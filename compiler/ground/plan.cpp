@@ -61,7 +61,9 @@ Surface surface_of(const roads::Strip& stream) {
 }
 
 Surface surface_of(const roads::Road& road, const roads::Ends& ends) {
-  return {road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
+  Surface surface{road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
+  surface.is_graded = !road.profile.empty();
+  return surface;
 }
 
 Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {
@@ -69,7 +71,7 @@ Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {
 }
 
 Surface trimmed_to(const Surface& surface, const Box2& box) {
-  Surface trimmed{surface.id, surface.surface, surface.area_m2, {}, surface.piece, surface.level_m};
+  Surface trimmed{surface.id, surface.surface, surface.area_m2, {}, surface.piece, surface.level_m, surface.is_graded};
   for (const Ring& ring : surface.rings)
     if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
   return trimmed;

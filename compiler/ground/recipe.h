@@ -21,6 +21,7 @@ struct Surface {
   std::vector<Ring> rings;    ///< Plane metres, snapped.
   std::uint32_t piece = 0;  ///< Tells the pieces of one road apart, which are made when it is baked: 1, 2 … along it.
   std::optional<double> level_m{};  ///< Of standing water: plane height, a multiple of kProfileQuantum_m.
+  bool is_graded = false;           ///< Covered by a road that has a profile: it lies on that, whatever its class.
   bool operator==(const Surface&) const = default;
 };
 

@@ -73,6 +73,7 @@ std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std:
     cover.surfaces.push_back({road.id, piece.surface, ground::kStripArea_m2, {piece.ring}});
     cover.pieces.push_back(std::move(piece));
     cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
+    cover.surfaces.back().is_graded = !road.profile.empty();
   }
   return next_run;
 }
@@ -89,8 +90,12 @@ ground::Surface junction_surface(const roads::Junction& junction, std::span<cons
                                  std::span<const roads::Arm> arms) {
   const roads::Road& main = roads::main_road(roads, arms);
   const bool is_passed = roads::has_through_road(junction, roads, arms);
-  return {id_of_junction(main), main.surface, is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
-          roads::stroke(junction, roads, arms)};
+  ground::Surface surface{id_of_junction(main), main.surface,
+                          is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
+                          roads::stroke(junction, roads, arms)};
+  surface.is_graded =
+      std::ranges::any_of(arms, [&](const roads::Arm& arm) { return !roads[arm.road].profile.empty(); });
+  return surface;
 }
 
 ground::Surface corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,

@@ -227,6 +227,14 @@ TEST(Glb, TheOriginIsNotRoundedToSinglePrecision) {
   EXPECT_EQ(back->origin, tile.origin);
 }
 
+TEST(Glb, TellsForWhichEyeItWasMade) {
+  BakedTile tile = made_tile(1);
+  tile.seen_from = bake::SeenFrom{{0.1, -16777219.25, 4097}, 869.1171875, 0.96};
+  const auto back = decoded(encoded(tile, Instancing::kExtension));
+  ASSERT_TRUE(back) << refusal(back);
+  EXPECT_EQ(back->seen_from, tile.seen_from);
+}
+
 TEST(Glb, MoreCornersThan16BitsCount) {
   std::mt19937 dice(1);
   BakedTile tile = made_tile(1);

@@ -115,6 +115,7 @@ class SceneMaker {
   ground::Surface ground_surface() {
     ground::Surface s{id(), surface(), number(90000), {ring(), ring()}};
     if (below(3) == 0) s.level_m = (static_cast<double>(below(9000)) - 400) * kProfileQuantum_m;
+    s.is_graded = below(4) == 0;
     return s;
   }
   Profile profile() {

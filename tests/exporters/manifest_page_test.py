@@ -186,7 +186,8 @@ class Chunk:
 
     def surface(self):
         return (self.id(), self.plain("surface class"), self.plain("surface area"),
-                self.all("surface rings", lambda: self.points("ring points")), self.level())
+                self.all("surface rings", lambda: self.points("ring points")), self.level(),
+                self.plain("graded"))
 
     def level(self):
         return self.streams["water level"].step() / 128 if self.plain("levelled") else None

@@ -115,6 +115,16 @@ TEST(JoinTiles, KeepsPrimitivesSortedOneAKey) {
   EXPECT_EQ(joined->sheet, tiles[1].sheet);
 }
 
+TEST(JoinTiles, OfPartsForAnEyeStatesTheFinestToleranceAndTheLargestPixelError) {
+  std::vector parts = {tile_at({0, 0, 0}, way(5), 0.1), tile_at({0, 0, 0}, way(3), 0.2)};
+  parts[1].tolerance_m = 0.05;
+  for (bake::BakedTile& part : parts) part.seen_from = bake::SeenFrom{{1, 2, 3}, 900, part.error_m * 4};
+  const Result<bake::BakedTile> joined = join_tiles(parts);
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->tolerance_m, 0.05);
+  EXPECT_EQ(joined->seen_from, parts[1].seen_from);
+}
+
 TEST(JoinTiles, RefusesWhatFloat32CannotHold) {
   EXPECT_FALSE(join_tiles(std::vector{tile_at({0, 0, 0}, way(1), 0), tile_at({16384, 0, 0}, way(2), 0)}));
 }

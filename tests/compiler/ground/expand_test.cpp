@@ -156,6 +156,24 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
   }
 }
 
+// The finer one's tolerance holds on the side between them, and what is certified still does.
+TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Report report;
+    const auto surfaces = crossing_surfaces(seed, 40);
+    const Heightfield field = rough_field(16, 20);
+    const SideTolerances sides{0.1, 1.6, 1.6, 1.6};
+    const Box2 beside{{128, 0}, {256, 128}};
+    const GroundMesh west = expand_cell(surfaces, Carving(Heightfield(field)), kCell, 0.1, report);
+    const GroundMesh east = expand_cell(surfaces, Carving(Heightfield(field)), beside, 1.6, sides, report);
+    const GroundMesh coarse = expand_cell(surfaces, Carving(Heightfield(field)), beside, 1.6, report);
+    EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
+    EXPECT_EQ(on_line_x(coarse, 256), on_line_x(east, 256)) << "seed " << seed;
+    EXPECT_LE(length(Vec2{east.error_m, east.border_error_m}), 1.6) << "seed " << seed;
+    EXPECT_LT(east.mesh.triangles.size(), west.mesh.triangles.size());
+  }
+}
+
 // A road up there, as high as the ground never is, out of reach of the cell to the west.
 Carving carved_in_the_east(const Heightfield& field) {
   roads::Road road;

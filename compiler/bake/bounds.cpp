@@ -1,0 +1,63 @@
+#include "compiler/bake/bounds.h"
+
+#include <algorithm>
+
+namespace citykiln::bake {
+namespace {
+
+double beyond(double least, double most, double x) { return std::max({least - x, x - most, 0.0}); }
+
+// Parapets, abutments and frames of mouths reach no farther beyond a road's edges, nor above a bore's road.
+// Balconies, eaves and chimneys.
+constexpr double kAboutHouse_m = 3;
+constexpr double kAboutSpan_m = 2, kBore_m = 8;
+
+}  // namespace
+
+double distance_m(const Bounds& bounds, Vec3 place) {
+  return length(Vec3{beyond(bounds.plan.min.x, bounds.plan.max.x, place.x),
+                     beyond(bounds.plan.min.y, bounds.plan.max.y, place.y),
+                     beyond(bounds.low_m, bounds.high_m, place.z)});
+}
+
+Bounds bounds_of(const buildings::Building& building) {
+  return {box_of(building.footprint.outer).widened(kAboutHouse_m), building.bottom_m,
+          building.top_m + kAboutHouse_m};
+}
+
+Bounds bounds_of(const structures::Span& span) {
+  Bounds bounds{box_of(span.axis).widened(roads::breadth_m(span) + kAboutSpan_m)};
+  if (span.profile.empty()) return bounds;
+  const auto [low, high] = std::ranges::minmax(span.profile, {}, &Knot::z_m);
+  bounds.low_m = low.z_m - kAboutSpan_m, bounds.high_m = high.z_m + kBore_m;
+  for (const structures::Pier& pier : span.piers) bounds.low_m = std::min(bounds.low_m, pier.foot_m);
+  return bounds;
+}
+
+Bounds bounds_of(const props::Barrier& barrier, const map::Heightfield& terrain) {
+  Bounds bounds = bounds_of(terrain, box_of(barrier.axis).widened(barrier.width_m));
+  bounds.high_m += barrier.height_m;
+  return bounds;
+}
+
+Bounds bounds_of(const Placement& placement) {
+  const Vec2 at = in_plan(placement.at);
+  return {Box2{at, at}.widened(placement.scale / 2), placement.at.z, placement.at.z + placement.scale};
+}
+
+Bounds bounds_of(const Mesh& mesh) {
+  if (mesh.positions.empty()) return {};
+  Bounds bounds;
+  for (const Vec3 p : mesh.positions) bounds.plan.grow(in_plan(p));
+  const auto [low, high] = std::ranges::minmax(mesh.positions, {}, &Vec3::z);
+  bounds.low_m = low.z, bounds.high_m = high.z;
+  return bounds;
+}
+
+Bounds bounds_of(const map::Heightfield& terrain, const Box2& box) {
+  const map::Heightfield window = map::window_of(terrain, box);
+  const auto [low, high] = std::ranges::minmax(window.heights);
+  return {box, low * map::kHeightQuantum_m, high * map::kHeightQuantum_m};
+}
+
+}  // namespace citykiln::bake

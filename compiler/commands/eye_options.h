@@ -1,0 +1,38 @@
+// What preview and bake are told about an eye, in the same words.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "compiler/contract/result.h"
+#include "compiler/geometry/vec.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::commands {
+
+/// Of a picture.
+struct PictureSize {
+  int width = 1280, height = 720;
+};
+
+/// An option's take: three numbers, "X,Y,Z" in metres of the plane or "LON,LAT,HEIGHT" in degrees and metres.
+std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& point);
+
+/// "1280x720".
+Result<Done> take_size(const std::string& text, PictureSize& size);
+
+/// Degrees between 0 and 180.
+Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg);
+
+Result<Done> take_positive(const std::string& text, double& number);
+
+/// A point in the plane, whichever way it was given; nothing where it was not. Error: by longitude and latitude,
+/// without a header that tells the plane.
+Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
+                                     const std::optional<scene::Header>& header);
+
+/// So many pixels long, in the middle of a picture, is what is as long as it is far off. To 2^-10 pixels.
+double focal_px(const PictureSize& size, double vertical_fov_deg);
+
+}  // namespace citykiln::commands
