@@ -16,7 +16,7 @@ constexpr std::uint32_t kMostLooks =
 constexpr int kDeepest = 40;           // bodies in each other
 constexpr double kOfTheGrid_m = 2e-4;  // what a setback's overlay bends, generously
 
-using Intervals = std::vector<Interval1>;
+using NumberRanges = std::vector<NumberRange>;
 
 /// What is looked at.
 struct Outlook {
@@ -27,100 +27,100 @@ struct Outlook {
 // ---- numbers
 // ----------------------------------------------------------------------------------------------------------
 
-Interval1 interval_of(Outlook outlook, const Expression& expression, const Intervals& frame);
+NumberRange range_of(Outlook outlook, const Expression& expression, const NumberRanges& frame);
 
-Interval1 around(std::initializer_list<double> values) {
-  Interval1 interval{std::min(values), std::max(values)};
+NumberRange around(std::initializer_list<double> values) {
+  NumberRange interval{std::min(values), std::max(values)};
   if (!(std::abs(interval.low) + std::abs(interval.high) < kMost_m)) return {};
   return interval;
 }
 
-Interval1 either(Interval1 a, Interval1 b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+NumberRange either(NumberRange a, NumberRange b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
-Interval1 interval_of_binary(const std::string& sign, Interval1 a, Interval1 b) {
+NumberRange range_of_binary(const std::string& sign, NumberRange a, NumberRange b) {
   if (sign == "+") return around({a.low + b.low, a.high + b.high});
   if (sign == "-") return around({a.low - b.high, a.high - b.low});
   if (sign == "*") return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
   return {};
 }
 
-Interval1 interval_of_value(const Value& value) {
+NumberRange range_of_value(const Value& value) {
   const double* number = std::get_if<double>(&value);
-  return number == nullptr ? Interval1{} : around({*number});
+  return number == nullptr ? NumberRange{} : around({*number});
 }
 
-Interval1 interval_of_function(Outlook outlook, const Expression& call, const Intervals& frame) {
-  Intervals arguments;
-  for (const Expression& operand : call.operands) arguments.push_back(interval_of(outlook, operand, frame));
-  return interval_of(outlook, outlook.execution.run.program.functions[call.index].value, arguments);
+NumberRange range_of_function(Outlook outlook, const Expression& call, const NumberRanges& frame) {
+  NumberRanges arguments;
+  for (const Expression& operand : call.operands) arguments.push_back(range_of(outlook, operand, frame));
+  return range_of(outlook, outlook.execution.run.program.functions[call.index].value, arguments);
 }
 
 // rand alone: of the others most are about shapes
-Interval1 interval_of_builtin(Outlook outlook, const Expression& call, const Intervals& frame) {
+NumberRange range_of_builtin(Outlook outlook, const Expression& call, const NumberRanges& frame) {
   if (call.text != "rand") return {};
   if (call.operands.empty()) return {0, 1};
-  const Interval1 first = interval_of(outlook, call.operands.front(), frame);
-  const Interval1 other = call.operands.size() > 1 ? interval_of(outlook, call.operands[1], frame) : Interval1{0, 0};
+  const NumberRange first = range_of(outlook, call.operands.front(), frame);
+  const NumberRange other = call.operands.size() > 1 ? range_of(outlook, call.operands[1], frame) : NumberRange{0, 0};
   return either(first, other);
 }
 
-Interval1 interval_of_name(Outlook outlook, const Expression& name, const Intervals& frame) {
+NumberRange range_of_name(Outlook outlook, const Expression& name, const NumberRanges& frame) {
   Execution& execution = outlook.execution;
   switch (name.target) {
     case Target::kLocal:
-      return name.index < frame.size() ? frame[name.index] : Interval1{};
+      return name.index < frame.size() ? frame[name.index] : NumberRange{};
     case Target::kAttribute: {
       if (execution.run.program.attributes[name.index].is_set) return {};
       Context context{execution.run, execution.shape, execution.frame, execution.dice};
-      return interval_of_value(attribute_value(name.index, context));
+      return range_of_value(attribute_value(name.index, context));
     }
     case Target::kFunction:
-      return interval_of_function(outlook, name, frame);
+      return range_of_function(outlook, name, frame);
     case Target::kBuiltin:
-      return interval_of_builtin(outlook, name, frame);
+      return range_of_builtin(outlook, name, frame);
     default:
       return {};
   }
 }
 
 // values of case and of shares: any of them
-Interval1 interval_of_choice(Outlook outlook, const Expression& choice, const Intervals& frame) {
+NumberRange range_of_choice(Outlook outlook, const Expression& choice, const NumberRanges& frame) {
   if (choice.operands.size() % 2 == 0) return {};
-  Interval1 all = interval_of(outlook, choice.operands.back(), frame);
+  NumberRange all = range_of(outlook, choice.operands.back(), frame);
   for (std::size_t i = 1; i < choice.operands.size(); i += 2)
-    all = either(all, interval_of(outlook, choice.operands[i], frame));
+    all = either(all, range_of(outlook, choice.operands[i], frame));
   return all;
 }
 
-Interval1 interval_of(Outlook outlook, const Expression& expression, const Intervals& frame) {
+NumberRange range_of(Outlook outlook, const Expression& expression, const NumberRanges& frame) {
   if (++outlook.depth > kDeepest || ++outlook.execution.run.reaches.looks > kMostLooks) return {};
   const auto& operands = expression.operands;
   switch (expression.kind) {
     case ExpressionKind::kLiteral:
-      return interval_of_value(expression.value);
+      return range_of_value(expression.value);
     case ExpressionKind::kName:
     case ExpressionKind::kCall:
-      return interval_of_name(outlook, expression, frame);
+      return range_of_name(outlook, expression, frame);
     case ExpressionKind::kUnary:
       if (expression.text != "-" && expression.text != "+") return {};
-      return interval_of_binary(expression.text, {0, 0}, interval_of(outlook, operands[0], frame));
+      return range_of_binary(expression.text, {0, 0}, range_of(outlook, operands[0], frame));
     case ExpressionKind::kBinary:
-      return interval_of_binary(expression.text, interval_of(outlook, operands[0], frame),
-                                interval_of(outlook, operands[1], frame));
+      return range_of_binary(expression.text, range_of(outlook, operands[0], frame),
+                             range_of(outlook, operands[1], frame));
     case ExpressionKind::kCase:
     case ExpressionKind::kChance:
-      return interval_of_choice(outlook, expression, frame);
+      return range_of_choice(outlook, expression, frame);
     default:
       return {};
   }
 }
 
-double largest_m(Interval1 interval) { return std::max(std::abs(interval.low), std::abs(interval.high)); }
+double largest_m(NumberRange interval) { return std::max(std::abs(interval.low), std::abs(interval.high)); }
 
 // ---- bodies
 // -----------------------------------------------------------------------------------------------------------
 
-Reach reach_of_body(Outlook outlook, const Body& body, Intervals frame);
+Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame);
 
 /// What is known of the current shape.
 enum class Form : std::uint8_t {
@@ -132,7 +132,7 @@ enum class Form : std::uint8_t {
 /// A body's statements, one after the other.
 struct Course {
   Outlook outlook;
-  Intervals frame;
+  NumberRanges frame;
   Form form = Form::kFace;
   Displacement moved = {};  ///< Up to the current shape.
   double height_m = 0;      ///< Of kPrism.
@@ -240,7 +240,7 @@ void look_at_comp(Course& course, const Statement& statement) {
 void look_at_extrude(Course& course, const Statement& statement) {
   const bool along_normal = statement.arguments.size() == 1;
   course.unbounded |= !along_normal || course.form != Form::kFace;
-  course.height_m = largest_m(interval_of(course.outlook, statement.arguments.back(), course.frame));
+  course.height_m = largest_m(range_of(course.outlook, statement.arguments.back(), course.frame));
   course.form = Form::kPrism;
   course.moved.out_m += course.height_m;
 }
@@ -248,7 +248,7 @@ void look_at_extrude(Course& course, const Statement& statement) {
 void look_at_translation(Course& course, const Statement& statement) {
   double way_m = 0;
   for (const Expression& argument : statement.arguments)
-    way_m += is_share(argument) ? kUnbounded_m : largest_m(interval_of(course.outlook, argument, course.frame));
+    way_m += is_share(argument) ? kUnbounded_m : largest_m(range_of(course.outlook, argument, course.frame));
   course.moved = course.moved + Displacement{way_m, way_m};
 }
 
@@ -272,9 +272,9 @@ void look_at_successor(Course& course, const Statement& statement) {
   if (statement.index == ~0u) return add_group(course, kItself, 0);
   // a prism is no face
   if (course.form != Form::kFace) return void(course.unbounded = true);
-  Intervals arguments;
+  NumberRanges arguments;
   for (const Expression& argument : statement.arguments)
-    arguments.push_back(interval_of(course.outlook, argument, course.frame));
+    arguments.push_back(range_of(course.outlook, argument, course.frame));
   const Rule& rule = course.outlook.execution.run.program.rules[statement.index];
   add_group(course, reach_of_body(course.outlook, rule.body, std::move(arguments)), 0);
 }
@@ -300,7 +300,7 @@ void look_at(Course& course, const Statement& statement) {
   }
 }
 
-Reach reach_of_statements(Outlook outlook, const Body& body, Intervals frame) {
+Reach reach_of_statements(Outlook outlook, const Body& body, NumberRanges frame) {
   Course course{outlook, std::move(frame)};
   for (const Statement& statement : body.statements) {
     look_at(course, statement);
@@ -311,26 +311,26 @@ Reach reach_of_statements(Outlook outlook, const Body& body, Intervals frame) {
 }
 
 // a case that no branch fits leaves the shape as it is
-Reach reach_of_branches(Outlook outlook, const Body& body, const Intervals& frame) {
+Reach reach_of_branches(Outlook outlook, const Body& body, const NumberRanges& frame) {
   Reach worst = kItself;
   for (const Branch& branch : body.branches) worst = worst_of(worst, reach_of_body(outlook, branch.body, frame));
   return worst;
 }
 
-std::vector<double> ends_of(const Intervals& frame) {
+std::vector<double> ends_of(const NumberRanges& frame) {
   std::vector<double> ends;
-  for (const Interval1& interval : frame) ends.insert(ends.end(), {interval.low, interval.high});
+  for (const NumberRange& interval : frame) ends.insert(ends.end(), {interval.low, interval.high});
   return ends;
 }
 
-Reach reach_of_body(Outlook outlook, const Body& body, Intervals frame) {
+Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame) {
   ReachTable& table = outlook.execution.run.reaches;
   if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
   // what is under way is unbounded: a rule that comes to itself again
   const auto [found, is_new] = table.found.try_emplace({body.number, ends_of(frame)});
   if (!is_new) return found->second;
   for (const Local& local : body.locals) {
-    const Interval1 value = interval_of(outlook, local.value, frame);
+    const NumberRange value = range_of(outlook, local.value, frame);
     frame.resize(std::max<std::size_t>(frame.size(), local.slot + 1));
     frame[local.slot] = value;
   }
@@ -356,8 +356,8 @@ bool is_flat(const Shape& shape) {
 }  // namespace
 
 Reach reach_of(Execution& execution, const Body& body) {
-  Intervals frame;
-  for (const Value& value : execution.frame) frame.push_back(interval_of_value(value));
+  NumberRanges frame;
+  for (const Value& value : execution.frame) frame.push_back(range_of_value(value));
   return reach_of_body({execution}, body, std::move(frame));
 }
 

@@ -20,7 +20,7 @@ struct Run;
 struct Execution;
 
 /// A number that lies somewhere between two; infinite where nothing is known.
-struct Interval1 {
+struct NumberRange {
   double low = -kUnbounded_m, high = kUnbounded_m;
 };
 

@@ -20,7 +20,7 @@ enum class SelectorKind : std::uint8_t { kNone, kSizes, kParts };
 enum class Alters : std::uint8_t {
   kNothing,
   kLook,
-  kFrame,   ///< The scope's axes or the faces' sides; the surface stays where it is.
+  kFrame,  ///< The scope's axes or the faces' sides; the surface stays where it is.
   kSurface
 };
 
