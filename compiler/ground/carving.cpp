@@ -140,14 +140,6 @@ std::vector<Surface> on_layers(std::span<const Surface> surfaces, std::span<cons
   return chosen;
 }
 
-// Smaller in a tile, where borders are asked about all the time: those of roads within some metres, shores within 16 m.
-constexpr double kPavedBucket_m = 8, kWetBucket_m = 16;
-
-double bucket_m(const Box2& box, double in_tile_m) {
-  constexpr double kTile_m = 4096;
-  return std::max(box.width(), box.height()) <= kTile_m ? in_tile_m : kMapBucket_m;
-}
-
 }  // namespace
 
 Carving::Carving(map::Heightfield&& field) : terrain(std::move(field)) {}
@@ -159,8 +151,8 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   carving.decks = span_field_of(parts.decks), carving.bores = span_field_of(parts.bores);
   carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
   carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
-  carving.paved_map = map_surfaces(carving.paved, parts.box, bucket_m(parts.box, kPavedBucket_m));
-  carving.wet_map = map_surfaces(carving.wet, parts.box, bucket_m(parts.box, kWetBucket_m));
+  carving.paved_map = map_surfaces(carving.paved, parts.box);
+  carving.wet_map = map_surfaces(carving.wet, parts.box);
   carving.shores = grid_of(reaches_of(carving.wet), kBucket_m);
   return carving;
 }
