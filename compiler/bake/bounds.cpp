@@ -21,8 +21,7 @@ double distance_m(const Bounds& bounds, Vec3 place) {
 }
 
 Bounds bounds_of(const buildings::Building& building) {
-  return {box_of(building.footprint.outer).widened(kAboutHouse_m), building.bottom_m,
-          building.top_m + kAboutHouse_m};
+  return {box_of(building.footprint.outer).widened(kAboutHouse_m), building.bottom_m, building.top_m + kAboutHouse_m};
 }
 
 Bounds bounds_of(const structures::Span& span) {

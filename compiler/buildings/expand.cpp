@@ -45,7 +45,7 @@ void add_foundation(const Building& building, const Mass& mass, bool has_rules, 
                     Expanded& expanded) {
   DressedMesh mesh = wall_mesh(building, seed);
   if (has_rules) mesh.material = materials::Material::kStone, mesh.tint = materials::kNoTint;
-  for (const grammars::Face& face : mass.foundation) add_face(face, mesh.mesh);
+  for (const grammars::Face& face : mass.foundation) add_face(face, mesh);
   if (!mesh.mesh.triangles.empty()) expanded.meshes.push_back(std::move(mesh));
 }
 

@@ -4,7 +4,7 @@ namespace citykiln::buildings {
 
 std::span<const RuleText> shipped_rules() {
   static const std::vector<RuleText> rules = {
-#include "compiler/buildings/shipped_rules.inc"
+#include "compiler/buildings/shipped_rules_generated.h"
   };
   return rules;
 }

@@ -37,9 +37,9 @@ struct Header {
   std::uint64_t seed = 0;
   double resampling_error_m = 0;  ///< Of the heightfield against its sources.
   sky::Sky sky;
-  std::vector<std::string> sources;       ///< File names of map and heightmaps, without folders.
-  std::vector<std::string> attributions;  ///< "© OpenStreetMap contributors", then the heightmaps' credits.
-  std::optional<double> snow_line_m{};    ///< Land above it, in the heights' datum, is under snow.
+  std::vector<std::string> sources;          ///< File names of map and heightmaps, without folders.
+  std::vector<std::string> attributions;     ///< "© OpenStreetMap contributors", then the heightmaps' credits.
+  std::optional<double> snow_line_m{};       ///< Land above it, in the heights' datum, is under snow.
   std::vector<buildings::RuleText> rules{};  ///< Those that the buildings' styles need, sorted by name.
   bool operator==(const Header&) const = default;
 };

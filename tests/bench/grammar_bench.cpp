@@ -19,9 +19,7 @@ Result<std::string> file_at(const std::string& path) {
   return text.str();
 }
 
-Result<std::string> beside(const std::string& file) {
-  return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file);
-}
+Result<std::string> beside(const std::string& file) { return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file); }
 
 /// What is derived again and again.
 struct House {
