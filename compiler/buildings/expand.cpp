@@ -14,6 +14,9 @@ namespace {
 
 using materials::DressedMesh;
 
+// Tolerances at which nobody counts windows.
+constexpr double kFar_m = 1;
+
 DressedMesh wall_mesh(const Building& building, std::uint64_t seed) {
   return {{}, building.wall, wall_tint(building, seed), building.id.osm};
 }
@@ -62,7 +65,9 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   options.attributes = rule_values_of(building, mass.roof.form);
   options.seed = seed;
   options.tolerance_m = tolerance_m;
-  options.keep_start = options.keep_looks = true;
+  options.keep_start = true;
+  // from afar windows are no wider than what may be left out, and what moves little is known ahead
+  options.keep_looks = tolerance_m < kFar_m, options.ahead = !options.keep_looks;
   options.roofs = grammars::form_roofs(tolerance_m);
   const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
   const std::uint64_t times = times_of(derivation);
