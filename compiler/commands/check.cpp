@@ -81,7 +81,7 @@ struct Subject {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  std::vector<OsmId> leaving;  ///< What is no ground, whatever it is made of: bridges, tunnels, walls. Sorted.
+  Standing standing;
 };
 
 /// Names of recipes, added to others.
@@ -114,6 +114,13 @@ std::vector<OsmId> leaving_of(const scene::Scene& scene) {
   return leaving;
 }
 
+std::vector<OsmId> houses_of(const scene::Scene& scene) {
+  std::vector<OsmId> houses;
+  for (const scene::Chunk& chunk : scene.chunks) add_ids(std::span(chunk.buildings), houses);
+  std::ranges::sort(houses);
+  return houses;
+}
+
 /// The levels of standing water by the name of its faces.
 using Levels = std::multimap<OsmId, double>;
 
@@ -129,8 +136,8 @@ Result<Subject> open_subject(const std::string& folder) {
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  std::vector<OsmId> leaving = leaving_of(*scene);
-  return Subject{folder, std::move(*record), std::move(*scene), std::move(leaving)};
+  Standing standing{leaving_of(*scene), houses_of(*scene)};
+  return Subject{folder, std::move(*record), std::move(*scene), std::move(standing)};
 }
 
 const scene::Chunk* chunk_of(const scene::Scene& scene, scene::TileKey tile) {
@@ -197,7 +204,7 @@ GroundSamples sampled(const Subject& subject, const ReferenceCells& references, 
         heights_m.push_back(ground::height_m_at(references.at(p), p, static_cast<ground::HeightLayer>(layer)));
     return off_by(heights_m, z_m);
   };
-  return sample_ground(tile, subject.leaving, off_m, references.box, kSamplesASide);
+  return sample_ground(tile, subject.standing, off_m, references.box, kSamplesASide);
 }
 
 void check_ground(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
@@ -236,7 +243,7 @@ RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double toler
 void check_heights(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
                    const std::string& name, Findings& findings) {
   const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
-  const GroundIndex ground = index_ground(tile, subject.leaving);
+  const GroundIndex ground = index_ground(tile, subject.standing);
 
   const RoadFaces roads = road_faces_of(chunk, box, tile.tolerance_m, ground);
   findings.roads.test_all(roads.places, roads.largest_gap_m <= tile.error_m + kQuantum_m,
@@ -293,9 +300,9 @@ struct Borders {
   std::vector<BorderEdge> west, east, south, north;
 };
 
-Borders borders_of(const bake::BakedTile& tile, std::span<const OsmId> leaving, const Box2& box) {
-  return {border_edges_along_x(tile, leaving, box.min.x), border_edges_along_x(tile, leaving, box.max.x),
-          border_edges_along_y(tile, leaving, box.min.y), border_edges_along_y(tile, leaving, box.max.y)};
+Borders borders_of(const bake::BakedTile& tile, const Standing& standing, const Box2& box) {
+  return {border_edges_along_x(tile, standing, box.min.x), border_edges_along_x(tile, standing, box.max.x),
+          border_edges_along_y(tile, standing, box.min.y), border_edges_along_y(tile, standing, box.max.y)};
 }
 
 using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
@@ -327,7 +334,7 @@ Result<Findings> check_all(const Subject& subject, const OnProgress& on_progress
     const Result<bake::BakedTile> tile = check_tile(subject, written, findings);
     if (!tile) return tile.error();
     borders[{written.level, written.tile}] =
-        borders_of(*tile, subject.leaving, scene::box_of(subject.scene.header, written.tile));
+        borders_of(*tile, subject.standing, scene::box_of(subject.scene.header, written.tile));
   }
   check_seams(borders, findings);
   return findings;

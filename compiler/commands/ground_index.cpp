@@ -26,8 +26,8 @@ std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
 
 }  // namespace
 
-GroundIndex index_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving) {
-  GroundIndex index{ground_faces(tile, leaving), {}};
+GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing) {
+  GroundIndex index{ground_faces(tile, standing), {}};
   std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
   std::vector<Box2> boxes;
   for (const GroundFace& face : index.faces)

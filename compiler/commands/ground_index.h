@@ -16,8 +16,8 @@ struct GroundIndex {
   BoxGrid grid;
 };
 
-/// @param leaving  Sorted: features that leave the ground; overlooked. O(triangles).
-GroundIndex index_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving);
+/// @param standing  Overlooked. O(triangles).
+GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing);
 
 struct GroundPlace {
   double z_m = 0;  ///< Plane metres.

@@ -44,10 +44,11 @@ double gap_under(const Building& building, const Box2& box, const GroundUnder& g
 using LowestWalls = std::map<std::pair<OsmId, Vec2>, double>;
 
 void add_wall(const bake::BakedTile& tile, const bake::Primitive& primitive,
-              const std::array<std::uint32_t, 3>& corners, const std::map<OsmId, double>& tops_m, LowestWalls& walls) {
+              const std::array<std::uint32_t, 3>& corners, const std::map<OsmId, double>& floors_m,
+              LowestWalls& walls) {
   const OsmId feature = tile.features[primitive.features[corners[0]]];
-  const auto top = tops_m.find(feature);
-  if (top == tops_m.end()) return;
+  const auto floor = floors_m.find(feature);
+  if (floor == floors_m.end()) return;
   std::array<Vec3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
     const bake::Float3& q = primitive.positions[corners[i]];
@@ -56,7 +57,7 @@ void add_wall(const bake::BakedTile& tile, const bake::Primitive& primitive,
   const double top_m = std::max({p[0].z, p[1].z, p[2].z});
   const bool is_upright = cross(in_plan(p[1] - p[0]), in_plan(p[2] - p[0])) == 0;
   // kerbs and walls of the ground under it are the building's too, but end at the ground
-  if (!is_upright || top_m < top->second - kQuantum_m) return;
+  if (!is_upright || top_m < floor->second - kQuantum_m) return;
   for (const Vec3& q : p) {
     double& lowest_m = walls.try_emplace({feature, in_plan(q)}, q.z).first->second;
     lowest_m = std::min(lowest_m, q.z);
@@ -64,15 +65,15 @@ void add_wall(const bake::BakedTile& tile, const bake::Primitive& primitive,
 }
 
 LowestWalls walls_of(const scene::Chunk& chunk, const bake::BakedTile& tile) {
-  // of buildings with one name the lowest roof
-  std::map<OsmId, double> tops_m;
+  // of buildings with one name the lowest floor
+  std::map<OsmId, double> floors_m;
   for (const Building& building : chunk.buildings) {
-    double& top_m = tops_m.try_emplace(building.id.osm, building.top_m).first->second;
-    top_m = std::min(top_m, building.top_m);
+    double& floor_m = floors_m.try_emplace(building.id.osm, building.floor_m).first->second;
+    floor_m = std::min(floor_m, building.floor_m);
   }
   LowestWalls walls;
   for (const bake::Primitive& primitive : tile.primitives)
-    for (const auto& triangle : primitive.triangles) add_wall(tile, primitive, triangle, tops_m, walls);
+    for (const auto& triangle : primitive.triangles) add_wall(tile, primitive, triangle, floors_m, walls);
   return walls;
 }
 

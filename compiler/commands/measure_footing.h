@@ -32,7 +32,8 @@ using WallAt = std::function<std::optional<double>(const buildings::Building& bu
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundUnder& ground,
                         const WallAt& wall);
 
-/// The same of a baked tile's own triangles: walls are upright faces of the building's that reach up to its roof.
+/// The same of a baked tile's own triangles: walls are upright faces of the building's that reach up to its
+/// floor.
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const bake::BakedTile& tile,
                         const GroundIndex& ground);
 

@@ -22,15 +22,20 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
+// What lies under buildings has no places on textures; their walls of that material have.
+const materials::Material kUnderHouses = map::values_of(map::SurfaceClass::kBuilding).material;
+
 /// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
 /// metres.
 template <typename Visit>
-void for_each_ground_triangle(const bake::BakedTile& tile, std::span<const OsmId> leaving, Visit visit) {
+void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& standing, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_of_ground(primitive.material)) continue;
+    const bool is_under_houses = primitive.material == kUnderHouses && primitive.uvs.empty();
     for (const auto& triangle : primitive.triangles) {
       const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      if (std::ranges::binary_search(leaving, feature)) continue;
+      if (std::ranges::binary_search(standing.leaving, feature)) continue;
+      if (!is_under_houses && std::ranges::binary_search(standing.houses, feature)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];
@@ -99,10 +104,10 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
 
 /// Edges whose both ends have the coordinate; a vertical triangle has none that the ground would miss.
 template <typename Coordinate>
-std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at,
+std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, const Standing& standing, double at,
                                      Coordinate coordinate) {
   std::vector<BorderEdge> edges;
-  for_each_ground_triangle(tile, leaving, [&](const Corners& t, OsmId) {
+  for_each_ground_triangle(tile, standing, [&](const Corners& t, OsmId) {
     if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
@@ -116,9 +121,9 @@ std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, std::span<cons
 
 }  // namespace
 
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<const OsmId> leaving) {
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing& standing) {
   std::vector<GroundFace> faces;
-  for_each_ground_triangle(tile, leaving, [&](const Corners& corners, OsmId feature) {
+  for_each_ground_triangle(tile, standing, [&](const Corners& corners, OsmId feature) {
     faces.push_back({corners, feature});
   });
   return faces;
@@ -132,10 +137,10 @@ void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const OffAt& off_m,
-                            const Box2& box, int a_side) {
+GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standing, const OffAt& off_m, const Box2& box,
+                            int a_side) {
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, leaving,
+  for_each_ground_triangle(tile, standing,
                            [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
 
   GroundSamples samples;
@@ -149,12 +154,12 @@ GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> 
   return samples;
 }
 
-std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at) {
-  return border_edges(tile, leaving, at, [](Vec3 p) { return p.x; });
+std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at) {
+  return border_edges(tile, standing, at, [](Vec3 p) { return p.x; });
 }
 
-std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at) {
-  return border_edges(tile, leaving, at, [](Vec3 p) { return p.y; });
+std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at) {
+  return border_edges(tile, standing, at, [](Vec3 p) { return p.y; });
 }
 
 }  // namespace citykiln::commands

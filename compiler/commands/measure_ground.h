@@ -13,6 +13,12 @@
 
 namespace citykiln::commands {
 
+/// What stands on the ground, or leaves it, and may be made of the same materials. Both sorted.
+struct Standing {
+  std::vector<OsmId> leaving;  ///< Bridges, tunnels, walls: no ground, whatever they are made of.
+  std::vector<OsmId> houses;   ///< No ground but for what lies under them.
+};
+
 /// A triangle of the ground, in plane metres.
 struct GroundFace {
   std::array<Vec3, 3> corners;
@@ -20,8 +26,8 @@ struct GroundFace {
 };
 
 /// All triangles of a ground material, upright ones too.
-/// @param leaving  As below.
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, std::span<const OsmId> leaving);
+/// @param standing  As below.
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing& standing);
 
 /// What looking straight down at a lattice of places found.
 struct GroundSamples {
@@ -36,19 +42,18 @@ using OffAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
 /// Samples a random place in every square of a lattice over the box: the lowest upward triangle of a ground material
 /// there is the ground.
-/// @param leaving  Sorted: features that leave the ground (bridges) or stand on it (walls) and may be made of the same
-///                 materials; overlooked.
+/// @param standing  Overlooked.
 /// @param a_side   Squares along each side of the box.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, std::span<const OsmId> leaving, const OffAt& off_m,
-                            const Box2& box, int a_side);
+GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standing, const OffAt& off_m, const Box2& box,
+                            int a_side);
 
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;
 
 /// The edges of ground triangles that lie in the line x = at (or y = at), sorted. Neighbouring tiles must have the same
 /// ones. Left out: edges as short as the plane's grid, where a border between two surfaces may run along the tile's.
-std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at);
-std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, std::span<const OsmId> leaving, double at);
+std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at);
+std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at);
 
 }  // namespace citykiln::commands

@@ -35,7 +35,7 @@ TEST(GroundIndex, TellsBothSidesOfAStep) {
 }
 
 TEST(GroundIndex, OverlooksWhatLeavesTheGround) {
-  const std::vector leaving = {kGroundFeature};
+  const Standing leaving{{kGroundFeature}, {}};
   const GroundIndex index = index_ground(made_ground(map::SurfaceClass::kGrass, {0, 0, 0, 0}), leaving);
   EXPECT_TRUE(ground_at(index, {32, 32}).empty());
 }

@@ -13,7 +13,7 @@ buildings::Building house() {
   buildings::Building house;
   house.id = {kHouse, 0};
   house.footprint.outer = {{10, 10}, {20, 10}, {20, 20}, {10, 20}};
-  house.bottom_m = 9, house.top_m = 20;
+  house.bottom_m = 9, house.floor_m = 10, house.top_m = 20;
   return house;
 }
 
@@ -43,7 +43,7 @@ bake::BakedTile tile_with_house(float bottom_m, std::array<float, 4> corners_m) 
 Footing footing_of(const bake::BakedTile& tile) {
   scene::Chunk chunk;
   chunk.buildings = {house()};
-  return measure_footing(chunk, kMadeBox, kNoGap_m, tile, index_ground(tile, std::vector{kHouse}));
+  return measure_footing(chunk, kMadeBox, kNoGap_m, tile, index_ground(tile, {{kHouse}, {}}));
 }
 
 TEST(MeasureFooting, FindsNothingUnderWallsThatReachIntoTheGround) {

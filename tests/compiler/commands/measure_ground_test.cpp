@@ -62,7 +62,7 @@ TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
 }
 
 TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
-  const std::vector<OsmId> leaving = {kBridge};
+  const Standing leaving{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);
   EXPECT_EQ(border_edges_along_x(tile, leaving, 64), (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
   EXPECT_EQ(border_edges_along_y(tile, leaving, 0), (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
