@@ -32,14 +32,14 @@ bake::BakedTile square(float lifted_m, bool has_second_half) {
 constexpr Box2 kBox{{0, 0}, {64, 64}};
 
 TEST(SampleGround, FindsNothingWrongWithWhatIsRight) {
-  const GroundSamples samples = sample_ground(square(0, true), std::vector{kBridge}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(0, true), Standing{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_EQ(samples.count, 256u);
   EXPECT_EQ(samples.uncovered, 0u);
   EXPECT_EQ(samples.error_m, 0);
 }
 
 TEST(SampleGround, FindsPlacesWithoutGround) {
-  const GroundSamples samples = sample_ground(square(0, false), std::vector{kBridge}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(0, false), Standing{{kBridge}, {}}, flat, kBox, 16);
   // the other half, but for squares on the diagonal, which may fall to either side
   EXPECT_GE(samples.uncovered, (256u - 16u) / 2);
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
@@ -47,12 +47,12 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
 
 TEST(SampleGround, SaysWhatCoversAPlace) {
   const auto off_m = [](Vec2, double, OsmId feature) { return feature == kLawn ? 1.0 : 2.0; };
-  EXPECT_EQ(sample_ground(square(0, true), std::vector{kBridge}, off_m, kBox, 16).error_m, 1);
+  EXPECT_EQ(sample_ground(square(0, true), Standing{{kBridge}, {}}, off_m, kBox, 16).error_m, 1);
   EXPECT_EQ(sample_ground(square(0, true), {}, off_m, kBox, 16).error_m, 2);
 }
 
 TEST(SampleGround, FindsGroundThatIsOff) {
-  const GroundSamples samples = sample_ground(square(2, true), std::vector{kBridge}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(2, true), Standing{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_GT(samples.error_m, 1.8);
   EXPECT_LE(samples.error_m, 2);
 }
