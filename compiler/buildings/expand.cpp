@@ -17,6 +17,9 @@ using materials::DressedMesh;
 // Tolerances at which nobody counts windows.
 constexpr double kFar_m = 1;
 
+// A tower of a hundred floors with a balcony at every window asks for half a million shapes.
+constexpr std::uint64_t kMostShapes = 4'000'000, kMostSteps = 400'000'000;
+
 DressedMesh wall_mesh(const Building& building, std::uint64_t seed) {
   return {{}, building.wall, wall_tint(building, seed), building.id.osm};
 }
@@ -69,6 +72,7 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   // from afar windows are no wider than what may be left out, and what moves little is known ahead
   options.keep_looks = tolerance_m < kFar_m, options.ahead = !options.keep_looks;
   options.roofs = grammars::form_roofs(tolerance_m);
+  options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;
   const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
   const std::uint64_t times = times_of(derivation);
   if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));

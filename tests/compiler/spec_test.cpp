@@ -51,6 +51,7 @@ TEST(Spec, TakesWhatEverySettingIsWrittenAs) {
                                                       {"world", "plane"},
                                                       {"compress", "none"},
                                                       {"instancing", "nodes"},
+                                                      {"rules", "r"},
                                                       {"drive-on", "left"},
                                                       {"seed", "18446744073709551615"},
                                                       {"threads", "2"},
