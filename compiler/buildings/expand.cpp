@@ -7,6 +7,7 @@
 #include "compiler/buildings/dress_terminals.h"
 #include "compiler/buildings/mass.h"
 #include "compiler/buildings/rule_values.h"
+#include "compiler/contract/tolerance.h"
 #include "grammars/form_roofs.h"
 
 namespace citykiln::buildings {
@@ -71,7 +72,8 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   options.keep_start = true;
   // from afar windows are no wider than what may be left out, and what moves little is known ahead
   options.keep_looks = tolerance_m < kFar_m, options.ahead = !options.keep_looks;
-  options.roofs = grammars::form_roofs(tolerance_m);
+  // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
+  options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;
   const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
   const std::uint64_t times = times_of(derivation);
