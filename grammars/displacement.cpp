@@ -6,6 +6,8 @@
 namespace citykiln::grammars {
 namespace {
 
+constexpr double kLeastArea_m2 = 1e-9;
+
 double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 ab = b - a;
   const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
@@ -40,8 +42,10 @@ double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
 }
 
 double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring) {
-  const Vec3 normal = unit(area_vector_m2(ring));
-  if (!is_convex(ring, normal)) return kUnbounded_m;
+  const Vec3 area_m2 = area_vector_m2(ring);
+  const Vec3 normal = unit(area_m2);
+  // a face without area has no prism over it, but edges
+  if (length(area_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
   double farthest_m = 0;
   for (const Vec3 p : points) farthest_m = std::max(farthest_m, distance_to_convex_m(p, ring, normal));
   return farthest_m;

@@ -203,6 +203,23 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
   EXPECT_GT(tightest, 0.9);
 }
 
+// Flat boxes have faces without area. Nothing that vanished is near them all the same.
+TEST_F(Levels, AreCertifiedBesideFacesWithoutArea) {
+  const Program program = program_of(
+      "Lot --> extrude(8.7) comp(f) { top : setback(0.4) { all : Flat | remainder = Flat } }\n"
+      "Flat --> primitiveCube() [ taper(0.8) Cut ] comp(f) { front : End. | top : Cut | side = Cut }\n"
+      "Cut --> split(x) { 1.5 : End. | 2 : NIL | { ~0.9 : End. }* }");
+  for (int round = 0; round < 12; ++round) {
+    const Shape first = lot_of(between(3, 12), between(3, 12));
+    DeriveOptions options;
+    const auto full = triangles_of(derive(program, first, options));
+    options.tolerance_m = 0.6;
+    const Derivation derivation = derive(program, first, options);
+    const auto cut = triangles_of(derivation);
+    EXPECT_LE(std::max(sampled_m(full, cut), sampled_m(cut, full)), derivation.error_m + 1e-6);
+  }
+}
+
 // rules that are known ahead, as facades': niches, reliefs and what divides a wall
 struct AheadLevels : Levels {
   std::string relief(int level) {
