@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory_resource>
 
 #include "compiler/ground/follow_lines.h"
 
@@ -13,6 +15,9 @@ using Line = std::pair<GridPoint, GridPoint>;
 
 // Closer to the terrain than this, a road has no bank.
 constexpr double kNoBank_m = 0.03125;
+
+// Lower walls between roads are left to what the ground is followed by.
+constexpr double kLeastWall_m = 0.5;
 
 // How often the foot of a bank is looked for, each time from where the terrain was found to be.
 constexpr int kFootSteps = 4;
@@ -70,21 +75,51 @@ double foot_m(const map::Heightfield& terrain, Vec2 edge, Vec2 out, double edge_
   return away_m;
 }
 
-// The feet of both banks where a line crosses the road.
-struct CrossSection {
-  Vec2 left, right;
+// Where a line across the road leaves it; `out` of it is a metre.
+struct Edge {
+  Vec2 at, out;
+  double z_m = 0;
 };
 
-CrossSection cross_section_at(const Carving& carving, const GradedSegment& s, double at_m) {
-  const Vec2 along = unit(s.to - s.from), left = left_of(along);
-  const double t = (at_m - s.from_m) / (s.to_m - s.from_m);
-  const Vec2 axis = s.from + (s.to - s.from) * t;
+std::array<Edge, 2> edges_at(const Carving& carving, const GradedSegment& s, double at_m) {
+  const Vec2 left = left_of(unit(s.to - s.from));
+  const Vec2 axis = s.from + (s.to - s.from) * ((at_m - s.from_m) / (s.to_m - s.from_m));
   const Knot knot = knot_at(carving.roads.profiles[s.road], at_m);
-  const auto foot = [&](Vec2 out, double half_m, double edge_m) {
-    return axis + out * (half_m + foot_m(carving.terrain, axis + out * half_m, out, edge_m));
-  };
-  return {foot(left, s.left_m, knot.z_m + knot.tilt * s.left_m),
-          foot(left * -1.0, s.right_m, knot.z_m - knot.tilt * s.right_m)};
+  return {{{axis + left * s.left_m, left, knot.z_m + knot.tilt * s.left_m},
+           {axis - left * s.right_m, left * -1.0, knot.z_m - knot.tilt * s.right_m}}};
+}
+
+// The feet of both banks there.
+std::array<Vec2, 2> feet_at(const Carving& carving, const GradedSegment& s, double at_m) {
+  std::array<Vec2, 2> feet;
+  const std::array<Edge, 2> edges = edges_at(carving, s, at_m);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& [at, out, z_m] = edges[side];
+    feet[side] = at + out * foot_m(carving.terrain, at, out, z_m);
+  }
+  return feet;
+}
+
+// Whether a lower road is so near that a wall stands between them.
+bool has_wall(const Carving& carving, const Edge& edge) {
+  std::array<std::byte, 4096> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  const Vec2 foot = edge.at + edge.out * kWallFoot_m;
+  const auto strands = strands_at(carving.roads, foot, map::height_m_at(carving.terrain, foot), &memory);
+  return std::ranges::any_of(strands, [&](const Strand& strand) {
+    return strand.beyond_m < kWallFoot_m && edge.z_m - strand.z_m > kLeastWall_m;
+  });
+}
+
+// The top and the foot of walls towards lower roads beside this one.
+void add_wall_lines(const Carving& carving, const GradedSegment& s, double from_m, double to_m,
+                    std::vector<Line>& lines) {
+  const std::array<Edge, 2> from = edges_at(carving, s, from_m), to = edges_at(carving, s, to_m);
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!has_wall(carving, from[side]) && !has_wall(carving, to[side])) continue;
+    for (const double away_m : {kWallTop_m, kWallFoot_m})
+      add_line(from[side].at + from[side].out * away_m, to[side].at + to[side].out * away_m, lines);
+  }
 }
 
 void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<Line>& lines) {
@@ -92,12 +127,13 @@ void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<
   if (profile.empty()) return;
   const std::vector<double> stations = stations_of(s, profile);
   for (std::size_t i = 0; i < stations.size(); ++i) {
-    const CrossSection here = cross_section_at(carving, s, stations[i]);
-    add_line(here.left, here.right, lines);
+    const auto [left, right] = feet_at(carving, s, stations[i]);
+    add_line(left, right, lines);
     if (i == 0) continue;
-    const CrossSection before = cross_section_at(carving, s, stations[i - 1]);
-    add_line(before.left, here.left, lines);
-    add_line(before.right, here.right, lines);
+    const auto [before_left, before_right] = feet_at(carving, s, stations[i - 1]);
+    add_line(before_left, left, lines);
+    add_line(before_right, right, lines);
+    add_wall_lines(carving, s, stations[i - 1], stations[i], lines);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace citykiln::ground {
 namespace {
@@ -13,6 +14,9 @@ double near_bucket_m(const Box2& box) {
   constexpr double kTile_m = 4096, kNearBucket_m = 8;
   return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kBucket_m;
 }
+
+// Roads whose heights differ by the first are mixed; by the second, the higher one keeps its height to its edge.
+constexpr double kAlike_m = 0.0625, kApart_m = 0.5;
 
 // Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
 constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
@@ -74,6 +78,41 @@ Strand strand_at(const RoadField& field, std::uint32_t number, Vec2 p, double te
   return strand;
 }
 
+// By their weights times a share.
+template <typename Share>
+RoadHeight mean_of(std::span<const Strand> strands, Share share) {
+  double sum = 0;
+  RoadHeight mean;
+  for (const Strand& strand : strands) {
+    const double weight = strand.weight * share(strand);
+    sum += weight;
+    mean.z_m += weight * strand.z_m, mean.kerb_m += weight * strand.kerb_m;
+  }
+  return {mean.z_m / sum, mean.kerb_m / sum};
+}
+
+// How far the strands' heights lie from their mean, by their weights.
+double spread_m(std::span<const Strand> strands, double mean_m) {
+  double sum = 0, weight = 0;
+  for (const Strand& strand : strands) sum += strand.weight * std::abs(strand.z_m - mean_m), weight += strand.weight;
+  return sum / weight;
+}
+
+double share_between(double none, double all, double value) {
+  return std::clamp((value - none) / (all - none), 0.0, 1.0);
+}
+
+// 1 on a road and to the top of the wall beside it, 0 from its foot on.
+double inside(const Strand& strand) { return share_between(kWallFoot_m, kWallTop_m, strand.beyond_m); }
+
+// What a higher road takes of the place leaves the rest to the lower ones.
+double share_where_parted(std::span<const Strand> strands, const Strand& own) {
+  double left = inside(own);
+  for (const Strand& other : strands)
+    left *= 1 - inside(other) * share_between(kAlike_m, kApart_m, other.z_m - own.z_m);
+  return left + kFarWeight;
+}
+
 }  // namespace
 
 RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
@@ -106,13 +145,10 @@ std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terra
 }
 
 RoadHeight blend(std::span<const Strand> strands) {
-  double weight = 0;
-  RoadHeight sum;
-  for (const Strand& strand : strands) {
-    weight += strand.weight;
-    sum.z_m += strand.weight * strand.z_m, sum.kerb_m += strand.weight * strand.kerb_m;
-  }
-  return {sum.z_m / weight, sum.kerb_m / weight};
+  const RoadHeight all = mean_of(strands, [](const Strand&) { return 1.0; });
+  const double parted = share_between(kAlike_m, kApart_m, spread_m(strands, all.z_m));
+  if (parted == 0) return all;
+  return mean_of(strands, [&](const Strand& s) { return 1 + (share_where_parted(strands, s) - 1) * parted; });
 }
 
 }  // namespace citykiln::ground

@@ -26,6 +26,10 @@ inline constexpr double kCarve_m = 16;
 /// Where edges of two roads come closer than this their heights are mixed.
 inline constexpr double kBlend_m = 1.5;
 
+/// Where a road lies higher than the one beside it a wall stands between them: so far from its edge is the top, so far
+/// the foot.
+inline constexpr double kWallTop_m = 0.125, kWallFoot_m = 0.375;
+
 /// A straight piece of a road that has a profile, or kerbs, or both.
 struct GradedSegment {
   Vec2 from, to;                   ///< Of the axis, plane metres.
@@ -68,8 +72,9 @@ struct Strand {
 std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
                                     std::pmr::memory_resource* memory);
 
-/// What the strands agree on, by their weights: continuous, and beside an edge as steep as two roads' heights differ
-/// over kBlend_m. There must be one at least.
+/// What the strands agree on, by their weights: continuous. Roads of about one height are mixed over kBlend_m beside
+/// their edges; one that is higher by more keeps its height, to a decimetre, to kWallTop_m beyond its edge, and the
+/// lower one has its own from kWallFoot_m on. There must be one at least.
 struct RoadHeight {
   double z_m = 0, kerb_m = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compiler/contract/draw.h"
 
 namespace citykiln::ground {
@@ -38,6 +40,54 @@ TEST(RoadField, StrandsAreAllThatAreNear) {
       const Vec2 p{draw.between(-240, 240, 100000 + 2 * i), draw.between(-240, 240, 100001 + 2 * i)};
       EXPECT_EQ(strands_at(field, p, 0, std::pmr::get_default_resource()).size(), segments_within(field, p));
     }
+  }
+}
+
+// Two straight streets beside each other, 8 m wide each; the left one's axis is x = 0.
+struct Terrace {
+  double gap_m, rise_m;
+  RoadField field;
+
+  Terrace(double gap, double rise) : gap_m(gap), rise_m(rise) {
+    std::vector<roads::Road> roads(2);
+    for (std::uint32_t r = 0; r < 2; ++r) {
+      const double x = r * (8 + gap_m), z_m = r == 0 ? rise_m : 0;
+      roads[r].id = {{OsmType::kWay, r + 1}, 0};
+      roads[r].surface = map::SurfaceClass::kResidentialRoad;
+      roads[r].section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 8}}, 4};
+      roads[r].axis = {{x, -100}, {x, 100}};
+      roads[r].profile = {{0, z_m, 0}, {200, z_m, 0}};
+    }
+    field = field_of(roads, false);
+  }
+
+  double height_m(double x) const {
+    const auto strands = strands_at(field, {x, 0}, 0, std::pmr::get_default_resource());
+    return blend(strands).z_m;
+  }
+};
+
+TEST(RoadField, HigherRoadsKeepTheirHeightToTheEdge) {
+  for (const double gap_m : {0.0, 0.25, 1.0})
+    for (const double rise_m : {1.5, 4.0, 9.0}) {
+      const Terrace terrace(gap_m, rise_m);
+      for (double x = -4; x <= 4; x += 0.125) EXPECT_NEAR(terrace.height_m(x), rise_m, 0.1) << x;
+      for (double x = 4 + kWallFoot_m + gap_m; x <= 12 + gap_m; x += 0.125)
+        EXPECT_NEAR(terrace.height_m(x), 0, 0.1) << x;
+    }
+}
+
+TEST(RoadField, RoadsOfAboutOneHeightAreMixed) {
+  const Terrace terrace(0, 0.0625);
+  EXPECT_NEAR(terrace.height_m(4), 0.03125, 1e-9);
+  EXPECT_GT(terrace.height_m(4.5), 0.01);
+}
+
+TEST(RoadField, HeightsAreContinuous) {
+  for (const double rise_m : {0.125, 0.25, 0.5, 1.0, 8.0}) {
+    const Terrace terrace(0.25, rise_m);
+    for (double x = -6; x < 16; x += 0x1p-10)
+      EXPECT_LE(std::abs(terrace.height_m(x + 0x1p-10) - terrace.height_m(x)), 0.01 * rise_m) << x;
   }
 }
 
