@@ -51,13 +51,12 @@ class HeightsInPiecesReal(ProgramTest):
             heights[582 * (DEGREE + 1) + column] += 900
         return heights
 
-    def grid(self, folder, first, last):
+    def grid(self, folder, first, last, north=NORTH, south=SOUTH):
         """Columns [first, last) as a grid of text."""
         heights = self.samples()
-        lines = [" ".join(map(str, heights[row * (DEGREE + 1) + first:row * (DEGREE + 1) + last]))
-                 for row in range(self.NORTH, self.SOUTH)]
+        lines = [" ".join(map(str, heights[row * (DEGREE + 1) + first:row * (DEGREE + 1) + last])) for row in range(north, south)]
         head = (f"ncols {last - first}\nnrows {len(lines)}\nxllcorner {1 + (first - 0.5) / DEGREE!r}\n"
-                f"yllcorner {43 - (self.SOUTH - 0.5) / DEGREE!r}\ncellsize {1 / DEGREE!r}\nNODATA_value {VOID}\n")
+                f"yllcorner {43 - (south - 0.5) / DEGREE!r}\ncellsize {1 / DEGREE!r}\nNODATA_value {VOID}\n")
         path = self.folder / folder / f"from{first}to{last}.asc"
         path.parent.mkdir(exist_ok=True)
         path.write_text(head + "\n".join(lines) + "\n")
@@ -79,6 +78,15 @@ class HeightsInPiecesReal(ProgramTest):
             self.assertEqual(diagnoses, report_of(pieces)["diagnoses"], name)
             self.assertEqual(chunks_of(whole), chunks_of(pieces), name)
             self.assertEqual(tiles_in(whole), tiles_in(pieces), name)
+
+    def test_so_do_all_of_andorras_recipes(self):
+        degree = (0, DEGREE + 1)
+        whole, west, east = (self.grid("in", *columns, *degree) for columns in (degree, (0, self.CUT), (self.CUT, DEGREE + 1)))
+        map_path = self.data("andorra/andorra-2023.osm.pbf")
+        of_whole = self.compiled("all", map_path, "--dem", whole, "--emit", "kiln")
+        of_pieces = self.compiled("cut", map_path, "--dem", west, "--dem", east, "--emit", "kiln")
+        self.assertEqual(report_of(of_whole)["diagnoses"], report_of(of_pieces)["diagnoses"])
+        self.assertEqual(chunks_of(of_whole), chunks_of(of_pieces))
 
 
 def chunks_of(folder):
