@@ -17,6 +17,7 @@
 #include "compiler/scene/ground_carving.h"
 #include "compiler/structures/bore.h"
 #include "compiler/structures/expand.h"
+#include "compiler/structures/stairs.h"
 
 namespace citykiln::bake {
 namespace {
@@ -35,6 +36,7 @@ struct Common {
   plants::Placed trees;
   Report of_trees;
   Lamps lamps;
+  std::vector<structures::Stairs> stairs;
 };
 
 // One level's part of the ground.
@@ -58,8 +60,12 @@ Common common_at(const scene::Header& header, const scene::Chunk& chunk, double 
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, place_lamps(chunk, map, box)};
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, place_lamps(chunk, map, box), {}};
   common.trees = plants::expand(chunk.trees, chunk.woods, map, common.carving, box, header.seed, common.of_trees);
+  for (const roads::Road& road : chunk.roads)
+    if (road.surface == map::SurfaceClass::kSteps)
+      common.stairs.push_back(structures::stairs_on(road, map, common.carving, box));
+  std::erase_if(common.stairs, [](const structures::Stairs& stairs) { return stairs.mesh.triangles.empty(); });
   return common;
 }
 
@@ -174,6 +180,18 @@ void fire_structures(Firing& firing, std::vector<Built>& structures, const Marki
       built.meshes.push_back(std::move(marked.mesh));
     }
     firing.take(std::move(built.meshes));
+  }
+}
+
+// Stairs lie on the ground, which is a ramp below them: where the tolerance does not see them, that stays.
+void fire_stairs(Firing& firing, const std::vector<structures::Stairs>& all) {
+  for (const structures::Stairs& stairs : all) {
+    const Bounds bounds = bounds_of(stairs.mesh);
+    if (!firing.holds(bounds)) continue;
+    if (stairs.error_m <= firing.tolerance_m)
+      firing.certify(stairs.error_m, bounds);
+    else
+      firing.take({{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}});
   }
 }
 
@@ -319,6 +337,7 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   std::vector<Built> structures = expand_structures(firing, report);
   report.append(level.of_cells);
   fire_ground(firing, level, std::move(structures));
+  fire_stairs(firing, common.stairs);
   fire_buildings(firing, threads, report);
   fire_each(
       firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },

@@ -1,0 +1,126 @@
+#include "compiler/structures/stairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+
+#include "compiler/geometry/snap.h"
+#include "tests/compiler/structures/made_spans.h"
+
+namespace citykiln::structures {
+namespace {
+
+const Box2 kBox{{-64, -64}, {64, 64}};
+
+// A hill of any shape, on squares of 4 m.
+map::Heightfield hill(const std::function<double(Vec2)>& height_m) {
+  map::Heightfield field{{-128, -128}, 4, 65, 65, {}, 0};
+  for (int j = 0; j < field.rows; ++j)
+    for (int i = 0; i < field.columns; ++i)
+      field.heights.push_back(
+          static_cast<std::int32_t>(std::floor(height_m({-128.0 + 4 * i, -128.0 + 4 * j}) / map::kHeightQuantum_m)));
+  return field;
+}
+
+roads::Road steps_along(Polyline axis) {
+  roads::Road steps;
+  steps.id = {{OsmType::kWay, 5}, 0};
+  steps.surface = map::SurfaceClass::kSteps;
+  steps.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 2}}, 1};
+  steps.axis = std::move(axis);
+  return steps;
+}
+
+struct Built {
+  ground::Carving ground;
+  Stairs stairs;
+};
+
+Ring ring_of(const Box2& box) { return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}; }
+
+// The way's surface is a square that holds all of it, but for where a street covers that.
+Built built(const roads::Road& steps, const std::function<double(Vec2)>& height_m,
+            const Box2& street = {{60, 60}, {62, 62}}) {
+  const std::vector<ground::Surface> surfaces = {
+      {steps.id, map::SurfaceClass::kSteps, 0, {ring_of(kBox)}},
+      {{{OsmType::kWay, 6}, 0}, map::SurfaceClass::kPrimaryRoad, 0, {ring_of(street)}}};
+  Built made{ground::carve(hill(height_m), {{}, {}, surfaces, kBox}), {}};
+  made.stairs = stairs_on(steps, ground::map_surfaces(surfaces, kBox), made.ground, kBox);
+  return made;
+}
+
+std::set<double> tread_heights(const Mesh& mesh) {
+  std::set<double> heights;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+    if (p.z == q.z && q.z == r.z && cross(in_plan(q - p), in_plan(r - p)) > 0) heights.insert(p.z);
+  }
+  return heights;
+}
+
+const roads::Road kUp = steps_along({{0, 0}, {20, 0}, {30, 10}});
+double ramp_m(Vec2 p) { return 100 + p.x * 0.5 + p.y * 0.25; }
+
+TEST(Stairs, AreClosed) {
+  const std::vector<materials::DressedMesh> meshes = {
+      {built(kUp, ramp_m).stairs.mesh, materials::Material::kStone, materials::kNoTint, {}}};
+  EXPECT_TRUE(open_edges(meshes).empty());
+  EXPECT_GT(volume_m3(meshes), 0);
+}
+
+TEST(Stairs, HaveRisersOfOneHeight) {
+  const std::set<double> heights = tread_heights(built(kUp, ramp_m).stairs.mesh);
+  ASSERT_NEAR(static_cast<double>(heights.size()), (30 * 0.5 + 10 * 0.25) / kRiser_m, 4);
+  int double_risers = 0;
+  for (auto z = std::next(heights.begin()); z != heights.end(); ++z) {
+    const double risers = std::round((*z - *std::prev(z)) / kRiser_m);
+    EXPECT_NEAR(*z - *std::prev(z), risers * kRiser_m, 0.01);
+    if (risers > 1) ++double_risers;
+  }
+  EXPECT_LE(double_risers, 1) << "at the corner";
+}
+
+TEST(Stairs, LieOnTheGround) {
+  const Built made = built(kUp, ramp_m);
+  for (const auto& [a, b, c] : made.stairs.mesh.triangles) {
+    const auto& positions = made.stairs.mesh.positions;
+    const Vec3 p = (positions[a] + positions[b] + positions[c]) * (1.0 / 3);
+    if (!tread_heights(made.stairs.mesh).contains(p.z)) continue;
+    const double over_m = p.z - map::height_m_at(made.ground.terrain, in_plan(p));
+    // by a riser, and what the ground rises across the way
+    EXPECT_GE(over_m, -0.07) << p.x;
+    EXPECT_LE(over_m, made.stairs.error_m);
+  }
+  EXPECT_LE(made.stairs.error_m, kRiser_m + 2 * std::hypot(0.5, 0.25) + 0.1);
+}
+
+TEST(Stairs, AreTheSameFromBothEnds) {
+  roads::Road down = kUp;
+  std::ranges::reverse(down.axis);
+  EXPECT_EQ(tread_heights(built(kUp, ramp_m).stairs.mesh).size(),
+            tread_heights(built(down, ramp_m).stairs.mesh).size());
+}
+
+TEST(Stairs, GoUpAndDown) {
+  const roads::Road over = steps_along({{-20, 0}, {20, 0}});
+  const Mesh mesh = built(over, [](Vec2 p) { return 10 - std::abs(p.x) * 0.5; }).stairs.mesh;
+  const std::set<double> heights = tread_heights(mesh);
+  // both flights have their own
+  EXPECT_NEAR(static_cast<double>(heights.size()), 2 * 10 / kRiser_m, 4);
+  EXPECT_LE(*heights.rbegin(), 10.01);
+}
+
+TEST(Stairs, AreNoneOnLevelGround) {
+  EXPECT_TRUE(built(kUp, [](Vec2) { return 7.0; }).stairs.mesh.triangles.empty());
+}
+
+TEST(Stairs, KeepToWhatTheyCover) {
+  for (const Vec3 p : built(kUp, ramp_m, {{12, -64}, {64, 64}}).stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
+}
+
+}  // namespace
+}  // namespace citykiln::structures
