@@ -90,18 +90,23 @@ void add_ids(std::span<const Recipe> recipes, std::vector<OsmId>& ids) {
   for (const Recipe& recipe : recipes) ids.push_back(recipe.id.osm);
 }
 
-/// A fence may bear the id of the field it goes around: then its faces are taken for the field's, over which they
-/// stand.
+/// What bears the id of a field too, a fence around it or a house on it: its faces are taken for the field's, over
+/// which they stand. The rest of what stands.
+std::vector<OsmId> without_fields(std::vector<OsmId> standing, std::vector<OsmId> fields) {
+  std::vector<OsmId> only_standing;
+  std::ranges::sort(standing);
+  std::ranges::sort(fields);
+  std::ranges::set_difference(standing, fields, std::back_inserter(only_standing));
+  return only_standing;
+}
+
 std::vector<OsmId> walls_of(const scene::Scene& scene) {
-  std::vector<OsmId> walls, fields, only_walls;
+  std::vector<OsmId> walls, fields;
   for (const scene::Chunk& chunk : scene.chunks) {
     add_ids(std::span(chunk.barriers), walls);
     add_ids(std::span(chunk.surfaces), fields);
   }
-  std::ranges::sort(walls);
-  std::ranges::sort(fields);
-  std::ranges::set_difference(walls, fields, std::back_inserter(only_walls));
-  return only_walls;
+  return without_fields(std::move(walls), std::move(fields));
 }
 
 std::vector<OsmId> leaving_of(const scene::Scene& scene) {
@@ -115,10 +120,13 @@ std::vector<OsmId> leaving_of(const scene::Scene& scene) {
 }
 
 std::vector<OsmId> houses_of(const scene::Scene& scene) {
-  std::vector<OsmId> houses;
-  for (const scene::Chunk& chunk : scene.chunks) add_ids(std::span(chunk.buildings), houses);
-  std::ranges::sort(houses);
-  return houses;
+  std::vector<OsmId> houses, fields;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    add_ids(std::span(chunk.buildings), houses);
+    for (const ground::Surface& surface : chunk.surfaces)
+      if (surface.surface != map::SurfaceClass::kBuilding) fields.push_back(surface.id.osm);
+  }
+  return without_fields(std::move(houses), std::move(fields));
 }
 
 /// The levels of standing water by the name of its faces.
