@@ -688,11 +688,13 @@ std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
   return i < across ? west : west + south - h.heights[i - across - 1];
 }
 
-// Corners on whole metres, a power of two apart.
+// Steps of whole eighths of a metre, from the plane's origin on.
 bool is_on_grid(const map::Heightfield& h) {
-  int exponent = 0;
-  return std::floor(h.min.x) == h.min.x && std::floor(h.min.y) == h.min.y && h.step_m >= 1 &&
-         std::frexp(h.step_m, &exponent) == 0.5;
+  const auto is_whole = [](double v, double step) { return std::floor(v / step) * step == v; };
+  const auto fits = [&](double start, double step) {
+    return step >= 1 && is_whole(step, map::kStepUnit_m) && is_whole(start, step);
+  };
+  return fits(h.min.x, h.step_m.x) && fits(h.min.y, h.step_m.y);
 }
 
 int common_zeros(const map::Heightfield& h) {
@@ -703,7 +705,8 @@ int common_zeros(const map::Heightfield& h) {
 
 template <typename Io>
 void heights(Io& io, map::Heightfield& h) {
-  io.metres("field", h.min.x), io.metres("field", h.min.y), io.metres("field", h.step_m);
+  io.metres("field", h.min.x), io.metres("field", h.min.y);
+  io.metres("field", h.step_m.x), io.metres("field", h.step_m.y);
   io.number("field", h.columns), io.number("field", h.rows);
   io.metres("field", h.resampling_error_m);
   const std::size_t size = io.count("field", h.heights.size());

@@ -59,6 +59,8 @@ Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, doubl
 }
 
 struct Terrain {
+  std::vector<source::Raster> rasters;
+  map::Plane plane;
   ground::Carving ground;  ///< Nothing is carved.
   std::vector<Box2> cells;
 };
@@ -80,7 +82,7 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
 
   const Result<source::LonLatBox> box = box_of(request, *spec, *raster);
   if (!box) return box.error();
-  const map::Plane plane(map::default_origin(*box));
+  map::Plane plane(map::default_origin(*box));
   const Box2 region = whole_cells_in(*box, plane, request.cell_m);
   if (region.is_empty())
     return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
@@ -89,7 +91,7 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
   Result<map::Heightfield> heights = map::resample(rasters, plane, region, ignored);
   if (!heights) return heights.error();
-  return Terrain{ground::Carving(std::move(*heights)), cells_of(region, request.cell_m)};
+  return Terrain{rasters, std::move(plane), ground::Carving(std::move(*heights)), cells_of(region, request.cell_m)};
 }
 
 struct Measure {
@@ -112,6 +114,64 @@ Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
   return all;
 }
 
+/// The part in the middle that fields of several steps are compared on: ten thousand samples of SRTM's.
+constexpr double kCompared_m = 8'000;
+
+Box2 compared_box(const map::Heightfield& heights) {
+  const Vec2 centre = heights.box().centre();
+  const Box2 square = Box2{centre, centre}.widened(kCompared_m / 2), whole = heights.box();
+  return {{std::max(square.min.x, whole.min.x), std::max(square.min.y, whole.min.y)},
+          {std::min(square.max.x, whole.max.x), std::min(square.max.y, whole.max.y)}};
+}
+
+/// The heights as if samples lay at this share of their distance, by which the field's steps are chosen.
+map::Heightfield field_at(const Terrain& terrain, double share, const Box2& box) {
+  std::vector<source::Raster> rasters = terrain.rasters;
+  for (source::Raster& raster : rasters) raster.spacing_m = raster.spacing_m * share;
+  Report ignored;
+  Result<map::Heightfield> field = map::resample(rasters, terrain.plane, box, ignored);
+  return field ? std::move(*field) : map::Heightfield{};
+}
+
+struct Off {
+  double largest_m = 0, squares_m2 = 0, count = 0;
+};
+
+/// How far a field is off a finer one, at the finer one's vertices.
+Off off_between(const map::Heightfield& field, const map::Heightfield& fine, const Box2& box) {
+  Off off;
+  for (int j = 0; j < fine.rows; ++j) {
+    for (int i = 0; i < fine.columns; ++i) {
+      const Vec2 p = fine.vertex(i, j);
+      if (!box.contains(p)) continue;
+      const double off_m = map::height_m_at(field, p) - fine.height_m_at_vertex(i, j);
+      off.largest_m = std::max(off.largest_m, std::abs(off_m)), off.squares_m2 += off_m * off_m, ++off.count;
+    }
+  }
+  return off;
+}
+
+/// What resampling costs: the field's error against the heightmap (bilinear between its samples), over steps.
+Chart chart_resampling(const Terrain& terrain) {
+  const Box2 box = compared_box(terrain.ground.terrain);
+  Chart chart{"terrain_resampling",
+              fmt::format("Error of the field against vertices a sample of the heightmap; steps of compile: {} by {} m",
+                          terrain.ground.terrain.step_m.x, terrain.ground.terrain.step_m.y),
+              {"vertices a sample", true},
+              {"off the heightmap (m)", true},
+              {{"largest", {}}, {"root mean square", {}}}};
+  const map::Heightfield fine = field_at(terrain, 0.125, box);
+  const Vec2 spacing_m = terrain.rasters.front().spacing_m;
+  for (const double share : {1.5, 1.25, 1.0, 0.75, 0.5, 0.25}) {
+    const map::Heightfield field = field_at(terrain, share, box);
+    const double vertices = spacing_m.x * spacing_m.y / (field.step_m.x * field.step_m.y);
+    const Off off = off_between(field, fine, box);
+    chart.series[0].points.emplace_back(vertices, off.largest_m);
+    chart.series[1].points.emplace_back(vertices, std::sqrt(off.squares_m2 / off.count));
+  }
+  return chart;
+}
+
 /// The peers that were measured on this heightmap.
 std::span<const Peer> peers_on(const std::string& raster) {
   if (raster.find("fuji") != std::string::npos) return kPeersOnFuji;
@@ -125,8 +185,9 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
   const Result<Terrain> terrain = read_terrain(request);
   if (!terrain) return terrain.error();
   const map::Heightfield& heights = terrain->ground.terrain;
-  const std::string what = fmt::format("{} x {} heights every {} m, cells of {} m", heights.columns, heights.rows,
-                                       heights.step_m, request.cell_m);
+  const std::string what = fmt::format(
+      "{} x {} heights every {} by {} m, off their samples by up to {:.1f} m, cells of {} m", heights.columns,
+      heights.rows, heights.step_m.x, heights.step_m.y, heights.resampling_error_m, request.cell_m);
   Chart triangles{"terrain_triangles",
                   "Vertical error against triangles: " + what,
                   {"triangles", true},
@@ -149,7 +210,7 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
     triangles.series.push_back({peer.name, {{peer.triangles, peer.error_m}}, true});
     seconds.series.push_back({peer.name, {{peer.seconds, peer.error_m}}, true});
   }
-  return std::vector{triangles, seconds};
+  return std::vector{triangles, seconds, chart_resampling(*terrain)};
 }
 
 }  // namespace citykiln::commands

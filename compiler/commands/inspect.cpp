@@ -27,19 +27,19 @@ struct Request {
 // -----------------------------------------------------------------------------------------------------------------------
 
 Json chunk_of(const scene::Chunk& chunk) {
-  return {
-      {"tile", to_string(chunk.tile)},
-      {"heights", fmt::format("{} x {} every {} m", chunk.heights.columns, chunk.heights.rows, chunk.heights.step_m)},
-      {"surfaces", chunk.surfaces.size()},
-      {"roads", chunk.roads.size()},
-      {"junctions", chunk.junctions.size()},
-      {"bridges", chunk.bridges.size()},
-      {"tunnels", chunk.tunnels.size()},
-      {"buildings", chunk.buildings.size()},
-      {"trees", chunk.trees.size()},
-      {"woods", chunk.woods.size()},
-      {"barriers", chunk.barriers.size()},
-      {"lamps", chunk.lamps.size()}};
+  return {{"tile", to_string(chunk.tile)},
+          {"heights", fmt::format("{} x {} every {} by {} m", chunk.heights.columns, chunk.heights.rows,
+                                  chunk.heights.step_m.x, chunk.heights.step_m.y)},
+          {"surfaces", chunk.surfaces.size()},
+          {"roads", chunk.roads.size()},
+          {"junctions", chunk.junctions.size()},
+          {"bridges", chunk.bridges.size()},
+          {"tunnels", chunk.tunnels.size()},
+          {"buildings", chunk.buildings.size()},
+          {"trees", chunk.trees.size()},
+          {"woods", chunk.woods.size()},
+          {"barriers", chunk.barriers.size()},
+          {"lamps", chunk.lamps.size()}};
 }
 
 Json describe(const scene::Scene& scene) {

@@ -20,8 +20,9 @@ using Cdt =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_tag>;
 
-// whole numbers below 2^29: exact in double, and so are CGAL's predicates
-Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+// Whole numbers below 2^29: exact in double, and so are CGAL's predicates. Turned left by a right angle: of four points
+// on one circle CGAL cuts off the one that comes last by x, then y, which of a rectangle's is now the south-eastern.
+Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(-p.y), static_cast<double>(p.x)}; }
 
 }  // namespace
 

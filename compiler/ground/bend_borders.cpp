@@ -31,7 +31,7 @@ WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, 
   if (reference.terrain != nullptr && !layers.empty()) layers = layers.first(1);
   WorstPoint worst;
   for (const HeightLayer layer : layers) {
-    const WorstPoint here = worst_on_edge(reference, end_at(a, layer), end_at(b, layer), layer);
+    const WorstPoint here = worst_on_shared_edge(reference, end_at(a, layer), end_at(b, layer), layer);
     if (here.error_m > worst.error_m) worst = here;
   }
   return worst;

@@ -36,15 +36,13 @@ void add_bent(const Carving& carving, const Line& line, const Box2& cell, std::v
   add_line(plane_point(from), plane_point(line.second), lines);
 }
 
-// Rows, columns and diagonals, square by square, so that every crossing is an end.
+// Rows, columns and diagonals, rectangle by rectangle, so that every crossing is an end.
 void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
-  const auto first = [&](double low, double start) {
-    return static_cast<int>(std::floor((low - start) / field.step_m));
-  };
-  const int i0 = std::max(0, first(cell.min.x, field.min.x)), j0 = std::max(0, first(cell.min.y, field.min.y));
-  const int i1 = std::min(field.columns - 1, first(cell.max.x, field.min.x) + 1),
-            j1 = std::min(field.rows - 1, first(cell.max.y, field.min.y) + 1);
-  const auto vertex = [&](int i, int j) { return field.min + Vec2{i * field.step_m, j * field.step_m}; };
+  const auto column = [&](double x) { return static_cast<int>(std::floor((x - field.min.x) / field.step_m.x)); };
+  const auto row = [&](double y) { return static_cast<int>(std::floor((y - field.min.y) / field.step_m.y)); };
+  const int i0 = std::max(0, column(cell.min.x)), i1 = std::min(field.columns - 1, column(cell.max.x) + 1);
+  const int j0 = std::max(0, row(cell.min.y)), j1 = std::min(field.rows - 1, row(cell.max.y) + 1);
+  const auto vertex = [&](int i, int j) { return field.vertex(i, j); };
   for (int j = j0; j <= j1; ++j)
     for (int i = i0; i <= i1; ++i) {
       if (i < i1) add_line(vertex(i, j), vertex(i + 1, j), lines);

@@ -17,8 +17,9 @@ struct WorstPoint {
 /// Along an edge from a to b, ends left out. O(field lines crossed).
 WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
-/// The same along an edge that is parallel to an axis, in a line of whole metres, ends on the 2^-10 m grid: to the bit
-/// what a triangulation with the field's lines as edges finds (reference.h). The same from b to a.
+/// The same along an edge that is parallel to an axis, in a line of whole metres, ends on the 2^-10 m grid, but that
+/// diagonals are looked at where a triangulation with the field's lines as edges has them: at the point of the grid
+/// nearest to where they cross. To the bit what that finds (reference.h). The same from b to a.
 WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
 /// At the field's vertices inside a triangle (in plan, counter-clockwise), its edges left out. O(field vertices in its

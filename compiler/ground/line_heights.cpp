@@ -20,7 +20,7 @@ double vertex_without_spike_m(const map::Heightfield& field, int i, int j) {
             field.height_m_at_vertex(std::clamp(i + di, 0, field.columns - 1), std::clamp(j + dj, 0, field.rows - 1));
   std::ranges::nth_element(about, about.begin() + 12);
   const double own_m = field.height_m_at_vertex(i, j), median_m = about[12];
-  return std::abs(own_m - median_m) > std::max(kLeastSpike_m, kSpike * field.step_m) ? median_m : own_m;
+  return std::abs(own_m - median_m) > std::max(kLeastSpike_m, kSpike * field.longer_step_m()) ? median_m : own_m;
 }
 
 bool is_ground(const ProfileGraph& graph, std::uint32_t node) {
@@ -48,17 +48,14 @@ void draw_endless(const ProfileGraph& graph, std::span<const double> weight, std
 }  // namespace
 
 double height_without_spikes_m(const map::Heightfield& field, Vec2 p) {
-  const double x = std::clamp((p.x - field.min.x) / field.step_m, 0.0, field.columns - 1.0);
-  const double y = std::clamp((p.y - field.min.y) / field.step_m, 0.0, field.rows - 1.0);
-  const int i = std::min(static_cast<int>(x), field.columns - 2), j = std::min(static_cast<int>(y), field.rows - 2);
+  const auto [i, j, u, v] = map::rectangle_at(field, p);
   std::array<double, 4> z = {field.height_m_at_vertex(i, j), field.height_m_at_vertex(i + 1, j),
                              field.height_m_at_vertex(i, j + 1), field.height_m_at_vertex(i + 1, j + 1)};
-  // a spike stands out from its square, or all of it does
+  // a spike stands out from its rectangle, or all of it does
   constexpr double kSteep = 0.4;
   const auto [low, high] = std::ranges::minmax(z);
-  if (high - low > kSteep * std::max(field.step_m, kLeastSpike_m))
+  if (high - low > kSteep * std::max(field.longer_step_m(), kLeastSpike_m))
     for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = vertex_without_spike_m(field, i + c % 2, j + c / 2);
-  const double u = x - i, v = y - j;
   return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
 }
 

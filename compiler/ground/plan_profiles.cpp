@@ -80,7 +80,7 @@ std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Cros
 
 Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
              std::span<const double> lines_m) {
-  Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.step_m));
+  Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.longer_step_m()));
   plates.z_m = limit_grades(graph, plates.z_m);
   plates = level_junctions(graph, clear_crossings(graph, crossings, &heights, plates.z_m));
   plates.z_m = limit_grades(graph, plates.z_m);

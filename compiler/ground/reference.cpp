@@ -208,9 +208,7 @@ WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer
 }
 
 WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
-  if (reference.terrain != nullptr)
-    return is_on_border(reference.cell, a.at, b.at) ? worst_on_straight_edge(*reference.terrain, a.at, b.at)
-                                                    : worst_on_edge(*reference.terrain, a.at, b.at);
+  if (reference.terrain != nullptr) return worst_on_edge(*reference.terrain, a.at, b.at);
   // from the lower end, so that both faces of an edge find the same
   if (in_plan(b.at) < in_plan(a.at)) std::swap(a, b);
   const MeshEdge edge{a.at, b.at, grid_point(in_plan(a.at)), grid_point(in_plan(b.at))};
@@ -223,6 +221,11 @@ WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, Heigh
       consider_crossing(worst, reference, edge, met, layer);
   }
   return worst;
+}
+
+WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
+  const bool is_of_terrain = reference.terrain != nullptr && is_on_border(reference.cell, a.at, b.at);
+  return is_of_terrain ? worst_on_straight_edge(*reference.terrain, a.at, b.at) : worst_on_edge(reference, a, b, layer);
 }
 
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer) {

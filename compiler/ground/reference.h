@@ -31,8 +31,7 @@ struct Reference {
 /// O(n).
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell);
 
-/// @param terrain  Must outlive the reference. Along the cell's border it gives to the bit what a triangulation gives
-///                 that has the terrain's lines as edges, so cells with and without carving meet. O(1).
+/// @param terrain  Must outlive the reference. O(1).
 Reference reference_of(const map::Heightfield& terrain, const Box2& cell);
 
 /// At a point of the closed cell; those outside are moved to its border. At a vertex exactly its height, on an edge a
@@ -53,8 +52,7 @@ Place place_at(const Reference& reference, Vec2 p);
 Heights heights_at(const Reference& reference, const Place& place);
 
 /// Along an edge from a to b (on the 2^-10 m grid, in the closed cell), ends left out: at its crossings with edges of
-/// the reference, and at vertices it passes. The same from b to a. On the cell's border that is the border's vertices,
-/// so both cells find the same. O(faces crossed).
+/// the reference, and at vertices it passes. The same from b to a. O(faces crossed).
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer);
 
 /// The same, with what is known of the ends.
@@ -63,6 +61,11 @@ struct EdgeEnd {
   std::uint32_t face;  ///< As in Place.
 };
 WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
+
+/// The same, but for an edge on the cell's border: of that both cells find the same to the bit, whichever is carved. A
+/// triangulation has the border's vertices there; the terrain itself is looked at where those are. Its diagonals cross
+/// up to half a grid step off, so this is to cut by, and worst_on_edge to certify by.
+WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
 /// At the reference's vertices inside a triangle (in plan, counter-clockwise, corners on the 2^-10 m grid), its edges
 /// left out. O(vertices in the buckets it touches).

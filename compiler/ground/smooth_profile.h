@@ -21,7 +21,7 @@ inline constexpr double kSmoothReach_m = kSquare_m + 2 * kBlend_m + kHalo_m;
 inline constexpr double kDoubt_m = 4;
 
 /// By node: minimises the sum of (z - data)^2 dx + l^4 z''^2 dx, l the class' smoothing length or three
-/// quarters of the heightmap's step `step_m`, whichever is more, over ways that go on
+/// quarters of the heightmap's longer step `step_m`, whichever is more, over ways that go on
 /// into each other; data off the ground count a twentieth, pinned ones as much as ten thousand; data are weighed again
 /// twice by how far they miss.
 ///

@@ -14,8 +14,8 @@ namespace {
 
 using source::Raster;
 
-// Finer steps than 1 m model no more than noise; coarser ones than 64 m make cells of two triangles.
-constexpr double kFinestStep_m = 1, kCoarsestStep_m = 64;
+// Finer steps than 1 m model no more than noise; coarser ones than a cell leave it no vertex.
+constexpr double kFinestStep_m = 1, kCoarsestStep_m = kCell_m;
 // Of a grain. Places are off by 1.6e-9 m at most (measured against long double), so on a slope of 100 to 1 a height is
 // by a hundred thousandth of a quantum.
 constexpr double kNearTie = 1e-5;
@@ -28,21 +28,30 @@ bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;
 }
 
-double step_for(std::span<const Raster> rasters) {
-  double finest_m = kCoarsestStep_m;
-  for (const Raster& raster : rasters) finest_m = std::min(finest_m, raster.spacing_m);
-  double step_m = kFinestStep_m;
-  while (step_m * 2 <= finest_m) step_m *= 2;
-  return step_m;
+// Whole metres; below 16 m, eight to fifteen of the largest unit that leaves so many.
+double step_below(double spacing_m) {
+  constexpr double kUnit_m = 1, kFewest = 8;
+  const double within_m = std::clamp(spacing_m, kFinestStep_m, kCoarsestStep_m);
+  double unit_m = kStepUnit_m;
+  while (unit_m < kUnit_m && unit_m * 2 * kFewest <= within_m) unit_m *= 2;
+  return std::floor(within_m / unit_m) * unit_m;
 }
 
-Heightfield empty_field(const Box2& region, double step_m) {
-  // whole steps of the plane's grid, one beyond the region on every side
-  const auto down = [&](double v) { return std::floor(v / step_m) * step_m - step_m; };
-  const auto up = [&](double v) { return std::ceil(v / step_m) * step_m + step_m; };
-  Heightfield field{{down(region.min.x), down(region.min.y)}, step_m, 0, 0, {}, 0};
-  field.columns = static_cast<int>((up(region.max.x) - field.min.x) / step_m) + 1;
-  field.rows = static_cast<int>((up(region.max.y) - field.min.y) / step_m) + 1;
+Vec2 step_for(std::span<const Raster> rasters) {
+  Vec2 finest_m{kCoarsestStep_m, kCoarsestStep_m};
+  for (const Raster& raster : rasters)
+    finest_m = {std::min(finest_m.x, raster.spacing_m.x), std::min(finest_m.y, raster.spacing_m.y)};
+  return {step_below(finest_m.x), step_below(finest_m.y)};
+}
+
+Heightfield empty_field(const Box2& region, Vec2 step_m) {
+  // whole steps from the plane's origin, one beyond the region on every side
+  const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
+  const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
+  const double west = before(region.min.x, step_m.x), south = before(region.min.y, step_m.y);
+  Heightfield field{{west * step_m.x, south * step_m.y}, step_m, 0, 0, {}, 0};
+  field.columns = static_cast<int>(beyond(region.max.x, step_m.x) - west) + 1;
+  field.rows = static_cast<int>(beyond(region.max.y, step_m.y) - south) + 1;
   return field;
 }
 
@@ -193,12 +202,11 @@ Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane
     samplers.emplace_back(raster, *to_system);
   }
   std::vector<bool> known(field.heights.size(), false);
-  const std::int32_t grain = grain_for(field.step_m);
+  const std::int32_t grain = grain_for(field.shorter_step_m());
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const std::size_t at = static_cast<std::size_t>(j) * field.columns + i;
-      const auto height =
-          quantised_height(samplers, plane, {field.min.x + i * field.step_m, field.min.y + j * field.step_m}, grain);
+      const auto height = quantised_height(samplers, plane, field.vertex(i, j), grain);
       if (height) field.heights[at] = *height, known[at] = true;
     }
   if (std::find(known.begin(), known.end(), true) == known.end()) return covers_nothing(rasters, plane, region);

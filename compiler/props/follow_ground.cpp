@@ -9,24 +9,31 @@
 namespace citykiln::props {
 namespace {
 
-// Appends where, between 0 and 1, a value that runs evenly from `from` to `to` passes one of the whole numbers 0 …
-// last.
-void add_passages(double from, double to, double last, std::vector<double>& shares) {
+// Parallel lines, on which a function of the place takes the values start, start + step … (count of them).
+struct Family {
+  double start, step;
+  int count;
+};
+
+// Appends where, between 0 and 1, a value that runs evenly from `from` to `to` passes one of the family's.
+void add_passages(double from, double to, const Family& lines, std::vector<double>& shares) {
   if (from == to) return;
-  const double first = std::max(0.0, std::ceil(std::min(from, to)));
-  for (double line = first; line <= std::min(last, std::max(from, to)); ++line)
-    shares.push_back((line - from) / (to - from));
+  const double low = std::min(from, to), high = std::max(from, to);
+  const double first = std::max(0.0, std::ceil((low - lines.start) / lines.step));
+  for (double i = first; i < lines.count && lines.start + i * lines.step <= high; ++i)
+    shares.push_back((lines.start + i * lines.step - from) / (to - from));
 }
 
 // Where the segment crosses columns, rows and diagonals of the field, sorted.
 std::vector<double> crossings(Vec2 a, Vec2 b, const map::Heightfield& field) {
-  const Vec2 from = (a - field.min) * (1 / field.step_m), to = (b - field.min) * (1 / field.step_m);
   std::vector<double> shares;
-  add_passages(from.x, to.x, field.columns - 1, shares);
-  add_passages(from.y, to.y, field.rows - 1, shares);
-  // diagonals from south-west to north-east: x - y is whole, and counted from the north-west corner not negative
-  const double shift = field.rows - 1;
-  add_passages(from.x - from.y + shift, to.x - to.y + shift, shift + field.columns - 1, shares);
+  add_passages(a.x, b.x, {field.min.x, field.step_m.x, field.columns}, shares);
+  add_passages(a.y, b.y, {field.min.y, field.step_m.y, field.rows}, shares);
+  // diagonals from south-west to north-east: a cross product with one is constant on each, least in the north-west
+  const auto beside = [&](Vec2 p) { return cross(p, field.step_m); };
+  const Family diagonals{beside(field.vertex(0, field.rows - 1)), field.step_m.x * field.step_m.y,
+                         field.columns + field.rows - 1};
+  add_passages(beside(a), beside(b), diagonals, shares);
   std::sort(shares.begin(), shares.end());
   return shares;
 }

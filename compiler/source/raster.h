@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/geometry/vec.h"
 #include "compiler/source/osm_data.h"
 
 namespace citykiln::source {
@@ -33,7 +34,7 @@ struct Raster {
   /// corners).
   std::array<double, 6> from_grid{};
   std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
-  double spacing_m = 0;    ///< Smaller of the two spacings at the centre.
+  Vec2 spacing_m;          ///< East and north, at the centre (raster_system.h).
 
   float at(int column, int row) const { return heights_m[static_cast<std::size_t>(row) * columns + column]; }
 };

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "compiler/geometry/snap.h"
 #include "compiler/source/quiet_gdal.h"
 #include "compiler/source/read_raster.h"
 
@@ -54,15 +55,25 @@ Place place_of(const Raster& raster, double column, double row) {
   return {a[0] + a[1] * column + a[2] * row, a[3] + a[4] * column + a[5] * row};
 }
 
-// Metres between two near places in longitude and latitude, on the ellipsoid of WGS84.
-double distance_m(Place a, Place b) {
+// From one place in longitude and latitude to one near by, metres east and north, on the ellipsoid of WGS84.
+Vec2 offset_m(Place a, Place b) {
   constexpr double kEquator_m = 6378137.0, kEccentricity2 = 6.69437999014e-3, kRadians = M_PI / 180;
   const double latitude = (a.y + b.y) / 2 * kRadians;
   const double w2 = 1 - kEccentricity2 * std::sin(latitude) * std::sin(latitude);
   const double prime_vertical_m = kEquator_m / std::sqrt(w2);
   const double meridian_m = prime_vertical_m * (1 - kEccentricity2) / w2;
-  return std::hypot((b.x - a.x) * kRadians * prime_vertical_m * std::cos(latitude),
-                    (b.y - a.y) * kRadians * meridian_m);
+  return {(b.x - a.x) * kRadians * prime_vertical_m * std::cos(latitude), (b.y - a.y) * kRadians * meridian_m};
+}
+
+// East and north, of a grid whose columns and rows are so far apart.
+Vec2 east_and_north_m(Vec2 column, Vec2 row) {
+  constexpr double kTurned = 0.125;
+  const auto runs_east = [](Vec2 v) { return std::abs(v.y) <= kTurned * std::abs(v.x); };
+  const auto runs_north = [](Vec2 v) { return std::abs(v.x) <= kTurned * std::abs(v.y); };
+  const double column_m = length(column), row_m = length(row), least_m = std::min(column_m, row_m);
+  if (runs_east(column) && runs_north(row)) return {column_m, row_m};
+  if (runs_north(column) && runs_east(row)) return {row_m, column_m};
+  return {least_m, least_m};
 }
 
 // From the raster's system to longitude and latitude; nothing where no way is known.
@@ -81,7 +92,7 @@ std::string web_mercator_wkt() {
   return wkt_of(system);
 }
 
-double spacing_m_of(const Raster& raster) {
+Vec2 spacing_m_of(const Raster& raster) {
   const QuietGdal quiet;
   const double column = (raster.columns - 1) / 2.0, row = (raster.rows - 1) / 2.0;
   std::array<Place, 3> places = {place_of(raster, column, row), place_of(raster, column + 1, row),
@@ -89,11 +100,10 @@ double spacing_m_of(const Raster& raster) {
   if (!raster.system_wkt.empty()) {
     const Transform transform = to_wgs84(raster.system_wkt);
     for (Place& place : places) {
-      if (!transform || !transform->Transform(1, &place.x, &place.y)) return 0;
+      if (!transform || !transform->Transform(1, &place.x, &place.y)) return {};
     }
   }
-  constexpr double kStep_m = 0x1p-10;
-  return std::round(std::min(distance_m(places[0], places[1]), distance_m(places[0], places[2])) / kStep_m) * kStep_m;
+  return snapped(east_and_north_m(offset_m(places[0], places[1]), offset_m(places[0], places[2])));
 }
 
 Result<ToRasterSystem> to_system_of(const Raster& raster) {

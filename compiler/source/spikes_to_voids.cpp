@@ -43,7 +43,9 @@ struct Block {
   int width() const { return shape == 0b0001 ? 1 : 2; }
 };
 
-double least_m(const Raster& raster, int width) { return kLeast_m + kLeastSlope * raster.spacing_m * width; }
+double least_m(const Raster& raster, int width) {
+  return kLeast_m + kLeastSlope * std::min(raster.spacing_m.x, raster.spacing_m.y) * width;
+}
 
 // NaN beyond the edges.
 float height_m(const Raster& raster, int column, int row) {

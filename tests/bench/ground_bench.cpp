@@ -10,7 +10,7 @@ namespace {
 
 // Hills of three wavelengths on 8 m squares; cells of 1,024 m.
 map::Heightfield hills() {
-  map::Heightfield field{{0, 0}, 8, 129, 129, {}};
+  map::Heightfield field{{0, 0}, {8, 8}, 129, 129, {}};
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const double metres = 40 * std::sin(i * 0.05) + 12 * std::cos(j * 0.17) + 3 * std::sin(i * 0.7 + j * 0.5);

@@ -12,7 +12,7 @@ namespace {
 
 // Hills on 8 m squares, 1,024 m wide: 16,641 vertices.
 map::Heightfield hills() {
-  map::Heightfield field{{0, 0}, 8, 129, 129, {}};
+  map::Heightfield field{{0, 0}, {8, 8}, 129, 129, {}};
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const double metres = 40 * std::sin(i * 0.05) + 12 * std::cos(j * 0.17) + 3 * std::sin(i * 0.7 + j * 0.5);

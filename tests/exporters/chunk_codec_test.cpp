@@ -40,7 +40,7 @@ std::vector<std::uint8_t> bytes_of(std::initializer_list<std::uint64_t> numbers)
 Streams empty_streams() {
   scene::Chunk chunk;
   chunk.tile = kTile;
-  chunk.heights = {{0, 0}, 64, 2, 2, {0, 0, 0, 0}, 0};
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}, 0};
   Streams streams = encode_chunk(chunk);
   for (const char* name : stream_names()) streams[name];
   return streams;
@@ -118,15 +118,23 @@ TEST(ChunkCodec, AValueBeyondItsTypeIsNamed) {
 }
 
 TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
-  const auto field = [](std::uint64_t step_quanta, std::uint64_t columns, std::uint64_t size) {
+  const auto field_at = [](std::uint64_t corner, std::uint64_t step, std::uint64_t columns, std::uint64_t size) {
     Streams streams = empty_streams();
-    streams["field"] = bytes_of({0, 0, 2 * step_quanta, columns, 2, 0, size, 0});
+    // steps are written as differences, twice as large for their sign; the error is as long as the corner is far
+    const std::uint64_t down = 2 * (step - corner) - (step > corner ? 1 : 0);
+    streams["field"] = bytes_of({2 * corner, 0, 2 * (step - corner), 0, columns, 2, down, size, 0});
     streams["heights"].assign(size, 0);
     return wrong_in(streams);
   };
+  const auto field = [&](std::uint64_t step, std::uint64_t columns, std::uint64_t size) {
+    return field_at(0, step, columns, size);
+  };
   EXPECT_EQ(field(64 * 1024, 2, 4), "");
-  EXPECT_EQ(field(63 * 1024, 2, 4), "field");
-  EXPECT_EQ(field(512, 2, 4), "field");
+  EXPECT_EQ(field(9 * 128, 2, 4), "");
+  EXPECT_EQ(field(9 * 128 + 1, 2, 4), "field");
+  EXPECT_EQ(field(7 * 128, 2, 4), "field");
+  EXPECT_EQ(field_at(68 * 1024, 68 * 1024, 2, 4), "");
+  EXPECT_EQ(field_at(64 * 1024, 68 * 1024, 2, 4), "field");
   EXPECT_EQ(field(64 * 1024, 1, 2), "field");
   EXPECT_EQ(field(64 * 1024, 3, 4), "field");
 }
@@ -134,7 +142,7 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
 TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
   scene::Chunk chunk;
   chunk.tile = kTile;
-  chunk.heights = {{0, 0}, 64, 2, 2, {0, 0, 0, 0}, 0};
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}, 0};
   const auto wrong_with = [&](auto change) {
     scene::Chunk changed = chunk;
     change(changed);

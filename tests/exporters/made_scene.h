@@ -201,7 +201,8 @@ class SceneMaker {
     return b;
   }
   map::Heightfield field() {
-    map::Heightfield h{{-64, -64}, 64, 3, 4, {}, below(9) * kQuantum_m};
+    const Vec2 step_m{1 + below(1000) * map::kStepUnit_m, 1 + below(1000) * map::kStepUnit_m};
+    map::Heightfield h{step_m * -1.0, step_m, 3, 4, {}, below(9) * kQuantum_m};
     const std::uint32_t grain = below(5);
     for (int i = 0; i < 12; ++i) h.heights.push_back(static_cast<std::int32_t>(below(9000) << grain) - 30000 * 64);
     return h;

@@ -171,7 +171,7 @@ class Chunk:
 
     def read_heights(self):
         field = self.streams["field"]
-        for _ in range(3):
+        for _ in range(4):
             field.step()
         columns, rows = field.plain(), field.plain()
         field.step()

@@ -25,7 +25,7 @@ scene::Scene made_scene() {
   scene.header.region = {{0, 0}, {kTile_m, kTile_m}};
   scene.header.tile_m = kTile_m;
   scene::Chunk& chunk = scene.chunks.emplace_back();
-  chunk.heights = {{-64, -64}, 64, 19, 19, {}, 0};
+  chunk.heights = {{-64, -64}, {64, 64}, 19, 19, {}, 0};
   chunk.heights.heights.assign(19 * 19, static_cast<std::int32_t>(kGround_m / map::kHeightQuantum_m));
   for (std::int64_t i = 0; i < 100; ++i)
     chunk.buildings.push_back(

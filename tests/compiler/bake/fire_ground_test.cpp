@@ -11,7 +11,7 @@ using map::SurfaceClass;
 constexpr Box2 kTile{{0, 0}, {256, 128}};
 
 map::Heightfield hills() {
-  map::Heightfield field{{-64, -64}, 32, 13, 9, {}, 0};
+  map::Heightfield field{{-64, -64}, {32, 32}, 13, 9, {}, 0};
   for (int i = 0; i < 13 * 9; ++i) field.heights.push_back((i * 7919) % 640);
   return field;
 }

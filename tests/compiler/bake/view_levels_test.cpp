@@ -14,7 +14,7 @@ namespace {
 constexpr double kTile_m = 512;
 
 map::Heightfield hills() {
-  map::Heightfield field{{-64, -64}, 16, 73, 73, {}, 0};
+  map::Heightfield field{{-64, -64}, {16, 16}, 73, 73, {}, 0};
   const Draw draw(1, StableId{2}, "hills");
   for (std::uint32_t i = 0; i < 73 * 73; ++i)
     field.heights.push_back(static_cast<std::int32_t>(draw.unit(i) * 40 / map::kHeightQuantum_m));

@@ -14,7 +14,7 @@ using materials::Material;
 
 // Rises to the east by one in four, 100 m at x = 0.
 map::Heightfield slope() {
-  map::Heightfield field{{-64, -64}, 16, 17, 17, {}, 0};
+  map::Heightfield field{{-64, -64}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
     for (int i = 0; i < 17; ++i)
       field.heights.push_back(static_cast<std::int32_t>((100 + (i * 16 - 64) / 4.0) / map::kHeightQuantum_m));

@@ -31,7 +31,7 @@ const Polyline kAlong = {{100, 500}, {900, 500}}, kAcross = {{500, 100}, {500, 9
 scene::Scene scene_of(scene::Chunk chunk) {
   scene::Scene scene;
   scene.header.region = {{0, 0}, {1024, 1024}};
-  chunk.heights = {{-64, -64}, 64, 19, 19, std::vector<std::int32_t>(361, 0), 0};
+  chunk.heights = {{-64, -64}, {64, 64}, 19, 19, std::vector<std::int32_t>(361, 0), 0};
   scene.chunks = {std::move(chunk)};
   return scene;
 }

@@ -69,7 +69,7 @@ roads::Strip stream(std::int64_t id, Polyline axis, double passed_m, Profile pro
 
 TEST(MeasureRises, FindsWhatFlowsUphill) {
   scene::Chunk chunk;
-  chunk.heights = {{0, 0}, 64, 2, 2, {0, 0, 0, 0}};
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
   chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, {{0, 5, 0}, {50, 3, 0}, {100, 4, 0}})};
   EXPECT_EQ(measure_rises(chunk).rising, 1u);
   chunk.streams[0].profile[2].z_m = 3;
@@ -78,7 +78,7 @@ TEST(MeasureRises, FindsWhatFlowsUphill) {
 
 TEST(MeasureRises, CountsTrimmedStreamsFromTheirBeginning) {
   scene::Chunk chunk;
-  chunk.heights = {{0, 0}, 64, 2, 2, {0, 0, 0, 0}};
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
   const Profile profile = {{0, 9, 0}, {100, 5, 0}, {200, 0, 0}};
   chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, profile), stream(2, {{100, 0}, {200, 0}}, 100, profile)};
   EXPECT_EQ(measure_rises(chunk).rising, 0u);

@@ -10,7 +10,7 @@ namespace {
 constexpr Box2 kBox{{-64, -64}, {64, 64}};
 
 Carving street_on_hills() {
-  map::Heightfield field{{-128, -128}, 32, 9, 9, {}, 0};
+  map::Heightfield field{{-128, -128}, {32, 32}, 9, 9, {}, 0};
   for (int i = 0; i < 81; ++i) field.heights.push_back((i * 7919) % 640);
   roads::Road road;
   road.id = {{OsmType::kWay, 1}, 0};

@@ -17,9 +17,14 @@ using map::SurfaceClass;
 
 constexpr Box2 kCell{{0, 0}, {128, 128}};
 
-Heightfield rough_field(double step_m, double height_m) {
-  Heightfield field{{-256, -256}, step_m, static_cast<int>(768 / step_m) + 1, static_cast<int>(768 / step_m) + 1,
-                    {},           0};
+// Powers of two put lines of the field on borders of cells, others do not.
+constexpr Vec2 kSteps_m[] = {{16, 16}, {68, 92}, {64, 64}, {15, 11}, {9.5, 22}};
+
+Heightfield rough_field(Vec2 step_m, double height_m) {
+  const auto steps = [](double length_m, double step) { return static_cast<int>(std::ceil(length_m / step)); };
+  const int west = steps(256, step_m.x), south = steps(256, step_m.y);
+  Heightfield field{{-west * step_m.x, -south * step_m.y}, step_m, west + steps(512, step_m.x) + 1,
+                    south + steps(512, step_m.y) + 1,      {},     0};
   const Draw draw(1, StableId{2}, "heights");
   for (int i = 0; i < field.columns * field.rows; ++i)
     field.heights.push_back(
@@ -61,14 +66,15 @@ double plan_area_m2(const GroundMesh& g) {
 TEST(Ground, FacesTileTheCellExactly) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
-    const GroundMesh g = expand_cell(crossing_surfaces(seed, 30), Carving(rough_field(16, 20)), kCell, 0.5, report);
+    const GroundMesh g =
+        expand_cell(crossing_surfaces(seed, 30), Carving(rough_field({16, 16}, 20)), kCell, 0.5, report);
     EXPECT_EQ(plan_area_m2(g), 128.0 * 128.0) << "seed " << seed;
   }
 }
 
 TEST(Ground, EachInnerEdgeHasTwoFaces) {
   Report report;
-  const GroundMesh g = expand_cell(crossing_surfaces(4, 30), Carving(rough_field(16, 20)), kCell, 0.5, report);
+  const GroundMesh g = expand_cell(crossing_surfaces(4, 30), Carving(rough_field({16, 16}, 20)), kCell, 0.5, report);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
   for (const Triangle& t : g.mesh.triangles)
     for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
@@ -83,7 +89,7 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 20);
-    const GroundMesh g = expand_cell(surfaces, Carving(rough_field(16, 20)), kCell, 0.5, report);
+    const GroundMesh g = expand_cell(surfaces, Carving(rough_field({16, 16}, 20)), kCell, 0.5, report);
     const SurfaceMap map = map_surfaces(surfaces, kCell);
     double wrong_m2 = 0;
     for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
@@ -99,9 +105,10 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
 }
 
 TEST(Ground, StatedErrorIsNeverExceeded) {
-  for (const double tolerance_m : {0.02, 0.5, 5.0}) {
+  const std::pair<double, Vec2> cases[] = {{0.02, kSteps_m[0]}, {0.5, kSteps_m[3]}, {5.0, kSteps_m[4]}};
+  for (const auto& [tolerance_m, step_m] : cases) {
     Report report;
-    const Heightfield field = rough_field(16, 40);
+    const Heightfield field = rough_field(step_m, 40);
     const GroundMesh g = expand_cell(crossing_surfaces(9, 20), Carving(Heightfield(field)), kCell, tolerance_m, report);
     EXPECT_LE(g.error_m, tolerance_m);
     const Draw draw(1, StableId{4}, "samples");
@@ -130,7 +137,7 @@ std::vector<Vec3> on_line_x(const GroundMesh& g, double x) {
 // A border that is off by nearly the tolerance once left slivers beside it off by more.
 TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    Heightfield field{{0, 0}, 64, 17, 17, {}, 0};
+    Heightfield field{{0, 0}, {64, 64}, 17, 17, {}, 0};
     const Draw draw(seed, StableId{4}, "mountains");
     for (std::uint32_t i = 0; i < 17 * 17; ++i) {
       const double slope_m = 40.0 * (i % 17) + 25.0 * (i / 17), metres = slope_m + draw.between(0, 30, i);
@@ -147,7 +154,7 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 40);
-    const Heightfield field = rough_field(16, 20);
+    const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     std::vector<Surface> trimmed;
     for (const Surface& s : surfaces) trimmed.push_back(trimmed_to(s, Box2{{128, 0}, {256, 128}}.widened(1)));
     const GroundMesh west = expand_cell(surfaces, Carving(Heightfield(field)), kCell, 0.1, report);
@@ -161,7 +168,7 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 40);
-    const Heightfield field = rough_field(16, 20);
+    const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     const SideTolerances sides{0.1, 1.6, 1.6, 1.6};
     const Box2 beside{{128, 0}, {256, 128}};
     const GroundMesh west = expand_cell(surfaces, Carving(Heightfield(field)), kCell, 0.1, report);
@@ -192,7 +199,7 @@ TEST(Ground, CarvedAndBareCellsMeetVertexForVertex) {
   constexpr Box2 kEast{{128, 0}, {256, 128}};
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Report report;
-    const Heightfield field = rough_field(seed % 2 == 0 ? 16 : 64, 20);
+    const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
     const Carving carving = carved_in_the_east(field);
     ASSERT_FALSE(is_carved(carving, kCell));
     ASSERT_TRUE(is_carved(carving, kEast));
@@ -207,8 +214,8 @@ TEST(Ground, CarvedAndBareCellsMeetVertexForVertex) {
 
 TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
   Report report;
-  EXPECT_EQ(expand_cell({}, Carving(rough_field(16, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
-  const Heightfield field = rough_field(16, 0.25);
+  EXPECT_EQ(expand_cell({}, Carving(rough_field({16, 16}, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
+  const Heightfield field = rough_field({16, 16}, 0.25);
   const GroundMesh g = expand_cell({}, carved_in_the_east(field), {{128, 0}, {256, 128}}, 30, report);
   EXPECT_EQ(on_line_x(g, 128).size(), 2u);
 }
@@ -222,7 +229,7 @@ TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
   pond.level_m = kLevel_m;
   roads::Strip brook{{{OsmType::kWay, 2}, 0}, {{0, 60}, {128, 60}}, SurfaceClass::kRiver, 1, 1};
   brook.profile = {{0, 6, 0}, {128, 6, 0}};
-  Heightfield field{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
+  Heightfield field{{-64, -64}, {64, 64}, 5, 5, std::vector<std::int32_t>(25, 640), 0};
   field.heights[6] += 8;
   const std::vector<Surface> surfaces = {pond};
   const Carving carving = carve(std::move(field), {{}, std::vector{brook}, surfaces, kCell.widened(kCarve_m)});
@@ -238,7 +245,7 @@ TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
 
 TEST(Ground, FlatAndEmptyIsTwoTriangles) {
   Report report;
-  const Heightfield flat{{-64, -64}, 64, 5, 5, std::vector<std::int32_t>(25, 640), 0};
+  const Heightfield flat{{-64, -64}, {64, 64}, 5, 5, std::vector<std::int32_t>(25, 640), 0};
   const GroundMesh g = expand_cell({}, Carving(Heightfield(flat)), kCell, 0.02, report);
   EXPECT_EQ(g.mesh.triangles.size(), 2u);
   EXPECT_LE(g.error_m, kQuantum_m / 2);

@@ -23,7 +23,7 @@ struct Shore {
 };
 
 Heightfield slope() {
-  Heightfield field{{-64, -64}, 64, 5, 5, {}, 0};
+  Heightfield field{{-64, -64}, {64, 64}, 5, 5, {}, 0};
   for (int row = 0; row < 5; ++row)
     for (int column = 0; column < 5; ++column)
       field.heights.push_back(static_cast<std::int32_t>((16 + row * 8) / map::kHeightQuantum_m));

@@ -15,7 +15,7 @@ constexpr Box2 kCell{{0, 0}, {128, 128}};
 constexpr double kAtEnds_m = 20, kInside_m = 16;
 
 map::Heightfield flat_field() {
-  map::Heightfield field{{-256, -256}, 16, 49, 49, {}, 0};
+  map::Heightfield field{{-256, -256}, {16, 16}, 49, 49, {}, 0};
   field.heights.assign(49 * 49, static_cast<std::int32_t>(kAtEnds_m / map::kHeightQuantum_m));
   return field;
 }

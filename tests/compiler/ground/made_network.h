@@ -14,7 +14,7 @@ namespace citykiln::ground {
 inline map::Heightfield field_of(const std::function<double(double, double)>& height_m, double half_m = 2048,
                                  double step_m = 64) {
   const int n = static_cast<int>(2 * half_m / step_m) + 1;
-  map::Heightfield field{{-half_m, -half_m}, step_m, n, n, {}, 0};
+  map::Heightfield field{{-half_m, -half_m}, {step_m, step_m}, n, n, {}, 0};
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       field.heights.push_back(static_cast<std::int32_t>(

@@ -48,7 +48,7 @@ inline Reference reference_of_field(const map::Heightfield& field) {
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
       const auto v = static_cast<std::uint32_t>(vertices.size()), row = static_cast<std::uint32_t>(field.columns);
-      vertices.push_back(grid_point({field.min.x + i * field.step_m, field.min.y + j * field.step_m}));
+      vertices.push_back(grid_point(field.vertex(i, j)));
       heights.emplace_back();
       heights.back().fill(field.height_m_at_vertex(i, j));
       if (i + 1 < field.columns) edges.emplace_back(v, v + 1);

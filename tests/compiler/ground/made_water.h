@@ -15,11 +15,10 @@ namespace citykiln::ground {
 
 /// Land of 4 km by 4 km from {0, 0}, samples 32 m apart.
 inline map::Heightfield made_land(const std::function<double(Vec2)>& height_m) {
-  map::Heightfield land{{0, 0}, 32, 129, 129, {}, 0};
+  map::Heightfield land{{0, 0}, {32, 32}, 129, 129, {}, 0};
   for (int j = 0; j < land.rows; ++j)
     for (int i = 0; i < land.columns; ++i)
-      land.heights.push_back(
-          static_cast<std::int32_t>(height_m({i * land.step_m, j * land.step_m}) / map::kHeightQuantum_m));
+      land.heights.push_back(static_cast<std::int32_t>(height_m(land.vertex(i, j)) / map::kHeightQuantum_m));
   return land;
 }
 

@@ -182,7 +182,7 @@ TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
     const Planned one = planned(ladder(false), heights);
     for (int j = 0; j < heights.rows; ++j)
       for (int i = 0; i < heights.columns; ++i)
-        if (heights.min.x + i * heights.step_m > 600 + kFrom_m)
+        if (heights.vertex(i, j).x > 600 + kFrom_m)
           heights.heights[static_cast<std::size_t>(j * heights.columns + i)] += 64 * ((i * 7 + j * 13) % 50);
     const Planned two = planned(ladder(true), heights);
     int same = 0, differ = 0;

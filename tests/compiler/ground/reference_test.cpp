@@ -193,30 +193,39 @@ TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
   }
 }
 
+WorstPoint worst_for(const Reference& reference, Vec3 a, Vec3 b) {
+  const auto end = [&](Vec3 p) { return EdgeEnd{p, place_at(reference, in_plan(p)).face}; };
+  return worst_on_shared_edge(reference, end(a), end(b), kLayer);
+}
+
 // Bit for bit: a cell with carving and one without share their border.
 TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
-  const Draw draw(8, StableId{15}, "edges");
-  map::Heightfield field{{-64, -64}, 16, 17, 17, {}, 0};
-  for (std::uint32_t i = 0; i < 17 * 17; ++i)
-    field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
-  const Box2 cell{{-37, -20}, {91, 108}};
-  const Carving carving{map::Heightfield(field)};
-  Partition all = partition_all({}, carve_lines(carving, cell), {}, cell);
-  std::vector<Heights> heights;
-  for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
-  const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);
-  const Reference bare = reference_of(field, cell);
-  for (std::uint32_t i = 0; i < 4000; i += 4) {
-    const double from = snapped(draw.between(0, 128, i)), to = snapped(draw.between(0, 128, i + 1));
-    if (from == to) continue;
-    const double across = i % 8 == 0 ? 0 : 128, z = draw.between(0, 40, i + 2);
-    const auto end = [&](double along, double z_m) {
-      return at_height(cell.min + (i % 16 < 8 ? Vec2{across, along} : Vec2{along, across}), z_m);
-    };
-    const WorstPoint one = worst_on_edge(triangulated, end(from, z), end(to, 7), kLayer);
-    const WorstPoint other = worst_on_edge(bare, end(from, z), end(to, 7), kLayer);
-    EXPECT_EQ(one.error_m, other.error_m);
-    EXPECT_EQ(one.at, other.at);
+  for (const Vec2 step_m : {Vec2{16, 16}, {17, 11}, {9.5, 15}, {60, 88}, {92, 13}}) {
+    const Draw draw(8, StableId{15}, "edges");
+    map::Heightfield field{step_m * -8.0, step_m, 24, 24, {}, 0};
+    for (std::uint32_t i = 0; i < 24 * 24; ++i)
+      field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
+    const Box2 cell{{-37, -20}, {91, 108}};
+    const Carving carving{map::Heightfield(field)};
+    Partition all = partition_all({}, carve_lines(carving, cell), {}, cell);
+    std::vector<Heights> heights;
+    for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
+    const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);
+    const Reference bare = reference_of(field, cell);
+    for (std::uint32_t i = 0; i < 4000; i += 4) {
+      const double from = snapped(draw.between(0, 128, i)), to = snapped(draw.between(0, 128, i + 1));
+      if (from == to) continue;
+      const double across = i % 8 == 0 ? 0 : 128, z = draw.between(0, 40, i + 2);
+      const auto end = [&](double along, double z_m) {
+        return at_height(cell.min + (i % 16 < 8 ? Vec2{across, along} : Vec2{along, across}), z_m);
+      };
+      const WorstPoint one = worst_for(triangulated, end(from, z), end(to, 7));
+      const WorstPoint other = worst_for(bare, end(from, z), end(to, 7));
+      EXPECT_EQ(one.error_m, other.error_m);
+      EXPECT_EQ(one.at, other.at);
+      // and no farther off the terrain than its diagonals were moved, on slopes of less than 6 to 1
+      EXPECT_NEAR(other.error_m, worst_on_edge(field, end(from, z), end(to, 7)).error_m, 0x1p-11 * 6);
+    }
   }
 }
 
@@ -262,7 +271,7 @@ TEST(Reference, NearestVertexIsTheNearest) {
 }
 
 TEST(Reference, OfAGridItAgreesWithTheField) {
-  map::Heightfield field{{-64, -64}, 16, 9, 17, {}};
+  map::Heightfield field{{-64, -64}, {16, 16}, 9, 17, {}};
   const Draw draw(1, StableId{2}, "heights");
   for (int i = 0; i < field.columns * field.rows; ++i)
     field.heights.push_back(static_cast<std::int32_t>(draw.unit(static_cast<std::uint32_t>(i)) * 1280));

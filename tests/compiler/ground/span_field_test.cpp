@@ -20,7 +20,7 @@ roads::Road road(Polyline axis, double z_m) {
 }
 
 map::Heightfield level_at(double z_m) {
-  map::Heightfield field{{-128, -128}, 128, 3, 3, {}, 0};
+  map::Heightfield field{{-128, -128}, {128, 128}, 3, 3, {}, 0};
   field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
 }

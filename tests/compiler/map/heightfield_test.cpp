@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln::map {
@@ -11,7 +12,7 @@ namespace {
 
 // Hills without chance.
 Heightfield hills(int columns, int rows) {
-  Heightfield field{{-64, 32}, 16, columns, rows, {}, 0};
+  Heightfield field{{-64, 32}, {16, 16}, columns, rows, {}, 0};
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) field.heights.push_back((i * i * 37 + j * 101 + i * j * 53) % 4096 - 500);
   return field;
@@ -49,7 +50,7 @@ TEST(Heightfield, OutsideIsAsHighAsTheNearestPointInside) {
 }
 
 TEST(Heightfield, NormalOfASlopeStandsOnIt) {
-  Heightfield field{{0, 0}, 8, 6, 6, {}, 0};
+  Heightfield field{{0, 0}, {8, 8}, 6, 6, {}, 0};
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 6; ++i)
       field.heights.push_back(64 * (2 * i - 3 * j));  // 2 m a step east, 3 m down a step north
@@ -70,6 +71,53 @@ TEST(Heightfield, WindowHasTheSameHeightsAndNormals) {
       EXPECT_EQ(height_m_at(window, p), height_m_at(field, p));
       EXPECT_EQ(normal_at(window, p), normal_at(field, p));
     }
+}
+
+// Steps that are no powers of two: what is divided is never the distance to where the field begins.
+TEST(Heightfield, WhereItBeginsChangesNoBit) {
+  for (const Vec2 step_m : {Vec2{68, 92}, {13.5, 11}, {1.875, 1.125}, {120, 104}}) {
+    Heightfield field = hills(90, 70);
+    field.min = {-31 * step_m.x, 17 * step_m.y}, field.step_m = step_m;
+    // its western and southern part is far away from what is asked for
+    const Vec2 sw = field.vertex(55, 40), ne = field.vertex(80, 60);
+    const Heightfield window = window_of(field, {sw, ne});
+    ASSERT_LT(window.columns, 40);
+    const Draw draw(1, StableId{1}, "places");
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+      Vec2 p{draw.between(sw.x, ne.x, 2 * i), draw.between(sw.y, ne.y, 2 * i + 1)};
+      if (i % 2 == 0) p = snapped(p);
+      ASSERT_EQ(height_m_at(window, p), height_m_at(field, p));
+      ASSERT_EQ(normal_at(window, p), normal_at(field, p));
+      ASSERT_EQ(nearest_vertex(window, p), nearest_vertex(field, p));
+    }
+    for (int j = 40; j <= 60; ++j)
+      for (int i = 55; i <= 80; ++i) {
+        EXPECT_EQ(height_m_at(window, field.vertex(i, j)), field.height_m_at_vertex(i, j));
+        EXPECT_EQ(nearest_vertex(window, field.vertex(i, j)), field.vertex(i, j));
+      }
+  }
+}
+
+TEST(Heightfield, TheRectangleHoldsThePoint) {
+  Heightfield field = hills(40, 30);
+  field.min = {-21 * 1.875, 5 * 92.0}, field.step_m = {1.875, 92};
+  const Box2 box = field.box();
+  const Draw draw(2, StableId{1}, "places");
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    Vec2 p{draw.between(box.min.x, box.max.x, 2 * i), draw.between(box.min.y, box.max.y, 2 * i + 1)};
+    // beside the lines too
+    if (i % 4 == 1) p.x = std::nextafter(field.vertex(static_cast<int>(i % 39) + 1, 0).x, -1e9);
+    if (i % 4 == 2) p.x = field.vertex(static_cast<int>(i % 40), 0).x;
+    const InRectangle in = rectangle_at(field, p);
+    const Vec2 low = field.vertex(in.i, in.j), high = field.vertex(in.i + 1, in.j + 1);
+    ASSERT_TRUE((Box2{low, high}).contains(p));
+    ASSERT_GE(in.i, 0);
+    ASSERT_LE(in.i, field.columns - 2);
+    ASSERT_GE(in.u, 0);
+    ASSERT_LE(in.u, 1);
+    ASSERT_GE(in.v, 0);
+    ASSERT_LE(in.v, 1);
+  }
 }
 
 TEST(Heightfield, WindowBeyondTheFieldIsClampedAndWhole) {

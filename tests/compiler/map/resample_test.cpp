@@ -21,7 +21,7 @@ Raster raster_of(Height height_m, int columns = 161, int rows = 121, double spac
   Raster raster{"hills.hgt", "",
                 columns,     rows,
                 {},          {west, spacing_deg, 0, north, 0, -spacing_deg},
-                "",          spacing_deg * 111000 * 0.72};
+                "",          {spacing_deg * 111000 * 0.72, spacing_deg * 111000}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c)
       raster.heights_m.push_back(static_cast<float>(height_m(west + spacing_deg * c, north - spacing_deg * r)));
@@ -31,7 +31,7 @@ Raster raster_of(Height height_m, int columns = 161, int rows = 121, double spac
 Heightfield field_of(const std::vector<Raster>& rasters, Report& report, const Box2& region = kRegion) {
   Result<Heightfield> field = resample(rasters, Plane(kTestOrigin), region, report);
   EXPECT_TRUE(field) << to_string(field.error());
-  return field ? std::move(*field) : Heightfield{{0, 0}, 1, 2, 2, {0, 0, 0, 0}, 0};
+  return field ? std::move(*field) : Heightfield{{0, 0}, {1, 1}, 2, 2, {0, 0, 0, 0}, 0};
 }
 
 double slope_m(double lon_deg, double lat_deg) {
@@ -48,26 +48,35 @@ TEST(Resample, WithoutRastersTheFieldIsFlat) {
 TEST(Resample, VerticesLieOnThePlanesGridAndReachBeyondTheRegion) {
   Report report;
   for (const Heightfield& field : {field_of({}, report), field_of({raster_of(slope_m)}, report)}) {
-    EXPECT_LE(field.box().min.x, kRegion.min.x - field.step_m);
-    EXPECT_LE(field.box().min.y, kRegion.min.y - field.step_m);
-    EXPECT_GE(field.box().max.x, kRegion.max.x + field.step_m);
-    EXPECT_GE(field.box().max.y, kRegion.max.y + field.step_m);
-    EXPECT_EQ(std::fmod(field.min.x, field.step_m), 0);
-    EXPECT_EQ(std::fmod(field.min.y, field.step_m), 0);
+    EXPECT_LE(field.box().min.x, kRegion.min.x - field.step_m.x);
+    EXPECT_LE(field.box().min.y, kRegion.min.y - field.step_m.y);
+    EXPECT_GE(field.box().max.x, kRegion.max.x + field.step_m.x);
+    EXPECT_GE(field.box().max.y, kRegion.max.y + field.step_m.y);
+    EXPECT_EQ(std::fmod(field.min.x, field.step_m.x), 0);
+    EXPECT_EQ(std::fmod(field.min.y, field.step_m.y), 0);
     EXPECT_EQ(field.heights.size(), static_cast<std::size_t>(field.columns) * field.rows);
   }
 }
 
-TEST(Resample, TheStepIsThePowerOfTwoNotAboveTheFinestSpacing) {
+TEST(Resample, StepsAreTheLargestOfTheirSetNotAboveTheFinestSpacing) {
   const struct {
     double spacing_m, step_m;
-  } cases[] = {{0.3, 1}, {1, 1}, {1.9, 1}, {2, 2}, {5, 4}, {30.9, 16}, {92, 64}, {900, 64}};
+  } cases[] = {{0.3, 1}, {1, 1}, {1.9, 1.875}, {2, 2}, {5.3, 5}, {7.9, 7.5}, {30.9, 30}, {92.7, 92}, {900, 128}};
   for (const auto& c : cases) {
     Raster raster = raster_of(slope_m);
-    raster.spacing_m = c.spacing_m;
+    raster.spacing_m = {c.spacing_m, 20};
     Report report;
-    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, c.step_m) << c.spacing_m;
+    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{c.step_m, 20})) << c.spacing_m;
+    raster.spacing_m = {20, c.spacing_m};
+    EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{20, c.step_m})) << c.spacing_m;
   }
+}
+
+TEST(Resample, OfSeveralRastersTheFinestSpacingEachWayCounts) {
+  Raster one = raster_of(slope_m), other = one;
+  one.spacing_m = {30, 92}, other.spacing_m = {68, 40};
+  Report report;
+  EXPECT_EQ(field_of({one, other}, report).step_m, (Vec2{30, 40}));
 }
 
 TEST(Resample, ASlopeStaysASlopeWithinHalfAQuantum) {
@@ -76,7 +85,7 @@ TEST(Resample, ASlopeStaysASlopeWithinHalfAQuantum) {
   const Plane plane(kTestOrigin);
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i) {
-      const LonLat place = plane.backward({field.min.x + i * field.step_m, field.min.y + j * field.step_m});
+      const LonLat place = plane.backward(field.vertex(i, j));
       // floats hold 700 m to 3e-5 m
       EXPECT_NEAR(field.height_m_at_vertex(i, j), slope_m(place.lon_deg, place.lat_deg), kHeightQuantum_m / 2 + 1e-4);
     }
@@ -135,7 +144,7 @@ TEST(Resample, ADemElsewhereIsAnErrorThatNamesTheFile) {
 
 TEST(Resample, ARasterThatComesNotNearAndHasNoSamplesIsNoCrash) {
   // what read_raster gives for a heightmap beyond the window
-  const Raster empty{"far.hgt", "", 0, 0, {}, {13, 0.001, 0, 52, 0, -0.001}, "", 90};
+  const Raster empty{"far.hgt", "", 0, 0, {}, {13, 0.001, 0, 52, 0, -0.001}, "", {90, 90}};
   Report report;
   EXPECT_FALSE(resample(std::vector{empty}, Plane(kTestOrigin), kRegion, report));
   const Heightfield field = field_of({empty, raster_of(slope_m)}, report);

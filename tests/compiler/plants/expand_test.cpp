@@ -17,7 +17,7 @@ using ground::Surface;
 using map::SurfaceClass;
 
 map::Heightfield sloping(double grade) {
-  map::Heightfield field{{-512, -512}, 16, 65, 65, {}, 0};
+  map::Heightfield field{{-512, -512}, {16, 16}, 65, 65, {}, 0};
   for (int j = 0; j < 65; ++j)
     for (int i = 0; i < 65; ++i)
       field.heights.push_back(static_cast<std::int32_t>(grade * (i * 16) / map::kHeightQuantum_m));

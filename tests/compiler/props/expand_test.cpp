@@ -14,7 +14,7 @@ namespace {
 
 // Hills whose faces all differ.
 map::Heightfield hills() {
-  map::Heightfield field{{-64, -64}, 16, 9, 9, {}, 0};
+  map::Heightfield field{{-64, -64}, {16, 16}, 9, 9, {}, 0};
   for (int j = 0; j < 9; ++j)
     for (int i = 0; i < 9; ++i) field.heights.push_back((i * i * 37 + j * 211 + i * j * 53) % 900);
   return field;

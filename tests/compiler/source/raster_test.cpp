@@ -187,9 +187,10 @@ TEST(ReadRaster, ScaleAndOffsetMakeMetres) {
   EXPECT_TRUE(std::isnan(raster.at(1, 1)));
 }
 
-TEST(ReadRaster, SpacingIsTheSmallerOneOnTheGround) {
+TEST(ReadRaster, SpacingIsOnTheGround) {
   // 0.5 degrees of longitude at 50.5 degrees north are 35,460 m, of latitude 55,620 m
-  EXPECT_NEAR(read_ascii(kAscii).spacing_m, 35460, 100);
+  EXPECT_NEAR(read_ascii(kAscii).spacing_m.x, 35460, 100);
+  EXPECT_NEAR(read_ascii(kAscii).spacing_m.y, 55620, 100);
 }
 
 TEST(ReadRaster, WindowFarAwayNeedsNoSamples) {

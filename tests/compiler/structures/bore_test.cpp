@@ -9,7 +9,7 @@ namespace citykiln::structures {
 namespace {
 
 map::Heightfield level_at(double z_m) {
-  map::Heightfield field{{-256, -256}, 256, 3, 3, {}, 0};
+  map::Heightfield field{{-256, -256}, {256, 256}, 3, 3, {}, 0};
   field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
 }

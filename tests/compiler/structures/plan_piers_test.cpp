@@ -8,7 +8,7 @@ namespace citykiln::structures {
 namespace {
 
 map::Heightfield level() {
-  map::Heightfield field{{-512, -512}, 512, 3, 3, {}, 0};
+  map::Heightfield field{{-512, -512}, {512, 512}, 3, 3, {}, 0};
   field.heights.assign(9, 0);
   return field;
 }

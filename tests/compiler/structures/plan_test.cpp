@@ -20,7 +20,7 @@ map::Track track(std::int64_t id, Passage passage, Polyline axis) {
 }
 
 map::Heightfield level_at(std::int32_t z_m) {
-  map::Heightfield field{{-512, -512}, 512, 3, 3, {}, 0};
+  map::Heightfield field{{-512, -512}, {512, 512}, 3, 3, {}, 0};
   field.heights.assign(9, static_cast<std::int32_t>(z_m / map::kHeightQuantum_m));
   return field;
 }
