@@ -100,6 +100,9 @@ bool surrounds(const Face& face, Vec3 p, const FaceFrame& frame) {
   return winding_number(polygon.outer, frame.to_plane(p)) != 0;
 }
 
+// of all that it surrounds: holes it has been given do not count
+double outer_m2(const Face& face) { return length(area_vector_m2(face.outer)) / 2; }
+
 // rings that turn with the normal are faces, the others holes in the smallest that surrounds them
 std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
   std::vector<Face> faces;
@@ -118,7 +121,7 @@ std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
     Face* home = nullptr;
     for (Face& face : faces) {
       if (faces.size() > 1 && !surrounds(face, (hole[0] + hole[1]) * 0.5, frame_of(face))) continue;
-      if (home == nullptr || area_m2(face) < area_m2(*home)) home = &face;
+      if (home == nullptr || outer_m2(face) < outer_m2(*home)) home = &face;
     }
     if (home != nullptr) home->holes.push_back(hole);
   }
@@ -168,16 +171,41 @@ Count count_directed(std::span<const Edge3> edges) {
   return count;
 }
 
-// the edge that goes on from p, the one that turns least to the left last: any will do where rings touch
-std::size_t edge_from(const std::vector<Edge3>& edges, const std::vector<bool>& used, Vec3 p) {
+// grows with the angle to the left, from -2 to 2
+double left_turn(Vec3 in, Vec3 out, Vec3 normal) {
+  const double turn = 1 - dot(unit(in), unit(out));
+  return dot(normal, cross(in, out)) < 0 ? -turn : turn;
+}
+
+// the edge that goes on behind `last`; where rings touch, the one that turns most to the left, so that what hangs
+// together in a point alone comes apart
+std::size_t edge_after(const Edge3& last, const std::vector<Edge3>& edges, const std::vector<bool>& used, Vec3 normal) {
   std::size_t best = edges.size();
-  double best_m = kSamePlace_m;
+  double best_turn = -3;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (used[i]) continue;
-    const double d_m = length(edges[i].first - p);
-    if (d_m < best_m) best = i, best_m = d_m;
+    if (used[i] || length(edges[i].first - last.second) >= kSamePlace_m) continue;
+    const double turn = left_turn(last.second - last.first, edges[i].second - edges[i].first, normal);
+    if (turn > best_turn) best = i, best_turn = turn;
   }
   return best;
+}
+
+// a ring that comes back to one of its points is two there: bays of a roof that meet in a valley
+void split_where_it_touches(const Ring3& ring, std::vector<Ring3>& rings) {
+  std::vector<Vec3> open;
+  std::map<std::array<std::int64_t, 3>, std::size_t> places;
+  for (const Vec3 p : ring) {
+    const auto [at, is_new] = places.try_emplace(place_of(p), open.size());
+    if (!is_new) {
+      const auto from = open.begin() + static_cast<std::ptrdiff_t>(at->second);
+      rings.emplace_back(from, open.end());
+      for (auto q = from + 1; q != open.end(); ++q) places.erase(place_of(*q));
+      open.erase(from + 1, open.end());
+    } else {
+      open.push_back(p);
+    }
+  }
+  rings.emplace_back(open.begin(), open.end());
 }
 
 constexpr std::size_t kFew = 16;
@@ -254,12 +282,12 @@ std::vector<Face> faces_along(std::vector<Edge3> edges, Vec3 normal) {
     if (used[first]) continue;
     Ring3 ring;
     std::size_t i = first;
-    for (; i < edges.size(); i = edge_from(edges, used, edges[i].second)) {
+    for (; i < edges.size(); i = edge_after(edges[i], edges, used, normal)) {
       used[i] = true;
       ring.push_back(edges[i].first);
       if (length(edges[i].second - ring.front()) < kSamePlace_m) break;
     }
-    if (i < edges.size()) rings.push_back(std::move(ring));
+    if (i < edges.size()) split_where_it_touches(ring, rings);
   }
   return nested(rings, normal);
 }

@@ -1,5 +1,6 @@
 #include "grammars/form_roofs.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -51,31 +52,81 @@ FaceTag tag_of(roofs::Part part) {
   return FaceTag::kNone;
 }
 
-/// Triangles of one plane.
-struct Patch {
-  std::vector<Edge3> edges;
-  Vec3 area_vector;
-};
+using Corners = std::array<Vec3, 3>;
 
-void add(Patch& patch, Vec3 a, Vec3 b, Vec3 c) {
-  patch.edges.insert(patch.edges.end(), {{a, b}, {b, c}, {c, a}});
-  patch.area_vector = patch.area_vector + cross(b - a, c - a);
+/// Triangles of one plane, or nearly.
+using Patch = std::vector<Corners>;
+
+Vec3 twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+
+Vec3 twice_area(const Patch& patch) {
+  Vec3 sum;
+  for (const Corners& t : patch) sum = sum + twice_area(t);
+  return sum;
 }
 
-void add_faces(Patch& patch, FaceTag tag, std::vector<Face>& faces) {
-  for (Face& face : faces_along(std::move(patch.edges), unit(patch.area_vector))) {
+bool lies_near(const Corners& t, Vec3 on_plane, Vec3 normal, double near_m) {
+  return std::all_of(t.begin(), t.end(), [&](Vec3 p) { return std::abs(dot(p - on_plane, normal)) <= near_m; });
+}
+
+Vec3 middle_of(const Patch& patch) {
+  Vec3 sum;
+  for (const Corners& t : patch) sum = sum + (t[0] + t[1] + t[2]) * (1 / 3.0);
+  return sum * (1 / static_cast<double>(patch.size()));
+}
+
+/// Faces are flat to a centimetre. Roof planes may be less so: over walls that bend by less than the skeleton sees, and
+/// where planes that do not meet were joined.
+constexpr double kFlat_m = 0.005, kOnLargest_m = 0.004, kUpright = 0.01;
+
+/// What stands upright may be folded by a hair, and look both ways.
+bool looks_along(const Corners& t, Vec3 normal) {
+  return std::abs(normal.z) > kUpright || dot(twice_area(t), normal) >= 0;
+}
+
+bool is_flat(const Patch& patch) {
+  const Vec3 middle = middle_of(patch), normal = unit(twice_area(patch));
+  return std::all_of(patch.begin(), patch.end(),
+                     [&](const Corners& t) { return lies_near(t, middle, normal, kFlat_m) && looks_along(t, normal); });
+}
+
+/// What lies in the plane of the largest triangle, which it leaves out of `patch`.
+Patch take_largest_plane(Patch& patch) {
+  const auto largest = std::max_element(patch.begin(), patch.end(), [](const Corners& a, const Corners& b) {
+    return length(twice_area(a)) < length(twice_area(b));
+  });
+  const Corners seed = *largest;
+  const Vec3 normal = unit(twice_area(seed));
+  const auto rest = std::stable_partition(patch.begin(), patch.end(), [&](const Corners& t) {
+    return t != seed && !(lies_near(t, seed[0], normal, kOnLargest_m) && looks_along(t, normal));
+  });
+  Patch taken(rest, patch.end());
+  patch.erase(rest, patch.end());
+  return taken;
+}
+
+void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
+  std::vector<Edge3> edges;
+  for (const auto& [a, b, c] : patch) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
+  for (Face& face : faces_along(std::move(edges), unit(twice_area(patch)))) {
     face.tag = tag;
     faces.push_back(std::move(face));
   }
 }
 
-/// Which triangles are one face: those of a roof plane by its number, those of gables by where they stand, since a
-/// gable may be several roof planes' end.
+void add_faces(Patch patch, FaceTag tag, std::vector<Face>& faces) {
+  while (!is_flat(patch)) add_flat_faces(take_largest_plane(patch), tag, faces);
+  if (!patch.empty()) add_flat_faces(patch, tag, faces);
+}
+
+/// Which triangles are one face: those of a roof plane by its number, what stands upright by where it stands: a gable
+/// may be several roof planes' end, and a plane's rim goes around corners.
 using PatchKey = std::array<std::int64_t, 5>;
 
 PatchKey key_of(const roofs::Roof& roof, std::size_t i) {
   const auto part = static_cast<std::int64_t>(roof.parts[i]);
-  if (roof.parts[i] != roofs::Part::kGable) return {part, roof.faces[i], 0, 0, 0};
+  const bool is_upright = roof.parts[i] == roofs::Part::kGable || roof.parts[i] == roofs::Part::kEdge;
+  if (!is_upright) return {part, roof.faces[i], 0, 0, 0};
   const Vec3 a = roof.positions[roof.triangles[i][0]], b = roof.positions[roof.triangles[i][1]];
   const Vec3 normal = unit(cross(b - a, roof.positions[roof.triangles[i][2]] - a));
   const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v * 256 + 0.5)); };
@@ -89,13 +140,13 @@ std::vector<Face> faces_of(const roofs::Roof& roof) {
   const auto& p = roof.positions;
   for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
     const Triangle t = roof.triangles[i];
-    add(patches[key_of(roof, i)], p[t[0]], p[t[1]], p[t[2]]);
+    patches[key_of(roof, i)].push_back({p[t[0]], p[t[1]], p[t[2]]});
   }
   Patch base;
-  for (const Triangle t : roof.floor) add(base, p[t[2]], p[t[1]], p[t[0]]);
+  for (const Triangle t : roof.floor) base.push_back({p[t[2]], p[t[1]], p[t[0]]});
   std::vector<Face> faces;
-  for (auto& [key, patch] : patches) add_faces(patch, tag_of(static_cast<roofs::Part>(key[0])), faces);
-  add_faces(base, FaceTag::kBottom, faces);
+  for (auto& [key, patch] : patches) add_faces(std::move(patch), tag_of(static_cast<roofs::Part>(key[0])), faces);
+  add_faces(std::move(base), FaceTag::kBottom, faces);
   return faces;
 }
 

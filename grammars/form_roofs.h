@@ -17,7 +17,9 @@ namespace citykiln::grammars {
 RoofBuilder form_roofs(double tolerance_m);
 
 /// A roof as faces, eaves at height 0: those of one plane are one. Tagged kTop (roof planes), kSide (gables), kBorder
-/// (rims and undersides of overhangs), kBottom (the floor, looking down). O(n log n).
+/// (rims and undersides of overhangs), kBottom (the floor, looking down).
+/// Guarantees: every face is flat to a centimetre; no ring comes back to one of its points; corners meet corners, so
+/// that with walls below its eaves the roof closes. O(n log n).
 std::vector<Face> faces_of(const roofs::Roof& roof);
 
 }  // namespace citykiln::grammars

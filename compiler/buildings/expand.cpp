@@ -82,15 +82,29 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   for (DressedMesh& mesh : meshes_of(derivation, building.id.osm)) expanded.meshes.push_back(std::move(mesh));
 }
 
+// Half of it. Rules are told the roof's form and build on its planes, so it keeps its form under them.
+double roof_tolerance_m(const Building& building, bool has_rules, double tolerance_m) {
+  const double rise_m = building.roof_shape.height_m;
+  return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
+}
+
+// A building no higher than the tolerance, with all that rules put on its roof, is dropped: the ground is that near.
+Expanded without_what_is_low(const Building& building, double tolerance_m, Expanded expanded) {
+  if (building.top_m - building.bottom_m >= tolerance_m) return expanded;
+  double top_m = building.top_m;
+  for (const DressedMesh& dressed : expanded.meshes)
+    for (const Vec3 p : dressed.mesh.positions) top_m = std::max(top_m, p.z);
+  const double error_m = top_m - building.bottom_m + expanded.error_m;
+  return error_m < tolerance_m ? Expanded{{}, error_m} : std::move(expanded);
+}
+
 }  // namespace
 
 Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
                 Report& report) {
-  const double height_m = building.top_m - building.bottom_m;
-  if (height_m < tolerance_m) return {{}, height_m};
-  const Mass mass = mass_of(building, tolerance_m / 2, report);
-  Expanded expanded{{}, mass.roof.error_m};
   const auto program = rulebook.find(building.style);
+  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), tolerance_m), report);
+  Expanded expanded{{}, mass.roof.error_m};
   add_foundation(building, mass, program != rulebook.end(), seed, expanded);
   if (program == rulebook.end()) {
     expand_plain(building, mass, seed, expanded);
@@ -98,7 +112,7 @@ Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_
     // what the roof has left of the tolerance is for rules
     expand_by_rules(building, mass, program->second, seed, tolerance_m - mass.roof.error_m, expanded, report);
   }
-  return expanded;
+  return without_what_is_low(building, tolerance_m, std::move(expanded));
 }
 
 }  // namespace citykiln::buildings

@@ -17,7 +17,8 @@ struct Expanded {
 };
 
 /// The mass (mass.h), worked on by the style's rules as far as the tolerance sees; where it sees nothing of them, or
-/// there are none, the bare mass. A building lower than the tolerance is dropped, with its height as error.
+/// there are none, the bare mass. A building lower than the tolerance, chimneys and all, is dropped, with its height as
+/// error.
 ///
 /// Tints, and all chance of the rules, are drawn from (seed, id). Roofs that fell back to flat, and rules that asked
 /// for what cannot be, are diagnosed. Cost: the derivation's.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "compiler/geometry/snap.h"
 #include "grammars/form_roofs.h"
@@ -82,8 +84,9 @@ std::vector<Run> runs_of(const Building& building, const roofs::Roof& roof) {
   return runs;
 }
 
-// The part of a run between two distances along it, from one height up to another.
-Face wall_face(const Run& run, double from_m, double to_m, double low_m, double high_m) {
+// The part of a run between two distances along it, from one height up to another. What ends over it does so at the
+// eaves: below them walls are straight, so that what lies under them meets them corner to corner.
+Face wall_face(const Run& run, double from_m, double to_m, double low_m, double high_m, double eaves_m) {
   const Vec2 along = unit(run.to() - run.from());
   const double length_m = run.length_m();
   const auto place = [&](double at_m) {
@@ -93,7 +96,7 @@ Face wall_face(const Run& run, double from_m, double to_m, double low_m, double 
   Face face;
   face.tag = FaceTag::kSide;
   face.outer = {at_height(a, low_m), at_height(b, low_m), at_height(b, high_m)};
-  for (std::size_t i = run.points.size() - 1; i-- > 1;) {
+  for (std::size_t i = run.points.size() - 1; high_m == eaves_m && i-- > 1;) {
     const double at_m = dot(along, run.points[i] - run.from());
     if (at_m > from_m && at_m < to_m) face.outer.push_back(at_height(run.points[i], high_m));
   }
@@ -154,10 +157,12 @@ void add_party_wall(const Walling& walling, const Run& run, const Stretch& stret
   const double top_m = std::clamp(stretch.wall->top_m, low_m, walling.eaves_m);
   const double over_m = top_m > walling.eaves_m - kLeastWall_m ? walling.eaves_m : top_m;
   if ((!stretch.wall->is_hidden || !walling.hides) && over_m > low_m)
-    add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, low_m, over_m), FaceTag::kInside, false);
+    add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, low_m, over_m, walling.eaves_m), FaceTag::kInside,
+             false);
   if (over_m >= walling.eaves_m) return;
   const FaceTag tag = stretch.wall->has_windows_above ? FaceTag::kSide : FaceTag::kInside;
-  add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, over_m, walling.eaves_m), tag, faces_street);
+  add_wall(walling, wall_face(run, stretch.from_m, stretch.to_m, over_m, walling.eaves_m, walling.eaves_m), tag,
+           faces_street);
 }
 
 void add_walls(const Walling& walling, const Run& run) {
@@ -165,26 +170,43 @@ void add_walls(const Walling& walling, const Run& run) {
   const Front front = front_of(run, building);
   const double low_m = snapped(std::min(walling.eaves_m, building.floor_m + front.buried_storeys * storey_m(building)));
   if (low_m > building.bottom_m) {
-    walling.mass.foundation.push_back(wall_face(run, 0, run.length_m(), building.bottom_m, low_m));
+    walling.mass.foundation.push_back(wall_face(run, 0, run.length_m(), building.bottom_m, low_m, walling.eaves_m));
   }
   if (low_m >= walling.eaves_m) return;
   double from_m = 0;
   for (const Stretch& stretch : stretches_on(run, building)) {
     if (stretch.from_m > from_m)
-      add_wall(walling, wall_face(run, from_m, stretch.from_m, low_m, walling.eaves_m), FaceTag::kSide,
+      add_wall(walling, wall_face(run, from_m, stretch.from_m, low_m, walling.eaves_m, walling.eaves_m), FaceTag::kSide,
                front.faces_street);
     add_party_wall(walling, run, stretch, low_m, front.faces_street);
     from_m = stretch.to_m;
   }
   if (from_m < run.length_m())
-    add_wall(walling, wall_face(run, from_m, run.length_m(), low_m, walling.eaves_m), FaceTag::kSide,
+    add_wall(walling, wall_face(run, from_m, run.length_m(), low_m, walling.eaves_m, walling.eaves_m), FaceTag::kSide,
              front.faces_street);
 }
 
-void add_underside(const Building& building, Mass& mass) {
-  const std::vector<Face> faces = grammars::faces_of(mass.roof);
-  for (Face face : faces) {
+// Places along walls where something ends over them.
+std::set<Vec2> between_ends(std::span<const Run> runs) {
+  std::set<Vec2> places;
+  for (const Run& run : runs) places.insert(run.points.begin() + 1, run.points.end() - 1);
+  return places;
+}
+
+// As straight as the walls above it.
+void straighten(grammars::Ring3& ring, const std::set<Vec2>& between) {
+  grammars::Ring3 kept;
+  for (const Vec3 p : ring)
+    if (!between.contains(in_plan(p))) kept.push_back(p);
+  ring = std::move(kept);
+}
+
+void add_underside(const Building& building, std::span<const Run> runs, Mass& mass) {
+  const std::set<Vec2> between = between_ends(runs);
+  for (Face& face : grammars::faces_of(mass.roof)) {
     if (face.tag != FaceTag::kBottom) continue;
+    straighten(face.outer, between);
+    for (grammars::Ring3& hole : face.holes) straighten(hole, between);
     each_vertex(face, [&](Vec3& p) { p.z += building.bottom_m; });
     mass.foundation.push_back(std::move(face));
   }
@@ -206,8 +228,9 @@ Mass mass_of(const Building& building, double tolerance_m, Report& report) {
   Mass mass;
   mass.roof = roofs::expand_roof(building.footprint, building.roof_shape, tolerance_m, building.id.osm, report);
   const Walling walling{building, eaves_m(building), tolerance_m < kSeenThrough_m, mass};
-  for (const Run& run : runs_of(building, mass.roof)) add_walls(walling, run);
-  if (!building.stands_on_ground) add_underside(building, mass);
+  const std::vector<Run> runs = runs_of(building, mass.roof);
+  for (const Run& run : runs) add_walls(walling, run);
+  if (!building.stands_on_ground) add_underside(building, runs, mass);
   return mass;
 }
 

@@ -25,8 +25,9 @@ struct Mass {
 /// At tolerances from here on walls between neighbours stay: the neighbour may be gone.
 inline constexpr double kSeenThrough_m = 1;
 
-/// Guarantees: walls without party walls, foundation, roof and floor close, and with them what stands is open at the
-/// bottom alone. Roofs that fall back to flat are diagnosed kRoofFallback. roof.error_m <= tolerance_m. Total.
+/// Guarantees: walls without party walls, foundation, roof and floor close, corner to corner where no storey is buried,
+/// and with them what stands is open at the bottom alone. Roofs that fall back to flat are diagnosed kRoofFallback.
+/// roof.error_m <= tolerance_m. Total.
 Mass mass_of(const Building& building, double tolerance_m, Report& report);
 
 /// What rules start with: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and undersides of eaves

@@ -17,8 +17,6 @@
 namespace citykiln::roofs {
 namespace {
 
-// Eaves that stand out are as thick as rafters and tiles.
-constexpr double kThickness_m = 0.1875;
 // A footprint that fills less of its box has wings, and so has one with a wall along the ridge in the middle of its
 // width, as from kMiddle to 1 - kMiddle, that is longer than this share of the box.
 constexpr double kFillsItsBox = 0.75, kMiddle = 0.25, kLongWall = 0.15;
@@ -38,10 +36,14 @@ Roof finished(Raised raised, Form form, double error_m) {
   return std::move(raised.roof);
 }
 
-// What leaving out eaves that the tolerance does not see moves.
-double eaves_error_m(const Site& site) {
-  return site.eaves.outer.empty() && site.shape.overhang_m <= site.tolerance_m ? std::max(0.0, site.shape.overhang_m)
-                                                                               : 0;
+// Of a roof that is off by so much, together with the eaves it lacks: they stood out, and lifted it.
+double with_eaves_m(const Site& site, double error_m) {
+  return length(Vec2{site.left_out_m.x, site.left_out_m.y + error_m});
+}
+
+// Over eaves that are seen a roof is not flat: they would hang lower.
+bool is_seen(const Site& site, double rise_m) {
+  return rise_m > 0 && (!site.eaves.outer.empty() || rise_m > site.tolerance_m);
 }
 
 RoofPlan plan_on(const Site& site, std::vector<Facet> facets) { return {std::move(facets), site.eaves, kThickness_m}; }
@@ -51,9 +53,9 @@ Ring box_about(const Site& site) {
   return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
 }
 
-Roof flat_roof(const Site& site, double error_m) {
+Roof flat_roof(const Site& site, double rise_m) {
   const Facet all{box_about(site), {site.footprint.outer.front(), {}, 0}, 0, 0};
-  return finished(raise(site.footprint, plan_on(site, {all})), Form::kFlat, error_m);
+  return finished(raise(site.footprint, plan_on(site, {all})), Form::kFlat, with_eaves_m(site, rise_m));
 }
 
 // ---- one section along a line
@@ -61,10 +63,10 @@ Roof flat_roof(const Site& site, double error_m) {
 Roof striped(const Site& site) {
   const bool has_direction = site.shape.direction.has_value();
   const double rise_m = rise_of(site.shape, strip_span_m(site.shape.form, site.frame, has_direction));
-  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  if (!is_seen(site, rise_m)) return flat_roof(site, rise_m);
   const double reach_m = 2 * site.shape.overhang_m + 1;
   Strips made = strips(site.shape.form, site.frame, has_direction, rise_m, reach_m, site.tolerance_m);
-  const double error_m = std::max(made.error_m, eaves_error_m(site));
+  const double error_m = with_eaves_m(site, made.error_m);
   return finished(raise(site.footprint, plan_on(site, std::move(made.facets))), site.shape.form, error_m);
 }
 
@@ -73,7 +75,7 @@ Roof striped(const Site& site) {
 std::optional<Roof> over_base(const Site& site, const Base& base, double area, double drop_m) {
   if (base.span_m <= 0) return std::nullopt;
   const double rise_m = rise_of(site.shape, base.span_m);
-  if (rise_m <= site.tolerance_m) return flat_roof(site, rise_m);
+  if (!is_seen(site, rise_m)) return flat_roof(site, rise_m);
   const Section section = section_over_base(site.shape.form, base.span_m, rise_m, site.tolerance_m);
   RoofPlan plan = plan_on(site, lifted(base, section, rise_m));
   const double steepest = rise_m * (section.corners[1].y / section.corners[1].x) / base.span_m;
@@ -81,7 +83,7 @@ std::optional<Roof> over_base(const Site& site, const Base& base, double area, d
   Raised raised = raise(site.footprint, plan);
   const bool is_whole = raised.bare_m2 <= kMostBare * area + drop_m * length_m(site.footprint.outer);
   if (!is_whole || raised.largest_gap_m > kMostGap_m * std::max(1.0, steepest)) return std::nullopt;
-  return finished(std::move(raised), site.shape.form, std::max(section.error_m, eaves_error_m(site)));
+  return finished(std::move(raised), site.shape.form, with_eaves_m(site, section.error_m));
 }
 
 // Looks along the frame, to one end or to either.
@@ -240,11 +242,12 @@ std::optional<Roof> poled(const Site& site) {
   const double span_m = pole_span_m(ring, *pole), reach_m = pole_reach_m(ring, *pole);
   const double rise_m = rise_of(site.shape, span_m);
   const double seen_m = site.shape.form == Form::kOnion ? std::max(rise_m, kMostSwelling * reach_m) : rise_m;
-  if (seen_m <= site.tolerance_m) return flat_roof(site, seen_m);
+  if (!is_seen(site, seen_m)) return flat_roof(site, seen_m);
   if (!site.eaves.outer.empty() && is_convex(site.footprint)) return pyramid_convex(site, *pole);
   Roof roof = roof_over_pole(ring, *pole, section_over_pole(site.shape.form, span_m, reach_m, rise_m, site.tolerance_m),
                              rise_m);
   roof.form = site.shape.form;
+  roof.error_m = with_eaves_m(site, roof.error_m);
   return roof;
 }
 

@@ -19,10 +19,11 @@ enum class Part : std::uint8_t {
 
 /// Heights are metres over the eaves plane, where walls end. All coordinates are multiples of 2^-10 m.
 struct Roof {
-  std::vector<Vec3> positions;       ///< Each used by the triangles, the eaves or the floor.
-  std::vector<Triangle> triangles;   ///< Counter-clockwise from outside.
-  std::vector<Part> parts;           ///< One a triangle.
-  std::vector<std::uint32_t> faces;  ///< One a triangle: those with one number, and one part, lie in one plane.
+  std::vector<Vec3> positions;      ///< Each used by the triangles, the eaves or the floor.
+  std::vector<Triangle> triangles;  ///< Counter-clockwise from outside.
+  std::vector<Part> parts;          ///< One a triangle.
+  /// One a triangle: those with one number, and one part, lie in one plane, or nearly; rims (kEdge) go around corners.
+  std::vector<std::uint32_t> faces;
   /// Where the walls stand: rings of positions at height 0, the body to their left. They run along the footprint, with
   /// further points where a ridge or a valley ends in a gable.
   std::vector<std::vector<std::uint32_t>> eaves;

@@ -34,13 +34,28 @@ bool may_stand_out(Form form) {
   return form != Form::kDome && form != Form::kOnion && form != Form::kRound && form != Form::kSawtooth;
 }
 
+// Eaves that take more of the tolerance stay: the rest is for curves. Corners of eaves are so much farther out.
+constexpr double kMostLeftOut = 0.9, kSharpest = 2;
+
+// How far they reach sideways, corners and all, and up: a skillion's go on upward behind.
+Vec2 size_of_eaves_m(const Site& site) {
+  const double overhang_m = site.shape.overhang_m, width_m = std::min(site.frame.width_m(), site.frame.length_m());
+  const bool goes_on = site.shape.form == Form::kSkillion && width_m > 0;
+  const double up_m = goes_on ? overhang_m * rise_of(site.shape, width_m) / width_m : 0;
+  return {kSharpest * overhang_m, kThickness_m + up_m};
+}
+
 }  // namespace
 
 Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m) {
-  Site site{std::move(footprint), {}, {}, shape, tolerance_m};
+  Site site{std::move(footprint), {}, {}, shape, tolerance_m, {}};
   site.frame = frame_of(site.footprint.outer, shape.direction, shape.is_ridge_across);
-  if (may_stand_out(shape.form) && shape.overhang_m > tolerance_m)
+  if (!may_stand_out(shape.form) || shape.overhang_m <= 0) return site;
+  const Vec2 size_m = size_of_eaves_m(site);
+  if (length(size_m) > kMostLeftOut * tolerance_m)
     site.eaves = eaves_about(site.footprint, shape.overhang_m);
+  else
+    site.left_out_m = size_m, site.tolerance_m -= length(size_m);
   return site;
 }
 

@@ -7,12 +7,16 @@
 
 namespace citykiln::roofs {
 
+/// Eaves that stand out are as thick as rafters and tiles, and lift the roof by it.
+inline constexpr double kThickness_m = 0.1875;
+
 struct Site {
   Polygon footprint;  ///< Tidied (outline.h).
   Polygon eaves;      ///< Around it; empty where none stand out.
   Frame frame;
   RoofShape shape;
-  double tolerance_m = 0;
+  double tolerance_m = 0;  ///< What eaves that were left out have left of it.
+  Vec2 left_out_m;         ///< Eaves that the tolerance does not see: how far they stand out, how thick they are.
 };
 
 /// Lays out the frame, and the eaves of forms that can have them. `footprint` is not empty.

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
 
-#include "grammars/cut.h"
 #include "grammars/derive.h"
+#include "grammars/form_roofs.h"
 #include "grammars/roofs/expand_roof.h"
 
 namespace citykiln::grammars {
@@ -21,37 +18,14 @@ struct MadeMass {
   StableId id{1};
 };
 
-inline FaceTag tag_of(roofs::Part part) {
-  return part == roofs::Part::kRoof    ? FaceTag::kTop
-         : part == roofs::Part::kGable ? FaceTag::kVertical
-                                       : FaceTag::kBorder;
-}
-
-/// Triangles of one part and plane, whichever the roof's numbers say.
+/// As compiler/buildings/mass.h does: gables are upright, the floor is the mass's own.
 inline void add_roof(const roofs::Roof& roof, double eaves_m, std::vector<Face>& faces) {
-  struct Patch {
-    std::vector<Edge3> edges;
-    Vec3 normal;
-  };
-  std::map<std::pair<int, std::array<std::int64_t, 4>>, Patch> patches;
-  for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
-    std::array<Vec3, 3> p;
-    for (std::size_t c = 0; c < 3; ++c) p[c] = roof.positions[roof.triangles[i][c]] + Vec3{0, 0, eaves_m};
-    const Vec3 normal = unit(cross(p[1] - p[0], p[2] - p[0]));
-    const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v * 256 + 0.5)); };
-    const bool is_gable = roof.parts[i] == roofs::Part::kGable;
-    const auto plane = is_gable
-                           ? std::array<std::int64_t, 4>{cell(normal.x), cell(normal.y), cell(dot(normal, p[0])), 0}
-                           : std::array<std::int64_t, 4>{roof.faces[i], 0, 0, 0};
-    Patch& patch = patches[{static_cast<int>(roof.parts[i]), plane}];
-    patch.normal = normal;
-    patch.edges.insert(patch.edges.end(), {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[0]}});
+  for (Face& face : faces_of(roof)) {
+    if (face.tag == FaceTag::kBottom) continue;
+    if (face.tag == FaceTag::kSide) face.tag = FaceTag::kVertical;
+    each_vertex(face, [&](Vec3& p) { p.z += eaves_m; });
+    faces.push_back(std::move(face));
   }
-  for (auto& [key, patch] : patches)
-    for (Face& face : faces_along(std::move(patch.edges), patch.normal)) {
-      face.tag = tag_of(static_cast<roofs::Part>(key.first));
-      faces.push_back(std::move(face));
-    }
 }
 
 inline void add_walls(const MadeMass& made, const Ring& ring, bool is_outer, std::vector<Face>& faces) {

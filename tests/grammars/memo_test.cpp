@@ -3,22 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/rule_files.h"
 
 namespace citykiln::grammars {
 namespace {
-
-Result<std::string> shipped(const std::string& file) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/rules/" + file);
-  if (!in) return Error{file, "cannot be read"};
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 // away from the origin, and turned: all roundings differ
 Shape turned_lot() {

@@ -1,21 +1,17 @@
 // What the README shows is what the room does.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "grammars/builtin.h"
 #include "grammars/operations/table.h"
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/rule_files.h"
 
 namespace citykiln::grammars {
 namespace {
 
 std::string readme() {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/README.md");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  const Result<std::string> text = text_of_tree("grammars/README.md");
+  return text ? *text : "";
 }
 
 std::vector<std::string> examples() {

@@ -1,22 +1,14 @@
 // A rule file of some size, from the file to the house: town_house.cga extrudes its lot.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "grammars/cut.h"
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/rule_files.h"
 
 namespace citykiln::grammars {
 namespace {
 
-Result<std::string> beside(const std::string& file) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/tests/grammars/" + file);
-  if (!in) return Error{file, "cannot be read"};
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+Result<std::string> beside(const std::string& file) { return text_of_tree("tests/grammars/" + file); }
 
 struct TownHouse : testing::Test {
   Result<Program> program = read_rules("town_house.cga", beside);

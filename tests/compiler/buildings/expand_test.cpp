@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compiler/buildings/dress.h"
+#include "grammars/link.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -76,6 +77,19 @@ TEST(Expand, DropsWhatIsLowerThanTheTolerance) {
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_m, 15);
   EXPECT_EQ(bare(with_court(true), 12.5).error_m, 0);
+}
+
+// What rules put on a roof counts.
+TEST(Expand, DropsNothingWhoseChimneyStandsOut) {
+  Building b = with_court(true);
+  b.style = Style::kBarn;
+  Rulebook rulebook;
+  rulebook.emplace(b.style, *grammars::read_rules_of("Building --> comp(f) { top : extrude(4) Block. | all : Wall. }"));
+  Report report;
+  EXPECT_FALSE(expand(b, rulebook, 1, 16, report).meshes.empty());
+  const Expanded dropped = expand(b, rulebook, 1, 20, report);
+  EXPECT_TRUE(dropped.meshes.empty());
+  EXPECT_EQ(dropped.error_m, 19);
 }
 
 TEST(Expand, IsTotalOnCrossingFootprints) {

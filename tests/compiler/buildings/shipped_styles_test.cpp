@@ -2,27 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "compiler/buildings/dress_terminals.h"
 #include "grammars/form_roofs.h"
 #include "grammars/link.h"
 #include "tests/grammars/made_mass.h"
+#include "tests/grammars/rule_files.h"
 
 namespace citykiln::buildings {
 namespace {
 
 using namespace grammars;
-
-Result<std::string> shipped(const std::string& file) {
-  std::ifstream in(std::string(CITYKILN_SOURCE) + "/grammars/rules/" + file);
-  if (!in) return Error{file, "cannot be read"};
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// A style, a mass that it is commonly given, and what it may make of it.
 struct Style {

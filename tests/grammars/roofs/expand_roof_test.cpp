@@ -265,6 +265,27 @@ TEST(ExpandRoof, StaysWithinTheErrorItStates) {
     }
 }
 
+// They stand out, and lift the roof by their thickness.
+TEST(ExpandRoof, StatesWhatLeavingOutEavesMoves) {
+  for (const Form form : {Form::kFlat, Form::kSkillion, Form::kGabled, Form::kHipped, Form::kPyramidal, Form::kMansard})
+    for (const NamedFootprint& footprint : made_footprints())
+      for (const double rise_m : {0.3, 2.0}) {
+        // a skeleton may change its shape with its eaves, and a sliver's slope is a wall
+        if (footprint.name == "sliver" || footprint.name == "near-degenerate") continue;
+        RoofShape shape = shape_of(form, form == Form::kFlat ? 0 : rise_m);
+        shape.overhang_m = 0.4;
+        const Made fine = make(footprint.polygon, shape, 0.01);
+        for (const double tolerance_m : {0.25, 1.25, 6.0}) {
+          const Made coarse = make(footprint.polygon, shape, tolerance_m);
+          const double stated_m = fine.roof.error_m + coarse.roof.error_m + 4 * kQuantum_m;
+          const std::string what = std::string(name_of(form)) + " on " + footprint.name;
+          EXPECT_LE(coarse.roof.error_m, tolerance_m) << what;
+          EXPECT_LE(distance_m(fine.body, coarse.body), stated_m) << what << " at " << tolerance_m;
+          EXPECT_LE(distance_m(coarse.body, fine.body), stated_m) << what << " at " << tolerance_m;
+        }
+      }
+}
+
 TEST(ExpandRoof, IsFlatBelowTheTolerance) {
   const Made made = make({box(0, 0, 16, 10), {}}, shape_of(Form::kGabled, 2), 2.5);
   EXPECT_EQ(made.roof.form, Form::kFlat);

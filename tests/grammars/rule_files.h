@@ -1,0 +1,24 @@
+// Texts of the source tree, for tests that read rules.
+#pragma once
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "compiler/contract/result.h"
+
+namespace citykiln::grammars {
+
+/// @param path  From the root of the tree.
+inline Result<std::string> text_of_tree(const std::string& path) {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/" + path);
+  if (!in) return Error{path, "cannot be read"};
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// As imports name them: "villa.cga", "parts/window.cga".
+inline Result<std::string> shipped(const std::string& file) { return text_of_tree("grammars/rules/" + file); }
+
+}  // namespace citykiln::grammars
