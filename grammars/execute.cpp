@@ -10,36 +10,46 @@ namespace {
 
 constexpr double kWorld_m = 1e9;  // beyond it doubles no longer know millimetres
 
-std::vector<Vec3> surface_points(const Shape& shape) {
+Ring3 surface_points(const Shape& shape) {
   if (shape.asset.empty()) return vertices_of(shape.faces);
   const auto corners = shape.scope.corners();
   return {corners.begin(), corners.end()};
 }
 
+// a node that shows many looks stays, and so do all that it is in: then nobody asks how far it moves
+bool measures(const Execution& execution) { return execution.run.measures() && !execution.seen.are_many(); }
+
 /// What a parent keeps of a child before it is derived: all points of its surface, the first face's ring first.
-ChildTrace trace_of(const Run& run, const Shape& shape, Displacement before, std::uint32_t group) {
+ChildTrace trace_of(const Execution& parent, const Shape& shape, Displacement before, std::uint32_t group) {
   return {before,
           {},
           false,
           group,
           shape.faces.size() > 0 && shape.faces.front().holes.empty(),
-          run.measures() ? surface_points(shape) : std::vector<Vec3>{}};
+          measures(parent) ? surface_points(shape) : Ring3{}};
 }
 
 // of a survivor the first face's ring is enough: points that its surface surely holds
 void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring) {
   trace.own = outcome.trace.moved;
   trace.vanished = outcome.trace.vanished;
-  if (!trace.vanished && trace.vertices.size() > first_ring && first_ring > 0) trace.vertices.resize(first_ring);
+  if (trace.vanished || trace.vertices.size() <= first_ring || first_ring == 0) return;
+  trace.vertices = Ring3(trace.vertices.begin(), trace.vertices.begin() + first_ring);
 }
 
 std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
 
 void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, std::size_t first_ring) {
   execution.vanished &= outcome.trace.vanished;
-  if (!execution.run.measures()) return;
+  execution.seen.add(outcome.trace.seen);
+  if (!measures(execution)) return;
   complete(trace, outcome, first_ring);
   execution.children.push_back(std::move(trace));
+}
+
+// a node whose only successor has its whole surface is cut where that is: it need not remember where it began
+void remember_start(Execution& execution) {
+  if (execution.run.measures() && !execution.start) execution.start = execution.shape;
 }
 
 Outcome nothing() { return {}; }
@@ -81,7 +91,8 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   Frame arguments;
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
-  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
+  if (!last) remember_start(execution);
+  ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   const Newborn newborn = bear(execution, statement.name.c_str());
   ++execution.run.out.shapes;
@@ -121,6 +132,8 @@ bool is_in_world(const Shape& shape) {
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
+  if (row.alters == Alters::kSurface || row.alters == Alters::kFrame || statement.has_selectors)
+    remember_start(execution);
   if (row.alters != Alters::kSurface && row.alters != Alters::kFrame) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
@@ -156,7 +169,7 @@ void run_statement(Execution& execution, const Statement& statement, bool last) 
 // what the rules have made of the current shape after its last successor
 void end_pending(Execution& execution) {
   if (!execution.pending) return;
-  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
+  ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   christen(execution.shape, bear(execution, execution.name.c_str()));
   ++execution.run.out.shapes;
@@ -237,28 +250,28 @@ double width_m(const Terminal& terminal) {
   return widest_m;
 }
 
-// true if something is wide enough to be seen and looks otherwise
-bool shows(std::span<const Terminal> terminals, std::uint32_t look, double tolerance_m) {
-  return std::any_of(terminals.begin(), terminals.end(), [&](const Terminal& terminal) {
-    return terminal.look != look && width_m(terminal) > tolerance_m;
-  });
+// by its look, what is wider than the tolerance
+SeenLooks seen_of(const Run& run, const Terminal& terminal) {
+  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m) return {};
+  return {SeenLooks::Count::kOne, terminal.look};
 }
 
 bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
-  if (outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
+  if (outcome.trace.vanished || outcome.trace.seen.are_many()) return false;
+  if (start.faces.empty() || !start.asset.empty()) return false;
   return outcome.trace.moved.largest_m() <= run.options.tolerance_m;
 }
 
 // puts the node's own surface in the place of all that was made of it, if that is less
-void cut_if_near(Execution& execution, const Shape& start, std::size_t first, const Outcome& outcome) {
+void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Outcome& outcome) {
   Run& run = execution.run;
   std::vector<Terminal>& terminals = run.out.terminals;
   if (!may_be_cut(run, outcome, start)) return;
   if (run.options.keep_start && execution.depth <= 1) return;
   Removed removed = weigh_from(run, first);
   if (vertex_count(start.faces) >= removed.vertices) return;
-  const std::span<const Terminal> below = std::span(terminals).subspan(first);
-  if (run.options.keep_looks && shows(below, removed.look, run.options.tolerance_m)) return;
+  // something that is wide enough to be seen looks otherwise
+  if (outcome.trace.seen.show_other_than(removed.look)) return;
   forget_terminals(run.memo, first);
   terminals.resize(first);
   run.notes.resize(first);
@@ -273,20 +286,25 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
                        true,
                        outcome.trace.moved.largest_m()});
   run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)), start.moved_at});
+  outcome.trace.seen = seen_of(run, terminals.back());
 }
 
 NodeTrace traced(const Execution& execution) {
-  if (execution.run.measures()) return together(execution.children);
-  return {{}, execution.vanished};
+  if (!execution.run.measures()) return {{}, execution.vanished};
+  if (execution.seen.are_many()) return {{kUnbounded_m, kUnbounded_m}, false, execution.seen};
+  NodeTrace trace = together(execution.children);
+  trace.seen = execution.seen;
+  return trace;
 }
 
 // the node's own surface for all that would be made of it
 Outcome end_ahead(Execution& execution, Displacement moved) {
   Run& run = execution.run;
-  end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
+  Outcome outcome = end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
   run.out.terminals.back().cut = true;
   run.out.terminals.back().error_m = moved.largest_m();
-  return {{moved, false}};
+  outcome.trace.moved = moved;
+  return outcome;
 }
 
 Outcome run_node(Execution& execution, const Body& body) {
@@ -294,12 +312,10 @@ Outcome run_node(Execution& execution, const Body& body) {
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return {repeat(execution, *recording.entry)};
   const std::size_t first = execution.run.out.terminals.size();
-  std::optional<Shape> start;
-  if (execution.run.measures()) start = execution.shape;
   run_body(execution, body, true);
   end_pending(execution);
-  const Outcome outcome{traced(execution)};
-  if (start) cut_if_near(execution, *start, first, outcome);
+  Outcome outcome{traced(execution)};
+  if (execution.start) cut_if_near(execution, *execution.start, first, outcome);
   end_recording(execution.run, body, recording, outcome.trace);
   return outcome;
 }
@@ -318,7 +334,7 @@ Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::u
   run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
   run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
                                run.tables.texture_at(shape.texture), std::move(shape.asset), shape.scope, false, 0});
-  return {{{}, false}};
+  return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }
 
 void run_body(Execution& execution, const Body& body, bool last) {
@@ -357,7 +373,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
     christen(piece.shape, bear(execution, "piece"));
-    ChildTrace trace = trace_of(run, piece.shape, before, group);
+    ChildTrace trace = trace_of(execution, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);
     const Outcome outcome =
         piece.body == nullptr ? nothing() : run_piece(execution, std::move(piece.shape), *piece.body);

@@ -155,7 +155,7 @@ void op_offset(Execution& execution, const Statement& statement, Arguments argum
   const double by_m = metres(arguments[0]);
   if (std::abs(by_m) <= kSmallest_m || !can_spend(execution, statement)) return;
   const std::string which = arguments.size() > 1 ? word_of(arguments[1]) : "all";
-  const std::vector<Vec3> before = vertices_of(execution.shape.faces);
+  const Ring3 before = vertices_of(execution.shape.faces);
   std::vector<Face> faces;
   double reach_m = kOfTheGrid.out_m;
   for (const Face& face : execution.shape.faces) add_offset(face, by_m, which, faces, reach_m);
