@@ -65,11 +65,14 @@ void Run::hit(LimitKind kind, const std::string& rule, Place place) {
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
-  for (const std::uint32_t path : paths_below[parent])
-    if (out.paths[path].rule == rule) return path;
-  const auto path = static_cast<std::uint32_t>(out.paths.size());
+  for (const KnownPath& known : paths_below[parent])
+    if (known.name == &rule) return known.path;
+  auto path = static_cast<std::uint32_t>(out.paths.size());
+  for (const KnownPath& known : paths_below[parent])
+    if (*known.name == rule) path = known.path;
+  paths_below[parent].push_back({&rule, path});
+  if (path < out.paths.size()) return path;
   out.paths.push_back({parent, rule});
-  paths_below[parent].push_back(path);
   paths_below.emplace_back();
   return path;
 }

@@ -58,17 +58,18 @@ Value call_builtin(std::size_t row, const Value* v, const double* n, const std::
 
 // reads the arguments as the table's letters say
 Value evaluate_builtin(const Expression& call, Context& context) {
-  std::string letters = builtin_functions()[call.index].arguments;
-  std::erase(letters, '/');
+  const char* letters = builtin_functions()[call.index].arguments;
   Value v[3];
   double n[3] = {0, 0, 0};
   std::string s[3];
   for (std::size_t i = 0; i < call.operands.size() && i < 3; ++i) {
     v[i] = evaluate(call.operands[i], context);
-    const bool fits = letters[i] == 'v' || letters[i] == "nbs"[v[i].index()];
+    if (*letters == '/') ++letters;
+    const char letter = *letters++;
+    const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
     if (!fits) context.run.trouble(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
     n[i] = number_of(v[i]);
-    if (letters[i] == 's') s[i] = text_of(v[i]);
+    if (letter == 's') s[i] = text_of(v[i]);
   }
   const Value value = call_builtin(call.index, v, n, s, call.operands.size(), context);
   return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
@@ -155,11 +156,12 @@ int compared(const Value& a, const Value& b, Place place, Context& context) {
 
 Value compare(const Expression& binary, const Value& a, const Value& b, Context& context) {
   const int order = compared(a, b, binary.place, context);
-  if (binary.text == "==") return order == 0;
-  if (binary.text == "!=") return order != 0;
-  if (binary.text == "<") return order < 0;
-  if (binary.text == ">") return order > 0;
-  return binary.text == "<=" ? order <= 0 : order >= 0;
+  const char sign = binary.text[0];
+  if (sign == '=') return order == 0;
+  if (sign == '!') return order != 0;
+  const bool or_equal = binary.text.size() > 1;
+  if (or_equal && order == 0) return true;
+  return sign == '<' ? order < 0 : order > 0;
 }
 
 // texts that double in every function would fill the memory before a limit sees them
@@ -201,9 +203,9 @@ Value arithmetic(const Expression& binary, double a, double b, Context& context)
 }
 
 Value evaluate_binary(const Expression& binary, Context& context) {
-  if (binary.text == "&&") return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
-  if (binary.text == "||") return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
   const char first = binary.text[0];
+  if (first == '&') return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
+  if (first == '|') return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
   const bool compares = first == '=' || first == '!' || first == '<' || first == '>';
   if (!compares && first != '+') {
     // the left one draws first, whatever the compiler prefers

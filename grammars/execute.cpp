@@ -76,13 +76,24 @@ void christen(Shape& shape, Newborn newborn) {
   shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
 }
 
-Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments) {
+Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments, int depth) {
   Run& run = execution.run;
   if (statement.name == "NIL") return nothing();
   if (statement.index == ~0u)
     return end_as_terminal(run, std::move(child), statement.name, run.path(execution.path, statement.name));
   const Rule& rule = run.program.rules[statement.index];
-  return apply_rule(run, std::move(child), rule, std::move(arguments), execution.depth + 1, execution.path);
+  return apply_rule(run, std::move(child), rule, std::move(arguments), depth, execution.path);
+}
+
+// as run_successor() of a node of the piece's own would
+Outcome name_piece(Execution& execution, Shape&& shape, const Statement& successor) {
+  Run& run = execution.run;
+  const auto birth = static_cast<std::uint32_t>(run.births.size());
+  run.births.push_back({shape.birth, successor.name.c_str(), 0});
+  shape.id = stable_id(shape.id, successor.name.c_str(), 0);
+  ++run.out.shapes;
+  shape.birth = birth;
+  return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
 }
 
 // not inlined, nor are other holders of shapes, so that blocks in each other cost the stack no shapes
@@ -98,7 +109,7 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   christen(child, newborn);
-  const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments));
+  const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
   add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
 }
@@ -185,16 +196,23 @@ double area_m2_of(const Terminal& terminal) {
 
 /// What would go if a node were cut.
 struct Removed {
-  std::size_t vertices = 0;
   LookAreas areas_m2;         ///< Of all detail, also of what was cut before.
   std::uint32_t look = 0;     ///< Of most of it.
   std::uint32_t texture = 0;  ///< Of the largest that looks so; into Tables::textures.
 };
 
+// an asset is worth a cut whatever it weighs
+std::size_t vertices_from(const Run& run, std::size_t first) {
+  std::size_t count = 0;
+  for (std::size_t i = first; i < run.out.terminals.size(); ++i) {
+    const Terminal& terminal = run.out.terminals[i];
+    count += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
+  }
+  return count;
+}
+
 void weigh(const Run& run, std::size_t i, Removed& removed) {
   const Terminal& terminal = run.out.terminals[i];
-  // an asset is worth a cut whatever it weighs
-  removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
   if (run.notes[i].stands_for == 0) {
     removed.areas_m2[terminal.look] += area_m2_of(terminal);
   } else {
@@ -268,8 +286,8 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
   std::vector<Terminal>& terminals = run.out.terminals;
   if (!may_be_cut(run, outcome, start)) return;
   if (run.options.keep_start && execution.depth <= 1) return;
+  if (vertex_count(start.faces) >= vertices_from(run, first)) return;
   Removed removed = weigh_from(run, first);
-  if (vertex_count(start.faces) >= removed.vertices) return;
   // something that is wide enough to be seen looks otherwise
   if (outcome.trace.seen.show_other_than(removed.look)) return;
   forget_terminals(run.memo, first);
@@ -320,8 +338,16 @@ Outcome run_node(Execution& execution, const Body& body) {
   return outcome;
 }
 
+// `Wall.`, as most pieces of facades have it: a node of which nothing is left but its successor's
+bool only_names_successor(const Body& body) {
+  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
+  const Statement& only = body.statements.front();
+  return only.kind == StatementKind::kSuccessor && only.arguments.empty();
+}
+
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
+  if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
   const Dice dice{shape.id};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);

@@ -46,18 +46,16 @@ void add_inherited(MemoKey& key, const Shape& shape) {
 }
 
 // up as the scope sees it: a motion may turn the shape about the vertical alone
-MemoKey key_of(const Execution& execution, const Body& body) {
+void make_key(const Execution& execution, const Body& body, MemoKey& key) {
   const Shape& shape = execution.shape;
   const Scope& scope = shape.scope;
-  MemoKey key;
-  key.reserve(64);
+  key.clear();
   key.insert(key.end(), {body.number, execution.path, execution.depth});
   add_face(key, shape.faces.front(), scope);
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
   for (const Value& value : execution.frame) add(key, value);
-  return key;
 }
 
 bool is_frame(const Scope& scope) {
@@ -127,11 +125,19 @@ Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
 
 }  // namespace
 
+std::size_t MemoKeyHash::operator()(const MemoKey& key) const {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::int64_t word : key) hash = (hash ^ static_cast<std::uint64_t>(word)) * 0x9e3779b97f4a7c15u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  return hash ^ (hash >> 31);
+}
+
 Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
   if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
-  const auto [found, is_new] = run.memo.entries.try_emplace(key_of(execution, body));
+  make_key(execution, body, run.memo.asked);
+  const auto [found, is_new] = run.memo.entries.try_emplace(run.memo.asked);
   MemoEntry& entry = found->second;
   record.misses += is_new;
   if (is_new || entry.state == MemoState::kLost) return first_of_its_kind(execution, entry);

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "grammars/pattern.h"
@@ -36,6 +36,11 @@ struct MemoEntry {
 
 using MemoKey = std::vector<std::int64_t>;
 
+/// FNV-1a over whole words, finished as SplitMix64 is.
+struct MemoKeyHash {
+  std::size_t operator()(const MemoKey& key) const;
+};
+
 /// How often a body's nodes were worth a note.
 struct BodyRecord {
   bool never = false;
@@ -49,7 +54,8 @@ struct OpenNode {
 };
 
 struct Memo {
-  std::map<MemoKey, MemoEntry> entries;
+  std::unordered_map<MemoKey, MemoEntry, MemoKeyHash> entries;  ///< Looked up, never gone through.
+  MemoKey asked;                                                ///< The key that is being made.
   std::vector<MemoEntry*> seen;  ///< Those of kSeen, in the order of their terminals.
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.

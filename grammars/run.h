@@ -24,6 +24,12 @@ struct Dice {
 
 using Frame = std::vector<Value>;
 
+/// A path, by the name that led there: of equal names that stand in several places of the program each is known.
+struct KnownPath {
+  const std::string* name;
+  std::uint32_t path;
+};
+
 struct Run {
   const Program& program;
   const DeriveOptions& options;
@@ -38,7 +44,7 @@ struct Run {
   std::vector<bool> attribute_under_way = {};
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::vector<std::vector<std::uint32_t>> paths_below = {};              ///< By path.
+  std::vector<std::vector<KnownPath>> paths_below = {};  ///< By path.
   Memo memo = {};
   ReachTable reaches = {};
 
@@ -51,6 +57,7 @@ struct Run {
   /// Counts steps; false once there are too many.
   bool spend(std::uint64_t steps);
   void hit(LimitKind kind, const std::string& rule, Place place);
+  /// @param rule  Has to live in the program.
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
   /// Where Derivation::looks has this look of the tables.
   std::uint32_t look_index(std::uint32_t look);

@@ -104,11 +104,11 @@ std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Inte
 
 void op_split(Execution& execution, const Statement& statement, Arguments arguments) {
   Run& run = execution.run;
-  const std::string word = word_of(arguments[0]);
+  const std::string_view word = word_of(arguments[0]);
   const int axis = word == "x" ? 0 : word == "y" ? 1 : 2;
   const double length_m = execution.shape.scope.size_m[axis];
   if (execution.shape.faces.empty() || length_m <= kSliver_m)
-    return run.trouble(statement.place, "the shape has no size along " + word + "; it is not split");
+    return run.trouble(statement.place, "the shape has no size along " + std::string(word) + "; it is not split");
   Leaves leaves;
   Context context{run, execution.shape, execution.frame, execution.dice};
   const std::vector<SizeItem> items = items_of(statement, context, leaves);
