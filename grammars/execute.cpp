@@ -109,7 +109,8 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   christen(child, newborn);
-  const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
+  const Outcome outcome =
+      derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
   add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
 }
@@ -398,6 +399,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   const Displacement before = execution.moved + moved;
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
+    execution.born += piece.left_out;
     christen(piece.shape, bear(execution, "piece"));
     ChildTrace trace = trace_of(execution, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);

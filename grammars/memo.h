@@ -56,7 +56,7 @@ struct OpenNode {
 struct Memo {
   std::unordered_map<MemoKey, MemoEntry, MemoKeyHash> entries;  ///< Looked up, never gone through.
   MemoKey asked;                                                ///< The key that is being made.
-  std::vector<MemoEntry*> seen;  ///< Those of kSeen, in the order of their terminals.
+  std::vector<MemoEntry*> seen;                                 ///< Those of kSeen, in the order of their terminals.
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
 };

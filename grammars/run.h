@@ -44,7 +44,7 @@ struct Run {
   std::vector<bool> attribute_under_way = {};
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::vector<std::vector<KnownPath>> paths_below = {};  ///< By path.
+  std::vector<std::vector<KnownPath>> paths_below = {};                  ///< By path.
   Memo memo = {};
   ReachTable reaches = {};
 
@@ -92,6 +92,7 @@ struct Execution {
 struct Piece {
   Shape shape;
   const Body* body = nullptr;
+  std::uint32_t left_out = 0;  ///< How many before it are not made: it is numbered as if they were.
 };
 
 /// Hands the pieces to their bodies. Together they have to cover the current shape's surface, but for `moved`.
