@@ -44,6 +44,10 @@ void Run::asked_of(std::uint32_t since) {
   for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
 }
 
+void Run::threw(const Throw& thrown) {
+  if (!memo.open.empty()) throws.push_back(thrown);
+}
+
 void Run::trouble(Place place, const std::string& message) {
   asked_of(0);
   const std::string key = place_name(program.files[place.file], place);

@@ -12,6 +12,31 @@
 namespace citykiln::grammars {
 namespace {
 
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+/// A throw of the dice, of which only matters between which bounds it lies.
+struct Drawn {
+  double value = 0;  ///< unit · scale.
+  double scale = 1;
+  std::uint32_t index = 0;
+};
+
+struct Outcomes {
+  double low = -kEver, high = kEver;
+};
+
+Drawn draw(Context& context, double scale) {
+  Dice& dice = context.dice;
+  const std::uint32_t index = dice.next++;
+  return {Draw(context.run.options.seed, dice.id, dice.purpose).unit(index) * scale, scale, index};
+}
+
+// any throw within these bounds would have led to the same
+void tell(Context& context, const Drawn& drawn, Outcomes same) {
+  const Dice& dice = context.dice;
+  if (dice.of_shape) context.run.threw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
+}
+
 Value finite(double number, Place place, Context& context) {
   if (std::isfinite(number)) return number;
   context.run.trouble(place, "the value is not a number or too large");
@@ -36,6 +61,13 @@ bool truth_at(const Expression& expression, Context& context) {
 double random_number(Context& context, const double* n, std::size_t given) {
   const double low = given == 2 ? n[0] : 0, high = given == 2 ? n[1] : given == 1 ? n[0] : 1;
   return low + (high - low) * draw_unit(context);
+}
+
+bool is_drawn(Context& context, double share) {
+  const Drawn drawn = draw(context, 1);
+  const bool is_below = drawn.value < share;
+  tell(context, drawn, is_below ? Outcomes{-kEver, share} : Outcomes{share, kEver});
+  return is_below;
 }
 
 bool occluded(Context& context, OcclusionQuery query) {
@@ -228,13 +260,18 @@ Value evaluate_case(const Expression& cases, Context& context) {
 }
 
 Value evaluate_chance(const Expression& chances, Context& context) {
-  const double dice = draw_unit(context) * 100;
-  double sum = 0;
+  const Drawn dice = draw(context, 100);
+  double sum = 0, least = -kEver;
   std::size_t i = 0;
   for (; i + 1 < chances.operands.size(); i += 2) {
     sum += number_at(chances.operands[i], context);
-    if (dice < sum) return evaluate(chances.operands[i + 1], context);
+    if (dice.value < sum) {
+      tell(context, dice, {least, sum});
+      return evaluate(chances.operands[i + 1], context);
+    }
+    least = std::max(least, sum);
   }
+  tell(context, dice, {least, kEver});
   return i < chances.operands.size() ? evaluate(chances.operands[i], context) : Value(0.0);
 }
 
@@ -323,14 +360,32 @@ Value evaluate(const Expression& expression, Context& context) {
   return value;
 }
 
-int chosen_branch(const Body& body, Context& context) {
-  const double dice = body.kind == BodyKind::kChance ? draw_unit(context) * 100 : 0;
+namespace {
+
+int drawn_branch(const Body& body, Context& context) {
+  const Drawn dice = draw(context, 100);
   double sum = 0;
+  Outcomes same;
+  int chosen = -1;
+  for (std::size_t i = 0; i < body.branches.size() && chosen < 0; ++i) {
+    const Branch& branch = body.branches[i];
+    if (!branch.is_else) sum += number_at(branch.test, context);
+    const bool is_this = branch.is_else || dice.value < sum;
+    if (is_this) chosen = static_cast<int>(i);
+    if (is_this && !branch.is_else) same.high = sum;
+    if (!is_this) same.low = std::max(same.low, sum);
+  }
+  tell(context, dice, same);
+  return chosen;
+}
+
+}  // namespace
+
+int chosen_branch(const Body& body, Context& context) {
+  if (body.kind == BodyKind::kChance) return drawn_branch(body, context);
   for (std::size_t i = 0; i < body.branches.size(); ++i) {
     const Branch& branch = body.branches[i];
-    if (branch.is_else) return static_cast<int>(i);
-    if (body.kind == BodyKind::kCase && truth_at(branch.test, context)) return static_cast<int>(i);
-    if (body.kind == BodyKind::kChance && dice < (sum += number_at(branch.test, context))) return static_cast<int>(i);
+    if (branch.is_else || truth_at(branch.test, context)) return static_cast<int>(i);
   }
   return -1;
 }

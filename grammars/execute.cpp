@@ -349,7 +349,7 @@ bool only_names_successor(const Body& body) {
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
   if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
-  const Dice dice{shape.id};
+  const Dice dice{shape.id, "rule", 0, true, shape.birth};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
@@ -388,7 +388,7 @@ Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int d
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice{shape.id};
+  const Dice dice{shape.id, "rule", 0, true, shape.birth};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }

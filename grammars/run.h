@@ -19,7 +19,8 @@ struct Dice {
   StableId id;
   const char* purpose = "rule";
   std::uint32_t next = 0;
-  bool of_shape = true;  ///< Not an attribute's, which are the building's.
+  bool of_shape = true;     ///< Not an attribute's, which are the building's.
+  std::uint32_t birth = 0;  ///< Of the shape.
 };
 
 using Frame = std::vector<Value>;
@@ -46,11 +47,14 @@ struct Run {
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
   std::vector<std::vector<KnownPath>> paths_below = {};                  ///< By path.
   Memo memo = {};
+  std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
   ReachTable reaches = {};
 
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
   void asked_of(std::uint32_t since);
+  /// What comes of the shape's dice depends on this throw, and on no more of it than that.
+  void threw(const Throw& thrown);
   /// Without a tolerance nobody asks how far surfaces move.
   bool measures() const { return options.tolerance_m > 0; }
   void trouble(Place place, const std::string& message);
