@@ -96,7 +96,8 @@ struct Derivation {
   std::vector<Trouble> troubles;  ///< By place.
   std::vector<LimitHit> limits;   ///< At most one a kind.
   std::uint64_t shapes = 0, steps = 0;
-  double error_m = 0;  ///< The largest of the terminals': between this and the derivation at tolerance 0.
+  std::uint64_t copied = 0;  ///< Of `shapes`, those that were not derived but copied.
+  double error_m = 0;        ///< The largest of the terminals': between this and the derivation at tolerance 0.
 };
 
 /// A footprint as the first shape: level at `height_m`; scope x along edge `front` of the outer ring, y up, z outward

@@ -175,6 +175,7 @@ NodeTrace repeat(Execution& execution, const MemoEntry& entry) {
   Run& run = execution.run;
   copy_pattern(run, entry.pattern, execution.shape);
   run.out.shapes += entry.made.shapes;
+  run.out.copied += entry.made.shapes;
   run.out.steps += entry.made.steps;
   NodeTrace trace = entry.made.trace;
   // both the shape and its like are as large as the other but for kSame_m, at each of their ends
