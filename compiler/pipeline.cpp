@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
@@ -123,28 +125,58 @@ int threads_of_a_tile(int threads, std::size_t tiles) {
   return threads / std::clamp(static_cast<int>(std::min<std::size_t>(tiles, 4096)), 1, threads);
 }
 
+/// One level of a tile, or what comes before all of them.
+struct FiringStep {
+  std::size_t tile = 0;
+  std::optional<std::size_t> level;
+};
+
+/// Level by level, so that none waits for its tile's others. A tile is prepared while the one before it is fired.
+std::vector<FiringStep> firing_steps(std::size_t tiles, std::size_t levels) {
+  std::vector<FiringStep> steps;
+  for (std::size_t tile = 0; tile < tiles; ++tile) {
+    if (tile == 0) steps.push_back({tile, std::nullopt});
+    if (tile + 1 < tiles) steps.push_back({tile + 1, std::nullopt});
+    for (std::size_t level = 0; level < levels; ++level) steps.push_back({tile, level});
+  }
+  return steps;
+}
+
+struct TileUnderWay {
+  std::once_flag once;
+  std::shared_ptr<bake::PreparedTile> prepared;
+};
+
 }  // namespace
 
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take) {
   struct Slot {
-    std::vector<bake::BakedTile> tiles;
+    bake::BakedTile tile;
     Report report;
   };
-  std::vector<Slot> slots(scene.chunks.size());
+  const std::vector<FiringStep> steps = firing_steps(scene.chunks.size(), ladder_m.size());
+  std::vector<Slot> slots(steps.size());
+  std::vector<TileUnderWay> under_way(scene.chunks.size());
   Result<Done> done = Done{};
-  const int inner = threads_of_a_tile(threads, slots.size());
+  const int inner = threads_of_a_tile(threads, scene.chunks.size());
   const auto make = [&](std::size_t i) {
-    slots[i].tiles = bake::bake(scene.header, scene.chunks[i], ladder_m, inner, slots[i].report);
+    TileUnderWay& tile = under_way[steps[i].tile];
+    // whoever comes first prepares the tile, the others wait
+    std::call_once(tile.once,
+                   [&] { tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner); });
+    if (steps[i].level) slots[i].tile = bake::fire_prepared(*tile.prepared, *steps[i].level, inner, slots[i].report);
   };
   const auto hand_on = [&](std::size_t i) {
-    on_progress("bake", static_cast<double>(i) / static_cast<double>(slots.size()));
+    if (!steps[i].level) return true;
+    on_progress("bake", static_cast<double>(steps[i].tile) / static_cast<double>(scene.chunks.size()));
     const Slot slot = std::move(slots[i]);
+    if (*steps[i].level + 1 == ladder_m.size()) under_way[steps[i].tile].prepared.reset();
     report.append(slot.report);
-    for (std::size_t level = 0; level < slot.tiles.size() && done; ++level) done = take(slot.tiles[level], level);
+    done = take(slot.tile, *steps[i].level);
     return static_cast<bool>(done);
   };
-  for_each_in_order(slots.size(), threads, make, hand_on);
+  for_each_in_order(steps.size(), threads, make, hand_on);
   return done;
 }
 

@@ -35,7 +35,8 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 using TakeBaked = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 
 /// Bakes every chunk at every tolerance and hands each on, one at a time and in the order of tiles then levels. What
-/// the tolerances drop is added to `report`. Memory: all levels of as many tiles as there are threads.
+/// the tolerances drop is added to `report`. Memory: as many levels as there are threads, and the ground of
+/// as many tiles and one more.
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take);
 

@@ -44,6 +44,10 @@ void Run::asked_of(std::uint32_t since) {
   for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
 }
 
+void Run::threw(const Throw& thrown) {
+  if (!memo.open.empty()) throws.push_back(thrown);
+}
+
 void Run::trouble(Place place, const std::string& message) {
   asked_of(0);
   const std::string key = place_name(program.files[place.file], place);
@@ -65,11 +69,14 @@ void Run::hit(LimitKind kind, const std::string& rule, Place place) {
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
-  for (const std::uint32_t path : paths_below[parent])
-    if (out.paths[path].rule == rule) return path;
-  const auto path = static_cast<std::uint32_t>(out.paths.size());
+  for (const KnownPath& known : paths_below[parent])
+    if (known.name == &rule) return known.path;
+  auto path = static_cast<std::uint32_t>(out.paths.size());
+  for (const KnownPath& known : paths_below[parent])
+    if (*known.name == rule) path = known.path;
+  paths_below[parent].push_back({&rule, path});
+  if (path < out.paths.size()) return path;
   out.paths.push_back({parent, rule});
-  paths_below[parent].push_back(path);
   paths_below.emplace_back();
   return path;
 }

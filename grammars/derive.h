@@ -35,7 +35,9 @@ struct DeriveOptions {
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
   /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
-  /// not derived, so nothing is counted, reported or looked at there. Not with keep_looks.
+  /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where all that comes of it
+  /// looks as it does; and what a split makes no wider than the tolerance goes to its neighbour, if the rules alone
+  /// bound what either moves.
   bool ahead = false;
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
@@ -94,7 +96,8 @@ struct Derivation {
   std::vector<Trouble> troubles;  ///< By place.
   std::vector<LimitHit> limits;   ///< At most one a kind.
   std::uint64_t shapes = 0, steps = 0;
-  double error_m = 0;  ///< The largest of the terminals': between this and the derivation at tolerance 0.
+  std::uint64_t copied = 0;  ///< Of `shapes`, those that were not derived but copied.
+  double error_m = 0;        ///< The largest of the terminals': between this and the derivation at tolerance 0.
 };
 
 /// A footprint as the first shape: level at `height_m`; scope x along edge `front` of the outer ring, y up, z outward

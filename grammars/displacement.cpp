@@ -73,7 +73,7 @@ double distance_to_siblings_m(const ChildTrace& vanished, std::span<const ChildT
 }  // namespace
 
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to) {
-  const std::vector<Vec3> a = vertices_of(from), b = vertices_of(to);
+  const Ring3 a = vertices_of(from), b = vertices_of(to);
   double farthest_m = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
   return {farthest_m, farthest_m};
@@ -87,8 +87,8 @@ Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> 
   return {farthest_m, farthest_m};
 }
 
-std::vector<Vec3> vertices_of(std::span<const Face> faces) {
-  std::vector<Vec3> vertices;
+Ring3 vertices_of(std::span<const Face> faces) {
+  Ring3 vertices;
   vertices.reserve(vertex_count(faces));
   for (const Face& face : faces) each_vertex(face, [&](Vec3 p) { vertices.push_back(p); });
   return vertices;

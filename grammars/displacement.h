@@ -29,22 +29,38 @@ Displacement affine_displacement(std::span<const Face> from, std::span<const Fac
 /// hulls' vertices. O(n m).
 Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> to);
 
-std::vector<Vec3> vertices_of(std::span<const Face> faces);
+Ring3 vertices_of(std::span<const Face> faces);
 
 /// A successor, as its parent sees it.
 struct ChildTrace {
-  Displacement before;         ///< From the parent's surface to the shape out of which the child was taken.
-  Displacement own;            ///< From the child's surface to what its derivation made of it.
-  bool vanished = false;       ///< Its derivation made nothing of it (NIL, a component nobody asked for).
-  std::uint32_t group = 0;     ///< The children of a group cover, together, the shape they were taken out of.
-  bool filled = false;         ///< `vertices` are the ring of a face without holes.
-  std::vector<Vec3> vertices;  ///< If vanished: a hull of its surface. Else: some of the corners of one of its faces.
+  Displacement before;      ///< From the parent's surface to the shape out of which the child was taken.
+  Displacement own;         ///< From the child's surface to what its derivation made of it.
+  bool vanished = false;    ///< Its derivation made nothing of it (NIL, a component nobody asked for).
+  std::uint32_t group = 0;  ///< The children of a group cover, together, the shape they were taken out of.
+  bool filled = false;      ///< `vertices` are the ring of a face without holes.
+  Ring3 vertices;           ///< If vanished: a hull of its surface. Else: some of the corners of one of its faces.
+};
+
+/// What a node's surfaces look like, of those that are wide enough to be told apart.
+struct SeenLooks {
+  enum class Count : std::uint8_t { kNone, kOne, kMany };
+  Count count = Count::kNone;
+  std::uint32_t look = 0;  ///< Of kOne.
+
+  void add(SeenLooks more) {
+    if (more.count == Count::kNone) return;
+    const bool is_same = count == Count::kOne && more.count == Count::kOne && look == more.look;
+    *this = count == Count::kNone || is_same ? more : SeenLooks{Count::kMany, 0};
+  }
+  bool are_many() const { return count == Count::kMany; }
+  bool show_other_than(std::uint32_t one) const { return are_many() || (count == Count::kOne && look != one); }
 };
 
 /// What a node's derivation moves, and whether it makes nothing at all.
 struct NodeTrace {
   Displacement moved;
   bool vanished = true;
+  SeenLooks seen = {};  ///< Where looks are kept. If many, nobody asks for `moved`: the node and all around it stay.
 };
 
 /// Puts together what the children say.

@@ -12,6 +12,31 @@
 namespace citykiln::grammars {
 namespace {
 
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+/// A throw of the dice, of which only matters between which bounds it lies.
+struct Drawn {
+  double value = 0;  ///< unit · scale.
+  double scale = 1;
+  std::uint32_t index = 0;
+};
+
+struct Outcomes {
+  double low = -kEver, high = kEver;
+};
+
+Drawn draw(Context& context, double scale) {
+  Dice& dice = context.dice;
+  const std::uint32_t index = dice.next++;
+  return {Draw(context.run.options.seed, dice.id, dice.purpose).unit(index) * scale, scale, index};
+}
+
+// any throw within these bounds would have led to the same
+void tell(Context& context, const Drawn& drawn, Outcomes same) {
+  const Dice& dice = context.dice;
+  if (dice.of_shape) context.run.threw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
+}
+
 Value finite(double number, Place place, Context& context) {
   if (std::isfinite(number)) return number;
   context.run.trouble(place, "the value is not a number or too large");
@@ -38,6 +63,13 @@ double random_number(Context& context, const double* n, std::size_t given) {
   return low + (high - low) * draw_unit(context);
 }
 
+bool is_drawn(Context& context, double share) {
+  const Drawn drawn = draw(context, 1);
+  const bool is_below = drawn.value < share;
+  tell(context, drawn, is_below ? Outcomes{-kEver, share} : Outcomes{share, kEver});
+  return is_below;
+}
+
 bool occluded(Context& context, OcclusionQuery query) {
   const Occlusion& occlusion = context.run.options.occlusion;
   if (occlusion && context.dice.of_shape) context.run.asked_of(0);
@@ -58,17 +90,18 @@ Value call_builtin(std::size_t row, const Value* v, const double* n, const std::
 
 // reads the arguments as the table's letters say
 Value evaluate_builtin(const Expression& call, Context& context) {
-  std::string letters = builtin_functions()[call.index].arguments;
-  std::erase(letters, '/');
+  const char* letters = builtin_functions()[call.index].arguments;
   Value v[3];
   double n[3] = {0, 0, 0};
   std::string s[3];
   for (std::size_t i = 0; i < call.operands.size() && i < 3; ++i) {
     v[i] = evaluate(call.operands[i], context);
-    const bool fits = letters[i] == 'v' || letters[i] == "nbs"[v[i].index()];
+    if (*letters == '/') ++letters;
+    const char letter = *letters++;
+    const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
     if (!fits) context.run.trouble(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
     n[i] = number_of(v[i]);
-    if (letters[i] == 's') s[i] = text_of(v[i]);
+    if (letter == 's') s[i] = text_of(v[i]);
   }
   const Value value = call_builtin(call.index, v, n, s, call.operands.size(), context);
   return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
@@ -155,11 +188,12 @@ int compared(const Value& a, const Value& b, Place place, Context& context) {
 
 Value compare(const Expression& binary, const Value& a, const Value& b, Context& context) {
   const int order = compared(a, b, binary.place, context);
-  if (binary.text == "==") return order == 0;
-  if (binary.text == "!=") return order != 0;
-  if (binary.text == "<") return order < 0;
-  if (binary.text == ">") return order > 0;
-  return binary.text == "<=" ? order <= 0 : order >= 0;
+  const char sign = binary.text[0];
+  if (sign == '=') return order == 0;
+  if (sign == '!') return order != 0;
+  const bool or_equal = binary.text.size() > 1;
+  if (or_equal && order == 0) return true;
+  return sign == '<' ? order < 0 : order > 0;
 }
 
 // texts that double in every function would fill the memory before a limit sees them
@@ -201,9 +235,9 @@ Value arithmetic(const Expression& binary, double a, double b, Context& context)
 }
 
 Value evaluate_binary(const Expression& binary, Context& context) {
-  if (binary.text == "&&") return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
-  if (binary.text == "||") return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
   const char first = binary.text[0];
+  if (first == '&') return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
+  if (first == '|') return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
   const bool compares = first == '=' || first == '!' || first == '<' || first == '>';
   if (!compares && first != '+') {
     // the left one draws first, whatever the compiler prefers
@@ -226,13 +260,18 @@ Value evaluate_case(const Expression& cases, Context& context) {
 }
 
 Value evaluate_chance(const Expression& chances, Context& context) {
-  const double dice = draw_unit(context) * 100;
-  double sum = 0;
+  const Drawn dice = draw(context, 100);
+  double sum = 0, least = -kEver;
   std::size_t i = 0;
   for (; i + 1 < chances.operands.size(); i += 2) {
     sum += number_at(chances.operands[i], context);
-    if (dice < sum) return evaluate(chances.operands[i + 1], context);
+    if (dice.value < sum) {
+      tell(context, dice, {least, sum});
+      return evaluate(chances.operands[i + 1], context);
+    }
+    least = std::max(least, sum);
   }
+  tell(context, dice, {least, kEver});
   return i < chances.operands.size() ? evaluate(chances.operands[i], context) : Value(0.0);
 }
 
@@ -321,14 +360,32 @@ Value evaluate(const Expression& expression, Context& context) {
   return value;
 }
 
-int chosen_branch(const Body& body, Context& context) {
-  const double dice = body.kind == BodyKind::kChance ? draw_unit(context) * 100 : 0;
+namespace {
+
+int drawn_branch(const Body& body, Context& context) {
+  const Drawn dice = draw(context, 100);
   double sum = 0;
+  Outcomes same;
+  int chosen = -1;
+  for (std::size_t i = 0; i < body.branches.size() && chosen < 0; ++i) {
+    const Branch& branch = body.branches[i];
+    if (!branch.is_else) sum += number_at(branch.test, context);
+    const bool is_this = branch.is_else || dice.value < sum;
+    if (is_this) chosen = static_cast<int>(i);
+    if (is_this && !branch.is_else) same.high = sum;
+    if (!is_this) same.low = std::max(same.low, sum);
+  }
+  tell(context, dice, same);
+  return chosen;
+}
+
+}  // namespace
+
+int chosen_branch(const Body& body, Context& context) {
+  if (body.kind == BodyKind::kChance) return drawn_branch(body, context);
   for (std::size_t i = 0; i < body.branches.size(); ++i) {
     const Branch& branch = body.branches[i];
-    if (branch.is_else) return static_cast<int>(i);
-    if (body.kind == BodyKind::kCase && truth_at(branch.test, context)) return static_cast<int>(i);
-    if (body.kind == BodyKind::kChance && dice < (sum += number_at(branch.test, context))) return static_cast<int>(i);
+    if (branch.is_else || truth_at(branch.test, context)) return static_cast<int>(i);
   }
   return -1;
 }

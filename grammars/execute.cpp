@@ -10,36 +10,46 @@ namespace {
 
 constexpr double kWorld_m = 1e9;  // beyond it doubles no longer know millimetres
 
-std::vector<Vec3> surface_points(const Shape& shape) {
+Ring3 surface_points(const Shape& shape) {
   if (shape.asset.empty()) return vertices_of(shape.faces);
   const auto corners = shape.scope.corners();
   return {corners.begin(), corners.end()};
 }
 
+// a node that shows many looks stays, and so do all that it is in: then nobody asks how far it moves
+bool measures(const Execution& execution) { return execution.run.measures() && !execution.seen.are_many(); }
+
 /// What a parent keeps of a child before it is derived: all points of its surface, the first face's ring first.
-ChildTrace trace_of(const Run& run, const Shape& shape, Displacement before, std::uint32_t group) {
+ChildTrace trace_of(const Execution& parent, const Shape& shape, Displacement before, std::uint32_t group) {
   return {before,
           {},
           false,
           group,
           shape.faces.size() > 0 && shape.faces.front().holes.empty(),
-          run.measures() ? surface_points(shape) : std::vector<Vec3>{}};
+          measures(parent) ? surface_points(shape) : Ring3{}};
 }
 
 // of a survivor the first face's ring is enough: points that its surface surely holds
 void complete(ChildTrace& trace, const Outcome& outcome, std::size_t first_ring) {
   trace.own = outcome.trace.moved;
   trace.vanished = outcome.trace.vanished;
-  if (!trace.vanished && trace.vertices.size() > first_ring && first_ring > 0) trace.vertices.resize(first_ring);
+  if (trace.vanished || trace.vertices.size() <= first_ring || first_ring == 0) return;
+  trace.vertices = Ring3(trace.vertices.begin(), trace.vertices.begin() + first_ring);
 }
 
 std::size_t first_ring_of(const Shape& shape) { return shape.faces.empty() ? 0 : shape.faces.front().outer.size(); }
 
 void add_child(Execution& execution, ChildTrace trace, const Outcome& outcome, std::size_t first_ring) {
   execution.vanished &= outcome.trace.vanished;
-  if (!execution.run.measures()) return;
+  execution.seen.add(outcome.trace.seen);
+  if (!measures(execution)) return;
   complete(trace, outcome, first_ring);
   execution.children.push_back(std::move(trace));
+}
+
+// a node whose only successor has its whole surface is cut where that is: it need not remember where it began
+void remember_start(Execution& execution) {
+  if (execution.run.measures() && !execution.start) execution.start = execution.shape;
 }
 
 Outcome nothing() { return {}; }
@@ -66,13 +76,24 @@ void christen(Shape& shape, Newborn newborn) {
   shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
 }
 
-Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments) {
+Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments, int depth) {
   Run& run = execution.run;
   if (statement.name == "NIL") return nothing();
   if (statement.index == ~0u)
     return end_as_terminal(run, std::move(child), statement.name, run.path(execution.path, statement.name));
   const Rule& rule = run.program.rules[statement.index];
-  return apply_rule(run, std::move(child), rule, std::move(arguments), execution.depth + 1, execution.path);
+  return apply_rule(run, std::move(child), rule, std::move(arguments), depth, execution.path);
+}
+
+// as run_successor() of a node of the piece's own would
+Outcome name_piece(Execution& execution, Shape&& shape, const Statement& successor) {
+  Run& run = execution.run;
+  const auto birth = static_cast<std::uint32_t>(run.births.size());
+  run.births.push_back({shape.birth, successor.name.c_str(), 0});
+  shape.id = stable_id(shape.id, successor.name.c_str(), 0);
+  ++run.out.shapes;
+  shape.birth = birth;
+  return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
 }
 
 // not inlined, nor are other holders of shapes, so that blocks in each other cost the stack no shapes
@@ -81,13 +102,15 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   Frame arguments;
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
-  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
+  if (!last) remember_start(execution);
+  ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   const Newborn newborn = bear(execution, statement.name.c_str());
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   christen(child, newborn);
-  const Outcome outcome = derive_successor(execution, statement, std::move(child), std::move(arguments));
+  const Outcome outcome =
+      derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
   add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
 }
@@ -121,6 +144,8 @@ bool is_in_world(const Shape& shape) {
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
+  if (row.alters == Alters::kSurface || row.alters == Alters::kFrame || statement.has_selectors)
+    remember_start(execution);
   if (row.alters != Alters::kSurface && row.alters != Alters::kFrame) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
@@ -156,7 +181,7 @@ void run_statement(Execution& execution, const Statement& statement, bool last) 
 // what the rules have made of the current shape after its last successor
 void end_pending(Execution& execution) {
   if (!execution.pending) return;
-  ChildTrace trace = trace_of(execution.run, execution.shape, execution.moved, execution.groups++);
+  ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
   christen(execution.shape, bear(execution, execution.name.c_str()));
   ++execution.run.out.shapes;
@@ -172,16 +197,23 @@ double area_m2_of(const Terminal& terminal) {
 
 /// What would go if a node were cut.
 struct Removed {
-  std::size_t vertices = 0;
   LookAreas areas_m2;         ///< Of all detail, also of what was cut before.
   std::uint32_t look = 0;     ///< Of most of it.
   std::uint32_t texture = 0;  ///< Of the largest that looks so; into Tables::textures.
 };
 
+// an asset is worth a cut whatever it weighs
+std::size_t vertices_from(const Run& run, std::size_t first) {
+  std::size_t count = 0;
+  for (std::size_t i = first; i < run.out.terminals.size(); ++i) {
+    const Terminal& terminal = run.out.terminals[i];
+    count += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
+  }
+  return count;
+}
+
 void weigh(const Run& run, std::size_t i, Removed& removed) {
   const Terminal& terminal = run.out.terminals[i];
-  // an asset is worth a cut whatever it weighs
-  removed.vertices += terminal.asset.empty() ? vertex_count(terminal.faces) : 1000;
   if (run.notes[i].stands_for == 0) {
     removed.areas_m2[terminal.look] += area_m2_of(terminal);
   } else {
@@ -237,28 +269,28 @@ double width_m(const Terminal& terminal) {
   return widest_m;
 }
 
-// true if something is wide enough to be seen and looks otherwise
-bool shows(std::span<const Terminal> terminals, std::uint32_t look, double tolerance_m) {
-  return std::any_of(terminals.begin(), terminals.end(), [&](const Terminal& terminal) {
-    return terminal.look != look && width_m(terminal) > tolerance_m;
-  });
+// by its look, what is wider than the tolerance
+SeenLooks seen_of(const Run& run, const Terminal& terminal) {
+  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m) return {};
+  return {SeenLooks::Count::kOne, terminal.look};
 }
 
 bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
-  if (outcome.trace.vanished || start.faces.empty() || !start.asset.empty()) return false;
+  if (outcome.trace.vanished || outcome.trace.seen.are_many()) return false;
+  if (start.faces.empty() || !start.asset.empty()) return false;
   return outcome.trace.moved.largest_m() <= run.options.tolerance_m;
 }
 
 // puts the node's own surface in the place of all that was made of it, if that is less
-void cut_if_near(Execution& execution, const Shape& start, std::size_t first, const Outcome& outcome) {
+void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Outcome& outcome) {
   Run& run = execution.run;
   std::vector<Terminal>& terminals = run.out.terminals;
   if (!may_be_cut(run, outcome, start)) return;
   if (run.options.keep_start && execution.depth <= 1) return;
+  if (vertex_count(start.faces) >= vertices_from(run, first)) return;
   Removed removed = weigh_from(run, first);
-  if (vertex_count(start.faces) >= removed.vertices) return;
-  const std::span<const Terminal> below = std::span(terminals).subspan(first);
-  if (run.options.keep_looks && shows(below, removed.look, run.options.tolerance_m)) return;
+  // something that is wide enough to be seen looks otherwise
+  if (outcome.trace.seen.show_other_than(removed.look)) return;
   forget_terminals(run.memo, first);
   terminals.resize(first);
   run.notes.resize(first);
@@ -273,20 +305,25 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, co
                        true,
                        outcome.trace.moved.largest_m()});
   run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)), start.moved_at});
+  outcome.trace.seen = seen_of(run, terminals.back());
 }
 
 NodeTrace traced(const Execution& execution) {
-  if (execution.run.measures()) return together(execution.children);
-  return {{}, execution.vanished};
+  if (!execution.run.measures()) return {{}, execution.vanished};
+  if (execution.seen.are_many()) return {{kUnbounded_m, kUnbounded_m}, false, execution.seen};
+  NodeTrace trace = together(execution.children);
+  trace.seen = execution.seen;
+  return trace;
 }
 
 // the node's own surface for all that would be made of it
 Outcome end_ahead(Execution& execution, Displacement moved) {
   Run& run = execution.run;
-  end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
+  Outcome outcome = end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
   run.out.terminals.back().cut = true;
   run.out.terminals.back().error_m = moved.largest_m();
-  return {{moved, false}};
+  outcome.trace.moved = moved;
+  return outcome;
 }
 
 Outcome run_node(Execution& execution, const Body& body) {
@@ -294,19 +331,25 @@ Outcome run_node(Execution& execution, const Body& body) {
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return {repeat(execution, *recording.entry)};
   const std::size_t first = execution.run.out.terminals.size();
-  std::optional<Shape> start;
-  if (execution.run.measures()) start = execution.shape;
   run_body(execution, body, true);
   end_pending(execution);
-  const Outcome outcome{traced(execution)};
-  if (start) cut_if_near(execution, *start, first, outcome);
+  Outcome outcome{traced(execution)};
+  if (execution.start) cut_if_near(execution, *execution.start, first, outcome);
   end_recording(execution.run, body, recording, outcome.trace);
   return outcome;
 }
 
+// `Wall.`, as most pieces of facades have it: a node of which nothing is left but its successor's
+bool only_names_successor(const Body& body) {
+  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
+  const Statement& only = body.statements.front();
+  return only.kind == StatementKind::kSuccessor && only.arguments.empty();
+}
+
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
-  const Dice dice{shape.id};
+  if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
+  const Dice dice{shape.id, "rule", 0, true, shape.birth};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
@@ -318,7 +361,7 @@ Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::u
   run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
   run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
                                run.tables.texture_at(shape.texture), std::move(shape.asset), shape.scope, false, 0});
-  return {{{}, false}};
+  return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }
 
 void run_body(Execution& execution, const Body& body, bool last) {
@@ -345,7 +388,7 @@ Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int d
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice{shape.id};
+  const Dice dice{shape.id, "rule", 0, true, shape.birth};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }
@@ -356,8 +399,9 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   const Displacement before = execution.moved + moved;
   run.out.shapes += pieces.size();
   for (Piece& piece : pieces) {
+    execution.born += piece.left_out;
     christen(piece.shape, bear(execution, "piece"));
-    ChildTrace trace = trace_of(run, piece.shape, before, group);
+    ChildTrace trace = trace_of(execution, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);
     const Outcome outcome =
         piece.body == nullptr ? nothing() : run_piece(execution, std::move(piece.shape), *piece.body);

@@ -1,5 +1,6 @@
 #include "grammars/memo.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -13,6 +14,8 @@ constexpr std::size_t kMostVertices = 12;
 // a body that made so few shapes so often is not worth a note, nor one that never met its like
 constexpr std::uint64_t kFewShapes = 3;
 constexpr std::uint32_t kManyTimes = 8, kManyMisses = 64;
+// more dice hardly ever fall alike twice: two panes of a window do, those of a floor do not
+constexpr std::size_t kMostThrows = 6, kMostVariants = 24;
 
 std::int64_t whole(double v) {
   const double scaled = v * (1 / kSame_m);
@@ -46,18 +49,16 @@ void add_inherited(MemoKey& key, const Shape& shape) {
 }
 
 // up as the scope sees it: a motion may turn the shape about the vertical alone
-MemoKey key_of(const Execution& execution, const Body& body) {
+void make_key(const Execution& execution, const Body& body, MemoKey& key) {
   const Shape& shape = execution.shape;
   const Scope& scope = shape.scope;
-  MemoKey key;
-  key.reserve(64);
+  key.clear();
   key.insert(key.end(), {body.number, execution.path, execution.depth});
   add_face(key, shape.faces.front(), scope);
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
   for (const Value& value : execution.frame) add(key, value);
-  return key;
 }
 
 bool is_frame(const Scope& scope) {
@@ -84,6 +85,7 @@ Made ends_of(const Run& run) {
   made.births.first = run.births.size();
   made.reports.first = run.out.reports.size();
   made.textures.first = run.tables.textures.size();
+  made.throws.first = run.throws.size();
   made.shapes = run.out.shapes;
   made.steps = run.out.steps - run.attribute_steps;
   return made;
@@ -95,6 +97,7 @@ Made between(const Made& before, const Made& after, NodeTrace trace) {
   made.births.end = after.births.first;
   made.reports.end = after.reports.first;
   made.textures.end = after.textures.first;
+  made.throws.end = after.throws.first;
   made.shapes = after.shapes - before.shapes;
   made.steps = after.steps - before.steps;
   made.trace = trace;
@@ -125,17 +128,41 @@ Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
   return {&entry, false, ends_of(execution.run)};
 }
 
+// of those that are derived, whichever's dice fell as this shape's will
+MemoEntry* variant_of(const Run& run, const Shape& shape, const MemoVariants& variants) {
+  for (const std::unique_ptr<MemoEntry>& entry : variants)
+    if (would_throw(run, shape.id, entry->throws)) return entry.get();
+  return nullptr;
+}
+
+bool any_under_way(const MemoVariants& variants) {
+  return std::any_of(variants.begin(), variants.end(),
+                     [](const auto& entry) { return entry->state == MemoState::kUnderWay; });
+}
+
 }  // namespace
+
+std::size_t MemoKeyHash::operator()(const MemoKey& key) const {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::int64_t word : key) hash = (hash ^ static_cast<std::uint64_t>(word)) * 0x9e3779b97f4a7c15u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  return hash ^ (hash >> 31);
+}
 
 Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
   if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
-  const auto [found, is_new] = run.memo.entries.try_emplace(key_of(execution, body));
-  MemoEntry& entry = found->second;
+  make_key(execution, body, run.memo.asked);
+  MemoVariants& variants = run.memo.entries[run.memo.asked];
+  if (any_under_way(variants)) return {};
+  MemoEntry* known = variant_of(run, execution.shape, variants);
+  if (known == nullptr && variants.size() >= kMostVariants) return {};
+  const bool is_new = known == nullptr;
   record.misses += is_new;
+  MemoEntry& entry = is_new ? *variants.emplace_back(std::make_unique<MemoEntry>()) : *known;
   if (is_new || entry.state == MemoState::kLost) return first_of_its_kind(execution, entry);
-  if (entry.state == MemoState::kUnderWay || !fits_limits(run, entry.made)) return {};
+  if (!fits_limits(run, entry.made)) return {};
   if (entry.state == MemoState::kSeen && !make_pattern(run, entry)) {
     record.never = true;
     return {};
@@ -148,6 +175,7 @@ NodeTrace repeat(Execution& execution, const MemoEntry& entry) {
   Run& run = execution.run;
   copy_pattern(run, entry.pattern, execution.shape);
   run.out.shapes += entry.made.shapes;
+  run.out.copied += entry.made.shapes;
   run.out.steps += entry.made.steps;
   NodeTrace trace = entry.made.trace;
   // both the shape and its like are as large as the other but for kSame_m, at each of their ends
@@ -160,15 +188,18 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   Memo& memo = run.memo;
   BodyRecord& record = memo.bodies[body.number];
   MemoEntry& entry = *recording.entry;
-  const bool lost = entry.state == MemoState::kLost, repeats = memo.open.back().repeats;
-  memo.open.pop_back();
+  const bool lost = entry.state == MemoState::kLost;
   entry.made = between(recording.before, ends_of(run), trace);
+  const IndexRange throws = entry.made.throws;
+  const bool repeats = memo.open.back().repeats && throws.end - throws.first <= kMostThrows;
+  memo.open.pop_back();
   const bool is_small = entry.made.shapes <= kFewShapes;
   record.small_ones += is_small;
   record.never |= is_small && body.kind == BodyKind::kStatements;
   record.never |= !repeats || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
   entry.state = MemoState::kUnderWay;
   if (!repeats) return;
+  entry.throws = throws_of(run, entry.shape.birth, throws);
   if (lost) {
     record.never |= !make_pattern(run, entry);
   } else {

@@ -2,12 +2,14 @@
 // copies.
 //
 //   ┌──┬──┬──┐      A node is a pattern if what it became depends on nothing but its key: its body and arguments, its
-//   │A │A'│A'│      shape as its scope sees it, which way is up, its look. The dice, the place in the city, neighbours
-//   └──┴──┴──┘      and messages make it none; then the nodes below it may be.
+//   │A │A'│A'│      shape as its scope sees it, which way is up, its look. The place in the city, neighbours, messages
+//   └──┴──┴──┘      and numbers out of the dice make it none; then the nodes below it may be. Where the dice only
+//                   choose between ways to go on, each way is a pattern of its own, known by what has to be thrown.
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <memory>
+#include <unordered_map>
 #include <vector>
 
 #include "grammars/pattern.h"
@@ -31,10 +33,19 @@ struct MemoEntry {
   MemoState state = MemoState::kUnderWay;
   Shape shape;  ///< The first one.
   Made made;
+  Throws throws;  ///< As the dice fell.
   Pattern pattern;
 };
 
+/// All that became of shapes that are the same, as their dice fell.
+using MemoVariants = std::vector<std::unique_ptr<MemoEntry>>;
+
 using MemoKey = std::vector<std::int64_t>;
+
+/// FNV-1a over whole words, finished as SplitMix64 is.
+struct MemoKeyHash {
+  std::size_t operator()(const MemoKey& key) const;
+};
 
 /// How often a body's nodes were worth a note.
 struct BodyRecord {
@@ -49,8 +60,9 @@ struct OpenNode {
 };
 
 struct Memo {
-  std::map<MemoKey, MemoEntry> entries;
-  std::vector<MemoEntry*> seen;  ///< Those of kSeen, in the order of their terminals.
+  std::unordered_map<MemoKey, MemoVariants, MemoKeyHash> entries;  ///< Looked up, never gone through.
+  MemoKey asked;                                                   ///< The key that is being made.
+  std::vector<MemoEntry*> seen;                                    ///< Those of kSeen, in the order of their terminals.
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
 };

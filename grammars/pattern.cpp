@@ -74,6 +74,24 @@ std::uint32_t add_birth(Maker& maker, std::uint32_t birth) {
   return maker.birth_of[birth] = static_cast<std::uint32_t>(maker.pattern.births.size());
 }
 
+/// Descents seen from one shape.
+struct Descent {
+  const Run& run;
+  std::uint32_t birth;
+  Throws throws = {};
+  std::map<std::uint32_t, std::uint32_t> place_of = {};
+
+  std::uint32_t add(std::uint32_t other) {
+    if (other == birth) return 0;
+    const auto found = place_of.find(other);
+    if (found != place_of.end()) return found->second;
+    Birth descent = run.births[other];
+    descent.parent = add(descent.parent);
+    throws.births.push_back(descent);
+    return place_of[other] = static_cast<std::uint32_t>(throws.births.size());
+  }
+};
+
 std::uint32_t add_texture(Maker& maker, std::uint32_t texture) {
   const auto next = static_cast<std::uint32_t>(maker.pattern.textures.size());
   const auto [found, is_new] = maker.texture_of.emplace(texture, next);
@@ -176,6 +194,27 @@ void copy_terminal(Run& run, const PatternTerminal& from, const Copy& copy) {
 
 }  // namespace
 
+Throws throws_of(const Run& run, std::uint32_t birth, IndexRange throws) {
+  Descent descent{run, birth};
+  for (std::size_t i = throws.first; i < throws.end; ++i) {
+    Throw thrown = run.throws[i];
+    thrown.birth = descent.add(thrown.birth);
+    descent.throws.thrown.push_back(thrown);
+  }
+  return std::move(descent.throws);
+}
+
+bool would_throw(const Run& run, StableId shape, const Throws& throws) {
+  if (throws.thrown.empty()) return true;
+  std::vector<StableId> ids = {shape};
+  ids.reserve(throws.births.size() + 1);
+  for (const Birth& birth : throws.births) ids.push_back(stable_id(ids[birth.parent], birth.name, birth.ordinal));
+  return std::all_of(throws.thrown.begin(), throws.thrown.end(), [&](const Throw& thrown) {
+    const double value = Draw(run.options.seed, ids[thrown.birth], "rule").unit(thrown.index) * thrown.scale;
+    return thrown.low <= value && value < thrown.high;
+  });
+}
+
 std::optional<Pattern> pattern_of(const Run& run, const Shape& shape, const Made& made) {
   Maker maker{run, shape, made};
   for (std::size_t i = made.terminals.first; i < made.terminals.end; ++i)
@@ -183,6 +222,10 @@ std::optional<Pattern> pattern_of(const Run& run, const Shape& shape, const Made
   for (std::size_t i = made.terminals.first; i < made.terminals.end; ++i) add_terminal(maker, i);
   for (std::size_t i = made.reports.first; i < made.reports.end; ++i)
     maker.pattern.reports.push_back({run.out.reports[i], add_birth(maker, run.report_births[i])});
+  for (std::size_t i = made.throws.first; i < made.throws.end; ++i) {
+    Throw& thrown = maker.pattern.throws.emplace_back(run.throws[i]);
+    thrown.birth = add_birth(maker, thrown.birth);
+  }
   return std::move(maker.pattern);
 }
 
@@ -195,6 +238,10 @@ void copy_pattern(Run& run, const Pattern& pattern, const Shape& shape) {
   for (const PatternReport& report : pattern.reports) {
     run.out.reports.push_back({report.reported.name, report.reported.value, copy.ids[report.birth]});
     run.report_births.push_back(copy.birth(report.birth));
+  }
+  for (Throw thrown : pattern.throws) {
+    thrown.birth = copy.birth(thrown.birth);
+    run.threw(thrown);
   }
 }
 

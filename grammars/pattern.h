@@ -19,6 +19,20 @@ struct Birth {
   std::uint64_t ordinal = 0;
 };
 
+/// A throw of a shape's dice that decided between a few ways to go on.
+struct Throw {
+  std::uint32_t birth = 0;   ///< The shape's; into Run::births, or of a pattern as in Pattern::births.
+  std::uint32_t index = 0;   ///< Of Draw::unit().
+  double scale = 1;          ///< What the number was multiplied by.
+  double low = 0, high = 0;  ///< low <= number · scale < high: whatever lies there leads the same way.
+};
+
+/// All throws that a node depends on, and the descent of those who threw, seen from its shape.
+struct Throws {
+  std::vector<Birth> births;  ///< Parents first; a parent of 0 is the shape, others one more than their place here.
+  std::vector<Throw> thrown;
+};
+
 /// What is known of a terminal beyond what the caller hears.
 struct TerminalNote {
   std::uint32_t birth = 0;       ///< Into Run::births.
@@ -34,7 +48,7 @@ struct IndexRange {
 
 /// What a node made, in the tables of the run.
 struct Made {
-  IndexRange terminals, births, reports, textures;
+  IndexRange terminals, births, reports, textures, throws;
   std::uint64_t shapes = 0, steps = 0;
   NodeTrace trace;
 };
@@ -75,7 +89,14 @@ struct Pattern {
   std::vector<Texture> textures;
   std::vector<PatternTerminal> terminals;
   std::vector<PatternReport> reports;
+  std::vector<Throw> throws;
 };
+
+/// The throws of a node that began with the shape born as `birth`.
+Throws throws_of(const Run& run, std::uint32_t birth, IndexRange throws);
+
+/// True if the dice of this shape's descendants would fall as those did. O(births).
+bool would_throw(const Run& run, StableId shape, const Throws& throws);
 
 /// The pattern of what `shape`, one face without holes, was made to. std::nullopt if something divides the shape's
 /// surface at its border, where neighbours would have to be divided at the same points, bit for bit.

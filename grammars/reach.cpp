@@ -142,12 +142,14 @@ struct Course {
   double out_m = 0;              ///< Of all children.
   double back_m = kUnbounded_m;  ///< Of the best group of children.
   bool stays = false;
+  bool keeps_look = true;
 };
 
 // `cover_m`: from a point of the current surface to the children that stand for it
 void add_group(Course& course, const Reach& reach, double cover_m) {
   course.out_m = std::max(course.out_m, course.moved.out_m + reach.moved.out_m);
   course.pending = false;
+  course.keeps_look &= reach.keeps_look;
   if (!reach.stays) return;
   course.stays = true;
   course.back_m = std::min(course.back_m, course.moved.back_m + cover_m + reach.moved.back_m);
@@ -155,11 +157,13 @@ void add_group(Course& course, const Reach& reach, double cover_m) {
 
 /// All children of a group: as far out as any, as far back as any, and staying if all do.
 Reach worst_of(Reach a, Reach b) {
-  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)}, a.stays && b.stays};
+  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)},
+          a.stays && b.stays,
+          a.keeps_look && b.keeps_look};
 }
 
-constexpr Reach kNothing = {{0, kUnbounded_m}, false};
-constexpr Reach kItself = {{0, 0}, true};
+constexpr Reach kNothing = {{0, kUnbounded_m}, false, true};
+constexpr Reach kItself = {{0, 0}, true, true};
 
 // nested ones too
 Reach worst_of(Course& course, const std::vector<Selector>& selectors) {
@@ -234,7 +238,7 @@ void look_at_comp(Course& course, const Statement& statement) {
   // ends are front and back of what stands, top and bottom of what lies
   const Reach ends =
       worst_of(reach_of_ends(course, statement, "front", "back"), reach_of_ends(course, statement, "top", "bottom"));
-  add_group(course, {{parts.moved.out_m, ends.moved.back_m}, ends.stays}, course.height_m);
+  add_group(course, {{parts.moved.out_m, ends.moved.back_m}, ends.stays, parts.keeps_look}, course.height_m);
 }
 
 void look_at_extrude(Course& course, const Statement& statement) {
@@ -256,6 +260,7 @@ void look_at_operation(Course& course, const Statement& statement) {
   const OperationRow& row = operation_table()[statement.index];
   const bool is_face = course.form == Form::kFace;
   course.pending |= row.alters != Alters::kNothing;
+  course.keeps_look &= row.alters != Alters::kLook && statement.name != "set";
   if (statement.name == "comp" && course.form != Form::kUnknown) return look_at_comp(course, statement);
   if (statement.name == "split" && is_face) return look_at_split(course, statement);
   if (statement.name == "setback" && is_face) return look_at_setback(course, statement);
@@ -307,7 +312,7 @@ Reach reach_of_statements(Outlook outlook, const Body& body, NumberRanges frame)
     if (course.unbounded) return {};
   }
   if (course.pending) add_group(course, kItself, 0);
-  return {{course.out_m, course.back_m}, course.stays};
+  return {{course.out_m, course.back_m}, course.stays, course.keeps_look};
 }
 
 // a case that no branch fits leaves the shape as it is
@@ -325,10 +330,10 @@ std::vector<double> ends_of(const NumberRanges& frame) {
 
 Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame) {
   ReachTable& table = outlook.execution.run.reaches;
-  if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
   // what is under way is unbounded: a rule that comes to itself again
   const auto [found, is_new] = table.found.try_emplace({body.number, ends_of(frame)});
   if (!is_new) return found->second;
+  if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
   for (const Local& local : body.locals) {
     const NumberRange value = range_of(outlook, local.value, frame);
     frame.resize(std::max<std::size_t>(frame.size(), local.slot + 1));
@@ -346,14 +351,20 @@ bool divides(const Body& body) {
                      [](const Branch& branch) { return divides(branch.body); });
 }
 
+bool divides_at_all(ReachTable& table, const Body& body) {
+  const auto [found, is_new] = table.divides.try_emplace(body.number);
+  if (is_new) found->second = divides(body);
+  return found->second;
+}
+
+}  // namespace
+
 bool is_flat(const Shape& shape) {
   if (shape.faces.size() != 1 || !shape.asset.empty()) return false;
   const Vec3 normal = normal_of(shape.faces.front());
   constexpr double kNearly = 1 - 1e-9;
   return std::abs(dot(normal, shape.scope.axis[1])) > kNearly || std::abs(dot(normal, shape.scope.axis[2])) > kNearly;
 }
-
-}  // namespace
 
 Reach reach_of(Execution& execution, const Body& body) {
   NumberRanges frame;
@@ -363,10 +374,11 @@ Reach reach_of(Execution& execution, const Body& body) {
 
 std::optional<Displacement> known_ahead(Execution& execution, const Body& body) {
   const DeriveOptions& options = execution.run.options;
-  if (!options.ahead || options.keep_looks || !execution.run.measures()) return std::nullopt;
-  if (!divides(body) || !is_flat(execution.shape)) return std::nullopt;
+  if (!options.ahead || !execution.run.measures()) return std::nullopt;
+  if (!divides_at_all(execution.run.reaches, body) || !is_flat(execution.shape)) return std::nullopt;
   const Reach reach = reach_of(execution, body);
-  if (!reach.stays || reach.moved.largest_m() > options.tolerance_m) return std::nullopt;
+  if (!reach.stays || (options.keep_looks && !reach.keeps_look) || reach.moved.largest_m() > options.tolerance_m)
+    return std::nullopt;
   return reach.moved;
 }
 

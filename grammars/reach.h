@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "grammars/displacement.h"
+#include "grammars/shape.h"
 #include "grammars/syntax.h"
 
 namespace citykiln::grammars {
@@ -26,19 +27,24 @@ struct NumberRange {
 
 struct Reach {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
-  bool stays = false;  ///< Something surely comes of it; else `moved.back_m` says nothing.
+  bool stays = false;       ///< Something surely comes of it; else `moved.back_m` says nothing.
+  bool keeps_look = false;  ///< All that comes of it looks as the shape does.
 };
 
 /// Reaches found so far, by body and arguments.
 struct ReachTable {
   std::map<std::pair<std::uint32_t, std::vector<double>>, Reach> found;
-  std::uint32_t looks = 0;  ///< Bodies and values looked at; after so many, everything is unbounded.
+  std::map<std::uint32_t, bool> divides;  ///< By body: whether it divides a surface itself.
+  std::uint32_t looks = 0;                ///< Bodies and values looked at; after so many, everything is unbounded.
 };
 
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are
 /// thrown. Safe: what the derivation measures is never more, unless a limit ends it. O(bodies that it may come to),
 /// once.
 Reach reach_of(Execution& execution, const Body& body);
+
+/// True for one flat face that looks along its scope's z or y: what reach_of() knows.
+bool is_flat(const Shape& shape);
 
 /// What the body may move the node's shape, if that is known to be within the tolerance, so that the node need not be
 /// derived (DeriveOptions::ahead). std::nullopt also for bodies that divide nothing: what they name is looked at in its

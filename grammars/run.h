@@ -19,10 +19,17 @@ struct Dice {
   StableId id;
   const char* purpose = "rule";
   std::uint32_t next = 0;
-  bool of_shape = true;  ///< Not an attribute's, which are the building's.
+  bool of_shape = true;     ///< Not an attribute's, which are the building's.
+  std::uint32_t birth = 0;  ///< Of the shape.
 };
 
 using Frame = std::vector<Value>;
+
+/// A path, by the name that led there: of equal names that stand in several places of the program each is known.
+struct KnownPath {
+  const std::string* name;
+  std::uint32_t path;
+};
 
 struct Run {
   const Program& program;
@@ -38,19 +45,23 @@ struct Run {
   std::vector<bool> attribute_under_way = {};
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::vector<std::vector<std::uint32_t>> paths_below = {};              ///< By path.
+  std::vector<std::vector<KnownPath>> paths_below = {};                  ///< By path.
   Memo memo = {};
+  std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
   ReachTable reaches = {};
 
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
   void asked_of(std::uint32_t since);
+  /// What comes of the shape's dice depends on this throw, and on no more of it than that.
+  void threw(const Throw& thrown);
   /// Without a tolerance nobody asks how far surfaces move.
   bool measures() const { return options.tolerance_m > 0; }
   void trouble(Place place, const std::string& message);
   /// Counts steps; false once there are too many.
   bool spend(std::uint64_t steps);
   void hit(LimitKind kind, const std::string& rule, Place place);
+  /// @param rule  Has to live in the program.
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
   /// Where Derivation::looks has this look of the tables.
   std::uint32_t look_index(std::uint32_t look);
@@ -73,7 +84,9 @@ struct Execution {
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
   std::vector<ChildTrace> children = {};  ///< Where surfaces are measured.
-  bool vanished = true;                   ///< All children have.
+  SeenLooks seen = {};                    ///< Of all children.
+  std::optional<Shape> start = {};  ///< As it was before anything divided or moved it, where surfaces are measured.
+  bool vanished = true;             ///< All children have.
   std::uint32_t groups = 0;
   std::uint64_t born = 0;  ///< Ordinal of the next child.
   bool pending = true;     ///< No successor has been made of the shape as it is now.
@@ -83,6 +96,7 @@ struct Execution {
 struct Piece {
   Shape shape;
   const Body* body = nullptr;
+  std::uint32_t left_out = 0;  ///< How many before it are not made: it is numbered as if they were.
 };
 
 /// Hands the pieces to their bodies. Together they have to cover the current shape's surface, but for `moved`.

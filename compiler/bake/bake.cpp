@@ -313,10 +313,14 @@ void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carvi
   report.account("bake", "derived lamp") = derived;
 }
 
+// each mesh goes when it is merged: a tile is never there twice
 void merge_meshes(Firing& firing) {
   Merged merged;
-  for (const DressedMesh& mesh : firing.meshes)
+  for (DressedMesh& each : firing.meshes) {
+    const DressedMesh mesh = std::move(each);
     merge(merged, mesh, firing.tile.origin, number_of(firing.tile, mesh.feature));
+  }
+  firing.meshes.clear();
   firing.tile.primitives = primitives_of(std::move(merged));
 }
 
@@ -422,6 +426,24 @@ std::vector<Level> levels_seen(const scene::Header& header, const scene::Chunk& 
 
 }  // namespace
 
+struct PreparedTile {
+  const scene::Header& header;
+  const scene::Chunk& chunk;
+  std::vector<Level> levels;
+};
+
+std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
+                                      std::span<const double> ladder_m, int threads) {
+  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m)};
+  expand_grounds(prepared.levels, scene::box_of(header, chunk.tile), threads);
+  return std::make_shared<PreparedTile>(std::move(prepared));
+}
+
+BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report) {
+  Level own = std::move(prepared.levels[level]);
+  return fire_level(prepared.header, prepared.chunk, own, nullptr, threads, report);
+}
+
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
                Report& report) {
   return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report).front());
@@ -433,11 +455,10 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
     BakedTile tile;
     Report report;
   };
-  std::vector<Level> levels = levels_of(header, chunk, ladder_m);
-  expand_grounds(levels, scene::box_of(header, chunk.tile), threads);
-  std::vector<Slot> slots = for_each_slot<Slot>(levels.size(), threads, [&](std::size_t i) {
+  const std::shared_ptr<PreparedTile> prepared = prepare(header, chunk, ladder_m, threads);
+  std::vector<Slot> slots = for_each_slot<Slot>(ladder_m.size(), threads, [&](std::size_t i) {
     Slot slot;
-    slot.tile = fire_level(header, chunk, levels[i], nullptr, threads, slot.report);
+    slot.tile = fire_prepared(*prepared, i, threads, slot.report);
     return slot;
   });
   std::vector<BakedTile> tiles;

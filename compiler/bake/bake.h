@@ -1,6 +1,7 @@
 // Stage 11: fires the clay of one tile at a tolerance.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,9 +18,18 @@ namespace citykiln::bake {
 BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
 
 /// The same at every tolerance of a ladder, in its order: what levels have in common is made once. The report takes the
-/// levels one after another. Memory: all levels.
+/// levels one after another. Memory: all levels; whoever has no need of all at once prepares and fires them one by one.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
                             int threads, Report& report);
+
+/// What the levels of a tile have in common, and their ground; each level's own part goes when it is fired.
+struct PreparedTile;
+std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
+                                      std::span<const double> ladder_m, int threads);
+
+/// The `level`-th tile of the ladder that was prepared, as bake() makes it. Each level once, in any order and on any
+/// thread.
+BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
 
 /// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
 /// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too

@@ -71,7 +71,7 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   options.tolerance_m = tolerance_m;
   options.keep_start = true;
   // from afar windows are no wider than what may be left out, and what moves little is known ahead
-  options.keep_looks = tolerance_m < kFar_m, options.ahead = !options.keep_looks;
+  options.keep_looks = tolerance_m < kFar_m, options.ahead = true;
   // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;

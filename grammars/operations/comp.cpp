@@ -12,10 +12,10 @@ bool is_vertical(Vec3 normal) { return std::abs(normal.z) < 0.01; }
 bool is_level(Vec3 normal) { return std::abs(normal.z) > 0.9999; }
 
 // a tag that the maker of the face left says more than its direction: a steep roof is a roof
-std::string side_of(const Scope& scope, const Face& face) {
+std::string_view side_of(const Scope& scope, const Face& face, Vec3 normal) {
   if (face.tag == FaceTag::kTop) return "top";
   if (face.tag == FaceTag::kBottom) return "bottom";
-  const NearestAxis nearest = nearest_axis(scope, normal_of(face));
+  const NearestAxis nearest = nearest_axis(scope, normal);
   // over a level face, whose z is up, y points to the back
   const bool lies = std::abs(scope.axis[1].z) < 0.01 && std::abs(scope.axis[2].z) > 0.9;
   if (lies && nearest.axis == 2) return nearest.against ? "bottom" : "top";
@@ -25,11 +25,9 @@ std::string side_of(const Scope& scope, const Face& face) {
   return nearest.against ? "left" : "right";
 }
 
-bool is_side(const std::string& side) { return side != "top" && side != "bottom"; }
+bool is_side(std::string_view side) { return side != "top" && side != "bottom"; }
 
-bool selects(const std::string& word, const Scope& scope, const Face& face) {
-  const Vec3 normal = normal_of(face);
-  const std::string side = side_of(scope, face);
+bool selects(std::string_view word, std::string_view side, Vec3 normal, const Face& face) {
   if (word == "all" || word == side) return true;
   if (word == "side") return is_side(side);
   if (word == "vertical") return is_vertical(normal);
@@ -51,11 +49,13 @@ const char* name_of(FaceTag tag) {
 // who asks for what the face's maker called it has the face, else the first that it fits: so gables and the rims of
 // eaves are no walls, wherever `side` stands
 int selector_of(const std::vector<Key>& keys, const Scope& scope, const Face& face, std::size_t index) {
-  const std::string own = name_of(face.tag);
+  const std::string_view own = name_of(face.tag);
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (!own.empty() && !keys[k].index && keys[k].word == own) return static_cast<int>(k);
+  const Vec3 normal = normal_of(face);
+  const std::string_view side = side_of(scope, face, normal);
   for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k].index ? *keys[k].index == index : selects(keys[k].word, scope, face)) return static_cast<int>(k);
+    if (keys[k].index ? *keys[k].index == index : selects(keys[k].word, side, normal, face)) return static_cast<int>(k);
   return -1;
 }
 

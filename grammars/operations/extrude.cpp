@@ -43,7 +43,7 @@ double highest_m(const std::vector<Face>& faces) {
   return top_m;
 }
 
-void extrude_faces(Execution& execution, double height_m, const std::string& direction) {
+void extrude_faces(Execution& execution, double height_m, std::string_view direction) {
   std::vector<Face> faces;
   const double flat_top_m = highest_m(execution.shape.faces) + height_m;
   for (const Face& raw : execution.shape.faces) {
@@ -83,7 +83,7 @@ double add_pyramid(const Face& face, double height_m, std::vector<Face>& faces) 
 }  // namespace
 
 void op_extrude(Execution& execution, const Statement& statement, Arguments arguments) {
-  const std::string direction = arguments.size() == 1 ? "face.normal" : word_of(arguments[0]);
+  const std::string_view direction = arguments.size() == 1 ? "face.normal" : word_of(arguments[0]);
   const double height_m = metres(arguments.back());
   if (std::abs(height_m) <= kSmallest_m) return;
   double reach_m = std::abs(height_m);

@@ -37,7 +37,8 @@ std::vector<Key> keys_of(Execution& execution, const Statement& statement, const
     if (selector.key.target == Target::kWord) {
       key.word = selector.key.text;
       if (!is_among(key.word, words))
-        execution.run.trouble(selector.place, "'" + statement.name + "' knows no '" + key.word + "'; it knows" + words);
+        execution.run.trouble(selector.place,
+                              "'" + statement.name + "' knows no '" + selector.key.text + "'; it knows" + words);
     } else {
       const double index = number_of(evaluate(selector.key, context));
       key.index = static_cast<std::size_t>(std::clamp(index, 0.0, 1e9));

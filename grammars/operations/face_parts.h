@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "grammars/run.h"
@@ -11,7 +11,7 @@ namespace citykiln::grammars {
 
 /// A selector's key: a word or an index.
 struct Key {
-  std::string word;
+  std::string_view word;  ///< Lives in the program.
   std::optional<std::size_t> index;
 };
 

@@ -4,7 +4,7 @@
 namespace citykiln::grammars {
 namespace {
 
-std::vector<Vec3> points_of(const Shape& shape) {
+Ring3 points_of(const Shape& shape) {
   if (shape.asset.empty()) return vertices_of(shape.faces);
   const auto corners = shape.scope.corners();
   return {corners.begin(), corners.end()};
@@ -14,7 +14,7 @@ std::vector<Vec3> points_of(const Shape& shape) {
 constexpr int kCube[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
 void replace_faces(Execution& execution, std::vector<Face> faces, std::string asset) {
-  const std::vector<Vec3> before = points_of(execution.shape);
+  const Ring3 before = points_of(execution.shape);
   execution.shape.faces = std::move(faces);
   execution.shape.asset = std::move(asset);
   execution.moved = execution.moved + any_displacement(before, points_of(execution.shape));

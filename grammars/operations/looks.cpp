@@ -42,7 +42,7 @@ struct Directions {
   Vec3 u, v;
 };
 
-Directions directions_of(const Scope& scope, const std::string& plane) {
+Directions directions_of(const Scope& scope, std::string_view plane) {
   const auto axis = [&](char letter) {
     const Scope world;
     const Scope& frame = plane.starts_with("world") ? world : scope;

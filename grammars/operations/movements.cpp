@@ -108,16 +108,16 @@ void op_center(Execution& execution, const Statement&, Arguments arguments) {
   // the scope it came from was given with whichever came last
   execution.run.asked_of(std::max(execution.shape.in_split.since, execution.shape.in_comp.since));
   const Vec3 way = execution.shape.parent_scope.centre() - scope.centre();
-  const std::string axes = word_of(arguments[0]);
+  const std::string_view axes = word_of(arguments[0]);
   Vec3 by;
   for (int i = 0; i < 3; ++i)
-    if (axes.find("xyz"[i]) != std::string::npos) by = by + scope.axis[i] * dot(scope.axis[i], way);
+    if (axes.find("xyz"[i]) != std::string_view::npos) by = by + scope.axis[i] * dot(scope.axis[i], way);
   translate(execution, by);
 }
 
 void op_align_to_axes(Execution& execution, const Statement&, Arguments arguments) {
   execution.run.asked_of(0);
-  const std::string word = arguments.empty() ? "" : word_of(arguments[0]);
+  const std::string_view word = arguments.empty() ? "" : word_of(arguments[0]);
   const int upright = word == "x" ? 0 : word == "z" ? 2 : 1;
   const std::array<Vec3, 3> east = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};
   set_axes(execution.shape, word.empty() ? east : axes_with_up(execution.shape.scope, upright));

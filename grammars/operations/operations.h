@@ -19,7 +19,9 @@ using Arguments = std::span<const Argument>;
 inline constexpr double kSmallest_m = 1e-6;
 
 /// The word of an argument, or "" if it is none.
-inline std::string word_of(const Argument& argument) { return argument.word ? argument.word->text : std::string(); }
+inline std::string_view word_of(const Argument& argument) {
+  return argument.word ? std::string_view(argument.word->text) : std::string_view();
+}
 /// The i-th argument in metres (or degrees); `otherwise` where there are fewer.
 inline double number_or(Arguments arguments, std::size_t i, double otherwise) {
   return i < arguments.size() ? metres(arguments[i]) : otherwise;

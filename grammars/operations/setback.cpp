@@ -99,7 +99,7 @@ bool add_setback(Execution& execution, const std::vector<Key>& keys, int remaind
   return cut.on_grid;
 }
 
-int index_of(const std::vector<Key>& keys, const std::string& word) {
+int index_of(const std::vector<Key>& keys, std::string_view word) {
   for (std::size_t k = 0; k < keys.size(); ++k)
     if (keys[k].word == word) return static_cast<int>(k);
   return -1;
@@ -112,7 +112,7 @@ void tag(std::vector<Face>& faces, FaceTag as) {
   for (Face& face : faces) face.tag = as;
 }
 
-void add_offset(const Face& face, double by_m, const std::string& which, std::vector<Face>& faces, double& reach_m) {
+void add_offset(const Face& face, double by_m, std::string_view which, std::vector<Face>& faces, double& reach_m) {
   Cut cut = cut_bands(face, std::vector<double>(edges_of(face).size(), std::abs(by_m)), by_m > 0);
   reach_m = std::max(reach_m, cut.reach_m);
   tag(cut.moved, FaceTag::kInside);
@@ -154,8 +154,8 @@ void op_setback(Execution& execution, const Statement& statement, Arguments argu
 void op_offset(Execution& execution, const Statement& statement, Arguments arguments) {
   const double by_m = metres(arguments[0]);
   if (std::abs(by_m) <= kSmallest_m || !can_spend(execution, statement)) return;
-  const std::string which = arguments.size() > 1 ? word_of(arguments[1]) : "all";
-  const std::vector<Vec3> before = vertices_of(execution.shape.faces);
+  const std::string_view which = arguments.size() > 1 ? word_of(arguments[1]) : "all";
+  const Ring3 before = vertices_of(execution.shape.faces);
   std::vector<Face> faces;
   double reach_m = kOfTheGrid.out_m;
   for (const Face& face : execution.shape.faces) add_offset(face, by_m, which, faces, reach_m);

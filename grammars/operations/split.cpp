@@ -4,6 +4,7 @@
 #include "grammars/cut.h"
 #include "grammars/evaluate.h"
 #include "grammars/operations/operations.h"
+#include "grammars/operations/widen.h"
 #include "grammars/sizes.h"
 
 namespace citykiln::grammars {
@@ -75,25 +76,28 @@ Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool 
   return shape;
 }
 
-std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Interval>& intervals, const Leaves& leaves,
+std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Slice>& slices, const Leaves& leaves,
                           Saw saw, bool adjust) {
   std::vector<Piece> pieces;
-  pieces.reserve(intervals.size() + 1);
+  pieces.reserve(slices.size() + 1);
   const Shape& from = execution.shape;
   const double end_m = from.scope.size_m[axis];
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
+  std::uint32_t left_out = 0;
+  for (const Slice& cut : slices) {
+    left_out += cut.left_out;
     if (!execution.run.spend(2 * vertex_count(saw.rest))) break;
-    const Interval& interval = intervals[i];
+    const Interval& interval = cut.interval;
     const bool last = interval.to_m >= end_m - kSliver_m;
     std::vector<Face> faces = last ? std::move(saw.rest) : saw.cut(interval.to_m);
     if (last) saw.rest.clear();
     if (faces.empty()) continue;
     const Scope slice = slice_of(from.scope, axis, interval.from_m, interval.to_m);
     const Selector* selector = leaves.selectors[interval.leaf];
-    pieces.push_back({piece_shape(from, slice, std::move(faces), adjust), &selector->body});
-    pieces.back().shape.in_split = {static_cast<double>(i), static_cast<double>(intervals.size())};
+    pieces.push_back({piece_shape(from, slice, std::move(faces), adjust), &selector->body, left_out});
+    pieces.back().shape.in_split = {static_cast<double>(cut.index), static_cast<double>(cut.total)};
+    left_out = 0;
   }
-  const double used_m = intervals.empty() ? 0 : intervals.back().to_m;
+  const double used_m = slices.empty() ? 0 : slices.back().interval.to_m;
   if (!saw.rest.empty())
     pieces.push_back(
         {piece_shape(from, slice_of(from.scope, axis, used_m, end_m), std::move(saw.rest), true), nullptr});
@@ -104,11 +108,11 @@ std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Inte
 
 void op_split(Execution& execution, const Statement& statement, Arguments arguments) {
   Run& run = execution.run;
-  const std::string word = word_of(arguments[0]);
+  const std::string_view word = word_of(arguments[0]);
   const int axis = word == "x" ? 0 : word == "y" ? 1 : 2;
   const double length_m = execution.shape.scope.size_m[axis];
   if (execution.shape.faces.empty() || length_m <= kSliver_m)
-    return run.trouble(statement.place, "the shape has no size along " + word + "; it is not split");
+    return run.trouble(statement.place, "the shape has no size along " + std::string(word) + "; it is not split");
   Leaves leaves;
   Context context{run, execution.shape, execution.frame, execution.dice};
   const std::vector<SizeItem> items = items_of(statement, context, leaves);
@@ -117,13 +121,20 @@ void op_split(Execution& execution, const Statement& statement, Arguments argume
   if (!intervals) return run.hit(LimitKind::kShapes, execution.name, statement.place);
   const Vec3 along = execution.shape.scope.axis[axis];
   const bool closed = is_closed(execution.shape.faces);
+  Division division = divided(*intervals);
+  if (may_widen(run, execution.shape)) division = widened(execution, std::move(division), leaves.selectors);
+  run.out.error_m = std::max(run.out.error_m, division.error_m);
   Saw saw{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
   const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";
-  const Displacement moved = cap_displacement(execution.shape, axis, closed);
-  std::vector<Piece> pieces = saw_up(execution, axis, *intervals, leaves, std::move(saw), adjust);
+  const Displacement moved =
+      cap_displacement(execution.shape, axis, closed) + Displacement{division.error_m, division.error_m};
+  std::vector<Piece> pieces = saw_up(execution, axis, division.slices, leaves, std::move(saw), adjust);
   // half sawn is not split: the shape then ends whole
   if (!run.spend(0)) return run.hit(LimitKind::kSteps, execution.name, statement.place);
+  const std::uint64_t first = execution.born;
   spawn_pieces(execution, std::move(pieces), moved);
+  // what comes after is numbered alike whatever was left out
+  if (division.slices.size() < intervals->size()) execution.born = std::max(execution.born, first + intervals->size());
 }
 
 }  // namespace citykiln::grammars

@@ -32,8 +32,12 @@ int operation_of(const std::string& name) {
   return -1;
 }
 
-bool is_among(const std::string& word, const std::string& words) {
-  return words.find(" " + word + " ") != std::string::npos;
+bool is_among(std::string_view word, std::string_view words) {
+  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if (at > 0 && words[at - 1] == ' ' && end < words.size() && words[end] == ' ') return true;
+  }
+  return false;
 }
 
 std::string fitting_signature(const OperationRow& row, std::span<const Expression> arguments, bool& found) {

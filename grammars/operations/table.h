@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grammars/syntax.h"
@@ -44,7 +45,7 @@ std::span<const OperationRow> operation_table();
 int operation_of(const std::string& name);
 
 /// True if `word` is one of `words`, which stand between blanks.
-bool is_among(const std::string& word, const std::string& words);
+bool is_among(std::string_view word, std::string_view words);
 /// The first signature that these arguments fit: their number, and words where words are asked for.
 std::string fitting_signature(const OperationRow& row, std::span<const Expression> arguments, bool& found);
 

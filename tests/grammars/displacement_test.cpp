@@ -5,8 +5,8 @@
 namespace citykiln::grammars {
 namespace {
 
-const std::vector<Vec3> kNear = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-const std::vector<Vec3> kBeside = {{1, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}};
+const Ring3 kNear = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const Ring3 kBeside = {{1, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}};
 
 ChildTrace kept(Displacement before, Displacement own, std::uint32_t group = 0) {
   return {before, own, false, group, true, kNear};

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 
@@ -243,11 +244,12 @@ struct AheadLevels : Levels {
     }
   }
 
-  std::string facades() {
+  std::string facades(bool are_coloured) {
     std::string text = "Lot --> extrude(" + metres_text(2, 9) + ") comp(f) { all : R1 }";
     for (int level = 1; level <= 5; ++level) {
       text += "\nR" + std::to_string(level) + " -->";
-      if (chance() % 3 == 0)
+      if (are_coloured && chance() % 3 == 0) text += " color(" + metres_text(0, 1) + ", 0, 0)";
+      if (!are_coloured && chance() % 3 == 0)
         text += "\n  case scope.sx > " + metres_text(0.5, 4) + " : " + statements(level) + "\n  else :";
       text += " " + statements(level);
     }
@@ -255,14 +257,18 @@ struct AheadLevels : Levels {
   }
 };
 
-TEST_F(AheadLevels, LieWithinTheStatedError) {
+// looks that are kept keep more of the surface, but for narrow pieces, which go to their neighbours
+struct KeptLevels : AheadLevels, testing::WithParamInterface<bool> {};
+
+TEST_P(KeptLevels, LieWithinTheStatedError) {
   int ended = 0;
   double tightest = 0;
   for (int round = 0; round < 200; ++round) {
-    const std::string text = facades();
+    const std::string text = facades(GetParam());
     const Program program = program_of(text);
     const Shape first = lot_of(between(3, 8), between(3, 8));
     DeriveOptions options;
+    options.keep_looks = GetParam();
     options.limits.shapes = 4000;
     const Derivation whole = derive(program, first, options);
     const auto full = triangles_of(whole);
@@ -283,6 +289,38 @@ TEST_F(AheadLevels, LieWithinTheStatedError) {
   }
   EXPECT_GT(ended, 100);
   EXPECT_GT(tightest, 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, KeptLevels, testing::Bool(),
+                         [](const auto& row) { return row.param ? "Kept" : "LetGo"; });
+
+const char* const kPanels =
+    "Lot --> extrude(6) comp(f) { side : Facade | all : Roof. }\n"
+    "Facade --> color(\"#808080\") split(x) { { ~2 : Panel | 0.05 : color(\"#000000\") Joint. | ~1 : Wall. }* | ~2 : Panel }\n"
+    "Panel --> split(y) { ~1 : Wall. | 0.08 : Sill | 1.2 : 50% : color(\"#203040\") Glass. else : Wall. | ~1 : Wall. "
+    "}\n"
+    "Sill --> color(\"#ffffff\") extrude(0.08) comp(f) { back : NIL | all : Block. }";
+
+std::map<StableId, std::uint32_t> looks_by_id(const Derivation& derivation, const std::string& name) {
+  std::map<StableId, std::uint32_t> looks;
+  for (const Terminal& terminal : derivation.terminals)
+    if (terminal.name == name) looks[terminal.id] = terminal.look;
+  return looks;
+}
+
+TEST_F(Levels, PiecesNarrowerThanTheToleranceGoToTheirNeighbours) {
+  DeriveOptions options;
+  const auto full = derived(kPanels, 10, 8, options);
+  options.keep_looks = options.ahead = true;
+  options.tolerance_m = 0.1;
+  const auto cut = derived(kPanels, 10, 8, options);
+  EXPECT_FALSE(looks_by_id(full, "Joint").empty());
+  EXPECT_TRUE(looks_by_id(cut, "Joint").empty());
+  EXPECT_TRUE(looks_by_id(cut, "Sill").empty());
+  EXPECT_DOUBLE_EQ(cut.error_m, 0.08);
+  // what is left is who it was: it throws the same dice
+  EXPECT_EQ(looks_by_id(cut, "Glass").size(), looks_by_id(full, "Glass").size());
+  for (const auto& [id, look] : looks_by_id(full, "Glass")) EXPECT_TRUE(looks_by_id(cut, "Glass").contains(id));
 }
 
 std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_places(const Derivation& derivation) {

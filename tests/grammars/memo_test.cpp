@@ -134,6 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
         CopiedRule{"Niches", "Tile --> setback(0.3) { all = Frame. | remainder : Niche }"},
         CopiedRule{"Chance",
                    "Tile --> setback(0.3) { all = Frame. | remainder : 50% : Niche else : t(0, 0, rand) X. }"},
+        CopiedRule{
+            "ChanceBetweenWays",
+            "Tile --> setback(0.3) { all = Frame. | remainder : A }\n"
+            "A --> extrude(-0.2) comp(f) { front : NIL | back : split(x) { ~1 : Pane | ~1 : Pane } | all : X. }\n"
+            "Pane --> 40% : color(tone, 0, 0) Glass. 30% : color(0, 1, 0) split(y) { ~1 : Glass. | 0.1 : Bar. }\n"
+            "  else : case p(0.5) : t(0, 0, 0.1) Blind. else : NIL\n"
+            "tone = 50% : 0.25 else : 0.5"},
         CopiedRule{"ChanceOfTheBuilding", "Tile --> color(tint, 0, 0) setback(0.3) { all = F. | remainder : Niche }"},
         CopiedRule{"ThePlace", "Tile --> setback(0.3) { all = F. | remainder : t(0, 0, scope.ty / 100) Niche }"},
         CopiedRule{"TheIndex",
@@ -169,6 +176,18 @@ INSTANTIATE_TEST_SUITE_P(
             "Tile --> setback(0.3) { all = F. | remainder : A }\n"
             "A --> alignScopeToAxes() s('1.1, '1, '1) comp(f) { all : B }\nB --> extrude(0.2) comp(f) { all : X. }"}),
     [](const auto& row) { return std::string(row.param.name); });
+
+// chance between a few ways is no reason to derive all windows of a house one by one
+TEST(Copies, AreMadeOfWhatTheDiceChooseToo) {
+  const Program program = program_of(
+      "Lot --> extrude(12) comp(f) { side : split(y) { { ~3 : split(x) { { 2 : Tile }* } }* } | all : Roof. }\n"
+      "Tile --> setback(0.3) { all = Frame. | remainder : A }\n"
+      "A --> extrude(-0.2) comp(f) { front : NIL | back : B | all : X. }\n"
+      "B --> 90% : Glass. else : color(1, 0, 0) Glass.");
+  const Derivation derivation = derived_with(true, program, turned_lot());
+  // of 25 windows a few are the first of their kind
+  EXPECT_GT(derivation.copied * 2, derivation.shapes);
+}
 
 TEST(Copies, LimitsEndThemAsTheyEndRules) {
   const Program program = program_of(

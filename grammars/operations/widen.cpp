@@ -1,0 +1,122 @@
+#include "grammars/operations/widen.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace citykiln::grammars {
+namespace {
+
+double width_m(const Slice& slice) { return slice.interval.to_m - slice.interval.from_m; }
+
+/// Narrow pieces next to each other, from `first` to before `end`.
+struct Narrow {
+  std::size_t first = 0, end = 0;
+  double width_m = 0;
+};
+
+Narrow narrow_from(std::span<const Slice> slices, std::size_t first, double tolerance_m) {
+  Narrow narrow{first, first, 0};
+  for (; narrow.end < slices.size() && width_m(slices[narrow.end]) <= tolerance_m; ++narrow.end)
+    narrow.width_m += width_m(slices[narrow.end]);
+  return narrow;
+}
+
+/// What is known of the pieces, each looked up once.
+struct Reaches {
+  Execution& execution;
+  std::span<const Selector* const> selectors;
+
+  Reach of(const Slice& slice) { return reach_of(execution, selectors[slice.interval.leaf]->body); }
+  Reach of(std::span<const Slice> slices) {
+    Reach worst{{0, 0}, true, true};
+    for (const Slice& slice : slices) {
+      const Reach reach = of(slice);
+      worst.stays &= reach.stays;
+      worst.moved.out_m = std::max(worst.moved.out_m, reach.moved.out_m);
+      worst.moved.back_m = std::max(worst.moved.back_m, reach.moved.back_m);
+    }
+    return worst;
+  }
+};
+
+double error_m(Reach left_out, Reach neighbour) {
+  if (!left_out.stays || !neighbour.stays) return kUnbounded_m;
+  const Displacement a = left_out.moved, b = neighbour.moved;
+  return std::max(b.out_m + std::max(a.back_m, b.back_m), std::max(a.out_m, b.out_m) + b.back_m);
+}
+
+/// The neighbour that takes a run of narrow pieces; `slice` ~0 for none.
+struct Taker {
+  std::size_t slice = ~std::size_t{0};
+  double error_m = kUnbounded_m;
+};
+
+Taker taker_of(std::span<const Slice> slices, Narrow narrow, Reaches& reaches) {
+  const Reach left_out = reaches.of(slices.subspan(narrow.first, narrow.end - narrow.first));
+  Taker taker;
+  const auto ask = [&](std::size_t i) {
+    const double e_m = error_m(left_out, reaches.of(slices[i]));
+    if (e_m < taker.error_m) taker = {i, e_m};
+  };
+  if (narrow.first > 0) ask(narrow.first - 1);
+  if (narrow.end < slices.size()) ask(narrow.end);
+  return taker;
+}
+
+// By slice, who stands in its place: itself, or the one that takes it.
+std::vector<std::size_t> takers_of(std::span<const Slice> slices, double tolerance_m, Reaches& reaches,
+                                   double& error_m) {
+  std::vector<std::size_t> takers(slices.size());
+  for (std::size_t i = 0; i < slices.size(); ++i) takers[i] = i;
+  for (Narrow narrow; narrow.first < slices.size(); narrow.first = std::max(narrow.end, narrow.first + 1)) {
+    narrow = narrow_from(slices, narrow.first, tolerance_m);
+    if (narrow.end == narrow.first || narrow.width_m > tolerance_m) continue;
+    const Taker taker = taker_of(slices, narrow, reaches);
+    if (taker.error_m > tolerance_m) continue;
+    for (std::size_t i = narrow.first; i < narrow.end; ++i) takers[i] = taker.slice;
+    error_m = std::max(error_m, taker.error_m);
+  }
+  return takers;
+}
+
+std::vector<Slice> without_taken(std::span<const Slice> slices, std::span<const std::size_t> takers) {
+  std::vector<Slice> kept;
+  std::uint32_t left_out = 0;
+  double from_m = slices.empty() ? 0 : slices.front().interval.from_m;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (takers[i] == i) {
+      kept.push_back(slices[i]);
+      kept.back().interval.from_m = from_m;
+      kept.back().left_out = std::exchange(left_out, 0);
+    } else {
+      ++left_out;
+      if (takers[i] < i) kept.back().interval.to_m = slices[i].interval.to_m;
+    }
+    if (takers[i] <= i) from_m = slices[i].interval.to_m;
+  }
+  return kept;
+}
+
+}  // namespace
+
+Division divided(std::span<const Interval> intervals) {
+  Division division;
+  division.slices.reserve(intervals.size());
+  for (const Interval& interval : intervals)
+    division.slices.push_back({interval, division.slices.size(), intervals.size(), 0});
+  return division;
+}
+
+bool may_widen(const Run& run, const Shape& shape) {
+  return run.measures() && run.options.keep_looks && run.options.ahead && is_flat(shape);
+}
+
+Division widened(Execution& execution, Division division, std::span<const Selector* const> selectors) {
+  Reaches reaches{execution, selectors};
+  const double tolerance_m = execution.run.options.tolerance_m;
+  const auto takers = takers_of(division.slices, tolerance_m, reaches, division.error_m);
+  division.slices = without_taken(division.slices, takers);
+  return division;
+}
+
+}  // namespace citykiln::grammars
