@@ -688,11 +688,11 @@ std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
   return i < across ? west : west + south - h.heights[i - across - 1];
 }
 
-// Steps of whole eighths of a metre, from the plane's origin on.
+// Corner and steps are whole eighths of a metre.
 bool is_on_grid(const map::Heightfield& h) {
   const auto is_whole = [](double v, double step) { return std::floor(v / step) * step == v; };
   const auto fits = [&](double start, double step) {
-    return step >= 1 && is_whole(step, map::kStepUnit_m) && is_whole(start, step);
+    return step >= 1 && is_whole(step, map::kStepUnit_m) && is_whole(start, map::kStepUnit_m);
   };
   return fits(h.min.x, h.step_m.x) && fits(h.min.y, h.step_m.y);
 }

@@ -63,6 +63,11 @@ struct Delaunay::Triangulation {
     for (const std::uint32_t face : changed) refresh_beyond(face, vertex);
   }
 
+  void refresh_neighbours(Cdt::Face_handle face) {
+    for (int i = 0; i < 3; ++i)
+      if (const Cdt::Face_handle beyond = face->neighbor(i); !cdt.is_infinite(beyond)) refresh(beyond);
+  }
+
   void refresh_beyond(std::uint32_t face, Cdt::Vertex_handle vertex) {
     const Cdt::Face_handle handle = handles[face];
     const Cdt::Face_handle beyond = handle->neighbor(handle->index(vertex));
@@ -107,6 +112,18 @@ std::span<const std::uint32_t> Delaunay::insert(GridPoint p, std::uint32_t face)
   vertex->info() = static_cast<std::uint32_t>(t.vertices.size());
   t.vertices.push_back(p);
   t.refresh_about(vertex);
+  return t.changed;
+}
+
+std::span<const std::uint32_t> Delaunay::flip(std::uint32_t face, int i) {
+  Triangulation& t = *triangulation_;
+  const Cdt::Face_handle one = t.handles[face], other = one->neighbor(i);
+  t.cdt.flip(t.handles[face], i);
+  t.changed = {one->info().value, other->info().value};
+  for (const Cdt::Face_handle handle : {one, other}) {
+    t.refresh(handle);
+    t.refresh_neighbours(handle);
+  }
   return t.changed;
 }
 

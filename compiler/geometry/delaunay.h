@@ -22,7 +22,8 @@ struct DelaunayFace {
   std::array<bool, 3> is_constrained{};
 };
 
-/// Vertices and faces keep their numbers; faces change their corners as points come in.
+/// Vertices and faces keep their numbers; faces change their corners as points come in. Of a rectangle with nothing in
+/// it, the diagonal from south-west to north-east is an edge.
 class Delaunay {
  public:
   /// @param vertices  Different points.
@@ -43,6 +44,11 @@ class Delaunay {
   /// Puts a point into the face that face_to_split found. Returns the faces that changed or are new, all about the new
   /// vertex (the last one).
   std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t face);
+
+  /// Turns edge i of a face round, between the other two corners of the quadrilateral about it. That must be strictly
+  /// convex, and the edge not constrained. It need not be Delaunay then; insert() makes it so again about what it puts
+  /// in. Returns the two faces, which changed.
+  std::span<const std::uint32_t> flip(std::uint32_t face, int i);
 
  private:
   struct Triangulation;

@@ -243,6 +243,18 @@ WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& c
   return worst;
 }
 
+std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p) {
+  if (reference.terrain != nullptr) {
+    const map::InRectangle in = map::rectangle_at(*reference.terrain, p);
+    const auto corner = [&](int i, int j) { return reference.terrain->vertex(in.i + i, in.j + j); };
+    return {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)};
+  }
+  const auto& vertices = reference.triangulation.vertices();
+  const auto& v = reference.triangulation.faces()[place_at(reference, p).face].vertices;
+  const Vec2 last = plane_point(vertices[v[2]]);
+  return {plane_point(vertices[v[0]]), plane_point(vertices[v[1]]), last, last};
+}
+
 Vec2 nearest_vertex(const Reference& reference, Vec2 p) {
   if (reference.terrain != nullptr) return map::nearest_vertex(*reference.terrain, p);
   const auto& vertices = reference.triangulation.vertices();

@@ -71,6 +71,10 @@ WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b
 /// left out. O(vertices in the buckets it touches).
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer);
 
+/// The corners of the piece that holds a point: the terrain's rectangle, or a face (its last corner twice). O(1)
+/// expected.
+std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p);
+
 /// The place of the reference's vertex nearest to a point; of equals the first by place. O(1) expected.
 Vec2 nearest_vertex(const Reference& reference, Vec2 p);
 

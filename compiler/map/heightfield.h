@@ -13,12 +13,12 @@ namespace citykiln::map {
 /// Heights are whole multiples of this.
 inline constexpr double kHeightQuantum_m = 0x1p-6;
 
-/// Steps are whole multiples of this, so that every vertex, and every point of a line between two of them that is a
-/// whole share of up to a 128th of the way from one, lies on the plane's grid.
+/// Steps and places of vertices are whole multiples of this, so that every vertex, and whatever lies a whole share of
+/// up to a 128th of the way from one to another, lies on the grid of the plane.
 inline constexpr double kStepUnit_m = 0x1p-3;
 
 /// Vertex (i, j) lies at (min.x + i step_m.x, min.y + j step_m.y); each rectangle is split by its diagonal from
-/// south-west to north-east. `min` lies whole steps from the plane's origin.
+/// south-west to north-east.
 struct Heightfield {
   Vec2 min;
   Vec2 step_m{64, 64};                ///< East and north; whole multiples of kStepUnit_m.

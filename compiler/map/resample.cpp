@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
 #include "compiler/map/precise_plane.h"
 #include "compiler/source/read_raster.h"
@@ -28,13 +29,9 @@ bool is_height(Real height_m) {
   return std::abs(height_m) <= kMostHeight_m;
 }
 
-// Whole metres; below 16 m, eight to fifteen of the largest unit that leaves so many.
+// The largest step that is not above a spacing.
 double step_below(double spacing_m) {
-  constexpr double kUnit_m = 1, kFewest = 8;
-  const double within_m = std::clamp(spacing_m, kFinestStep_m, kCoarsestStep_m);
-  double unit_m = kStepUnit_m;
-  while (unit_m < kUnit_m && unit_m * 2 * kFewest <= within_m) unit_m *= 2;
-  return std::floor(within_m / unit_m) * unit_m;
+  return std::floor(std::clamp(spacing_m, kFinestStep_m, kCoarsestStep_m) / kStepUnit_m) * kStepUnit_m;
 }
 
 Vec2 step_for(std::span<const Raster> rasters) {
@@ -44,14 +41,15 @@ Vec2 step_for(std::span<const Raster> rasters) {
   return {step_below(finest_m.x), step_below(finest_m.y)};
 }
 
-Heightfield empty_field(const Box2& region, Vec2 step_m) {
-  // whole steps from the plane's origin, one beyond the region on every side
+// Over the region and one step beyond on every side; `anchor` is one of the grid's places, maybe far away.
+Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   const auto before = [](double v, double step) { return std::floor(v / step) - 1; };
   const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
-  const double west = before(region.min.x, step_m.x), south = before(region.min.y, step_m.y);
-  Heightfield field{{west * step_m.x, south * step_m.y}, step_m, 0, 0, {}, 0};
-  field.columns = static_cast<int>(beyond(region.max.x, step_m.x) - west) + 1;
-  field.rows = static_cast<int>(beyond(region.max.y, step_m.y) - south) + 1;
+  const Vec2 low = region.min - anchor, high = region.max - anchor;
+  const double west = before(low.x, step_m.x), south = before(low.y, step_m.y);
+  Heightfield field{anchor + Vec2{west * step_m.x, south * step_m.y}, step_m, 0, 0, {}, 0};
+  field.columns = static_cast<int>(beyond(high.x, step_m.x) - west) + 1;
+  field.rows = static_cast<int>(beyond(high.y, step_m.y) - south) + 1;
   return field;
 }
 
@@ -66,9 +64,14 @@ struct Sampler {
         to_system(std::move(t)),
         determinant(r.from_grid[1] * r.from_grid[5] - r.from_grid[2] * r.from_grid[4]) {}
 
-  // The bilinear height at a place, nothing outside the samples. Real is double, or long double near a tie.
   template <typename Real>
-  std::optional<Real> height_m(Real lon_deg, Real lat_deg) const {
+  struct InGrid {
+    Real column, row;
+  };
+
+  // Real is double, or long double near a tie.
+  template <typename Real>
+  InGrid<Real> in_grid(Real lon_deg, Real lat_deg) const {
     Real x = lon_deg, y = lat_deg;
     if (!raster.system_wkt.empty()) {
       double px = static_cast<double>(lon_deg), py = static_cast<double>(lat_deg);
@@ -77,7 +80,14 @@ struct Sampler {
     }
     const auto& g = raster.from_grid;
     const Real u = x - g[0], v = y - g[3];
-    return bilinear<Real>((u * g[5] - v * g[2]) / determinant, (v * g[1] - u * g[4]) / determinant);
+    return {(u * g[5] - v * g[2]) / determinant, (v * g[1] - u * g[4]) / determinant};
+  }
+
+  // The bilinear height at a place, nothing outside the samples.
+  template <typename Real>
+  std::optional<Real> height_m(Real lon_deg, Real lat_deg) const {
+    const InGrid<Real> at = in_grid<Real>(lon_deg, lat_deg);
+    return bilinear<Real>(at.column, at.row);
   }
 
   template <typename Real>
@@ -97,6 +107,20 @@ struct Sampler {
     return height;
   }
 };
+
+// A sample next to the region's middle, to a step's unit: the grid lies on samples there, and nearly so for kilometres
+// around. Between samples it would cut off summits.
+Vec2 anchor_of(std::span<const Sampler> samplers, const Plane& plane, const Box2& region) {
+  const LonLat place = plane.backward(region.centre());
+  const auto covers = [&](const Sampler& s) { return s.height_m<double>(place.lon_deg, place.lat_deg).has_value(); };
+  const auto first = std::ranges::find_if(samplers, covers);
+  if (first == samplers.end()) return {};
+  const auto [column, row] = first->in_grid<double>(place.lon_deg, place.lat_deg);
+  const auto to_next = [](double v) { return std::floor(v + 0.5) - v; };
+  const Vec2 spacing_m = first->raster.spacing_m;
+  // rows count southwards
+  return snapped_to(kStepUnit_m, region.centre() + Vec2{to_next(column) * spacing_m.x, -to_next(row) * spacing_m.y});
+}
 
 template <typename Real>
 std::optional<Real> first_height_m(std::span<const Sampler> samplers, Real lon_deg, Real lat_deg) {
@@ -192,15 +216,15 @@ Error covers_nothing(std::span<const Raster> rasters, const Plane& plane, const 
 }  // namespace
 
 Result<Heightfield> resample(std::span<const Raster> rasters, const Plane& plane, const Box2& region, Report& report) {
-  Heightfield field = empty_field(region, step_for(rasters));
-  field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
-  if (rasters.empty()) return field;
   std::vector<Sampler> samplers;
   for (const Raster& raster : rasters) {
     auto to_system = source::to_system_of(raster);
     if (!to_system) return to_system.error();
     samplers.emplace_back(raster, *to_system);
   }
+  Heightfield field = empty_field(region, step_for(rasters), anchor_of(samplers, plane, region));
+  field.heights.assign(static_cast<std::size_t>(field.columns) * field.rows, 0);
+  if (rasters.empty()) return field;
   std::vector<bool> known(field.heights.size(), false);
   const std::int32_t grain = grain_for(field.shorter_step_m());
   for (int j = 0; j < field.rows; ++j)

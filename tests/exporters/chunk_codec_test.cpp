@@ -134,7 +134,8 @@ TEST(ChunkCodec, AFieldOffItsGridIsNamed) {
   EXPECT_EQ(field(9 * 128 + 1, 2, 4), "field");
   EXPECT_EQ(field(7 * 128, 2, 4), "field");
   EXPECT_EQ(field_at(68 * 1024, 68 * 1024, 2, 4), "");
-  EXPECT_EQ(field_at(64 * 1024, 68 * 1024, 2, 4), "field");
+  EXPECT_EQ(field_at(128, 68 * 1024, 2, 4), "");
+  EXPECT_EQ(field_at(127, 68 * 1024, 2, 4), "field");
   EXPECT_EQ(field(64 * 1024, 1, 2), "field");
   EXPECT_EQ(field(64 * 1024, 3, 4), "field");
 }

@@ -52,8 +52,8 @@ TEST(Resample, VerticesLieOnThePlanesGridAndReachBeyondTheRegion) {
     EXPECT_LE(field.box().min.y, kRegion.min.y - field.step_m.y);
     EXPECT_GE(field.box().max.x, kRegion.max.x + field.step_m.x);
     EXPECT_GE(field.box().max.y, kRegion.max.y + field.step_m.y);
-    EXPECT_EQ(std::fmod(field.min.x, field.step_m.x), 0);
-    EXPECT_EQ(std::fmod(field.min.y, field.step_m.y), 0);
+    EXPECT_EQ(std::fmod(field.min.x, kStepUnit_m), 0);
+    EXPECT_EQ(std::fmod(field.min.y, kStepUnit_m), 0);
     EXPECT_EQ(field.heights.size(), static_cast<std::size_t>(field.columns) * field.rows);
   }
 }
@@ -61,7 +61,7 @@ TEST(Resample, VerticesLieOnThePlanesGridAndReachBeyondTheRegion) {
 TEST(Resample, StepsAreTheLargestOfTheirSetNotAboveTheFinestSpacing) {
   const struct {
     double spacing_m, step_m;
-  } cases[] = {{0.3, 1}, {1, 1}, {1.9, 1.875}, {2, 2}, {5.3, 5}, {7.9, 7.5}, {30.9, 30}, {92.7, 92}, {900, 128}};
+  } cases[] = {{0.3, 1}, {1, 1}, {1.9, 1.875}, {2, 2}, {5.3, 5.25}, {30.9, 30.875}, {92.57, 92.5}, {900, 128}};
   for (const auto& c : cases) {
     Raster raster = raster_of(slope_m);
     raster.spacing_m = {c.spacing_m, 20};
@@ -69,6 +69,24 @@ TEST(Resample, StepsAreTheLargestOfTheirSetNotAboveTheFinestSpacing) {
     EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{c.step_m, 20})) << c.spacing_m;
     raster.spacing_m = {20, c.spacing_m};
     EXPECT_EQ(field_of({raster}, report, {{0, 0}, {128, 128}}).step_m, (Vec2{20, c.step_m})) << c.spacing_m;
+  }
+}
+
+TEST(Resample, InTheMiddleVerticesLieOnSamples) {
+  for (const double centre_lon : {kTestOrigin.lon_deg, kTestOrigin.lon_deg + kThirdOfASecond * 0.37}) {
+    const Raster raster = raster_of(slope_m, 161, 121, kThirdOfASecond, {centre_lon, kTestOrigin.lat_deg + 1e-5});
+    Report report;
+    const Heightfield field = field_of({raster}, report);
+    const Plane plane(kTestOrigin);
+    double nearest_m = 1e9;
+    for (int r = 0; r < raster.rows; ++r)
+      for (int c = 0; c < raster.columns; ++c) {
+        const auto& g = raster.from_grid;
+        const Vec2 sample = plane.forward({g[0] + g[1] * c, g[3] + g[5] * r});
+        if (distance(sample, kRegion.centre()) > 7) continue;
+        nearest_m = std::min(nearest_m, distance(sample, nearest_vertex(field, sample)));
+      }
+    EXPECT_LE(nearest_m, kStepUnit_m);
   }
 }
 
