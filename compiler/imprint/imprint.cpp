@@ -1,0 +1,211 @@
+#include "compiler/imprint/imprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln::imprint {
+namespace {
+
+using materials::DressedMesh;
+
+// Steps of the grid on which corners lie, a sample.
+constexpr std::int64_t kSteps = 16;
+// What lies farther off would overflow products of two edges.
+constexpr double kFarthest = static_cast<double>(kSteps * kSamples) * (1 << 20);
+
+struct Point {
+  std::int64_t x = 0, y = 0;
+};
+
+// What a coat shows.
+struct Show {
+  std::array<std::uint16_t, 3> light{};
+  std::uint8_t roughness = 0, metalness = 0;
+};
+
+Show show_of(const Coat& coat) {
+  const materials::MaterialValues& values = values_of(coat.material);
+  const auto byte = [](float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); };
+  Show show{{}, byte(values.roughness), byte(values.metallic)};
+  for (std::size_t c = 0; c < show.light.size(); ++c)
+    show.light[c] = static_cast<std::uint16_t>(
+        std::clamp(static_cast<double>(values.base_colour[c]) * coat.tint[c] / 255, 0.0, 1.0) * 65535 + 0.5);
+  return show;
+}
+
+// What is foremost at a sample.
+struct Sample {
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+  std::int32_t depth = 0;  // quanta behind the rectangle
+  std::uint32_t coat = kNothing;
+};
+
+// A view while it is being filled.
+struct Canvas {
+  const View& view;
+  Vec3 out = cross(view.v, view.u);
+  std::int64_t columns = std::int64_t{view.columns} * kSamples, rows = std::int64_t{view.rows} * kSamples;
+  std::vector<Sample> samples = std::vector<Sample>(static_cast<std::size_t>(columns * rows));
+
+  double along(Vec3 axis, Vec3 p) const {
+    return dot(p - view.corner, axis) * (static_cast<double>(kSteps * kSamples) / view.texel_m);
+  }
+  std::optional<Point> point_of(Vec3 p) const {
+    const double x = along(view.u, p), y = along(view.v, p);
+    if (!(std::abs(x) <= kFarthest && std::abs(y) <= kFarthest)) return std::nullopt;
+    return Point{static_cast<std::int64_t>(std::floor(x + 0.5)), static_cast<std::int64_t>(std::floor(y + 0.5))};
+  }
+  double behind_m(Vec3 p) const { return dot(view.corner - p, out); }
+};
+
+// The box of all that a view can see.
+struct Reach {
+  Vec3 low, high;
+  bool meets(const Facet& f) const {
+    return f.low.x <= high.x && low.x <= f.high.x && f.low.y <= high.y && low.y <= f.high.y && f.low.z <= high.z &&
+           low.z <= f.high.z;
+  }
+};
+
+Vec3 lower(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vec3 higher(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+
+Reach reach_of(const Canvas& canvas) {
+  const View& view = canvas.view;
+  Reach reach{view.corner + canvas.out * view.before_m, view.corner + canvas.out * view.before_m};
+  for (const double u : {0.0, view.columns * view.texel_m})
+    for (const double v : {0.0, view.rows * view.texel_m})
+      for (const double out : {view.before_m, -view.behind_m}) {
+        const Vec3 p = view.corner + view.u * u + view.v * v + canvas.out * out;
+        reach.low = lower(reach.low, p), reach.high = higher(reach.high, p);
+      }
+  return reach;
+}
+
+// Twice the area of a, b, p: positive where p lies to the right of the edge, as rows go down.
+std::int64_t edge(Point a, Point b, Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+// Of an edge that two triangles share, one has it so and one the other way round.
+bool owns(Point a, Point b) { return a.y != b.y ? a.y > b.y : a.x < b.x; }
+
+// Corners in the order in which their edges are positive inside.
+struct Flat {
+  std::array<Point, 3> at;
+  std::array<double, 3> behind_m;
+};
+
+std::optional<Flat> flat_of(const Canvas& canvas, const Facet& facet) {
+  const auto a = canvas.point_of(facet.a), b = canvas.point_of(facet.b), c = canvas.point_of(facet.c);
+  // what goes counter-clockwise in space goes clockwise where v runs down
+  if (!a || !b || !c || edge(*a, *c, *b) <= 0) return std::nullopt;
+  return Flat{{*a, *c, *b}, {canvas.behind_m(facet.a), canvas.behind_m(facet.c), canvas.behind_m(facet.b)}};
+}
+
+// The samples whose middles may lie between two places.
+struct Span {
+  std::int64_t first, end;
+};
+Span span_of(std::int64_t low, std::int64_t high, std::int64_t count) {
+  const auto clamped = [&](std::int64_t v) { return std::clamp<std::int64_t>(v, 0, count); };
+  // one more on either side is cheaper than to think of signs
+  return {clamped(low / kSteps - 1), clamped(high / kSteps + 1)};
+}
+
+void put(Canvas& canvas, const Flat& flat, std::int64_t row, std::int64_t column, std::uint32_t coat) {
+  const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
+  std::array<std::int64_t, 3> weight{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = flat.at[(i + 1) % 3], b = flat.at[(i + 2) % 3];
+    weight[i] = edge(a, b, p);
+    if (weight[i] < 0 || (weight[i] == 0 && !owns(a, b))) return;
+  }
+  double behind_m = 0;
+  const auto area = static_cast<double>(weight[0] + weight[1] + weight[2]);
+  for (std::size_t i = 0; i < 3; ++i) behind_m += static_cast<double>(weight[i]) / area * flat.behind_m[i];
+  if (!(behind_m >= -canvas.view.before_m && behind_m <= canvas.view.behind_m)) return;
+  const auto depth = static_cast<std::int32_t>(std::floor(behind_m / kQuantum_m + 0.5));
+  Sample& sample = canvas.samples[static_cast<std::size_t>(row * canvas.columns + column)];
+  const bool is_foremost =
+      sample.coat == Sample::kNothing || depth < sample.depth || (depth == sample.depth && coat < sample.coat);
+  if (is_foremost) sample = {depth, coat};
+}
+
+void draw(Canvas& canvas, const Facet& facet) {
+  const std::optional<Flat> flat = flat_of(canvas, facet);
+  if (!flat) return;
+  const auto& [a, b, c] = flat->at;
+  const Span across = span_of(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
+  const Span down = span_of(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
+  for (std::int64_t row = down.first; row < down.end; ++row)
+    for (std::int64_t column = across.first; column < across.end; ++column) put(canvas, *flat, row, column, facet.coat);
+}
+
+// The mean of a texel's samples.
+Texel texel_of(const Canvas& canvas, std::span<const Show> shows, std::size_t column, std::size_t row) {
+  TexelSum sum;
+  for (std::size_t y = row * kSamples; y < (row + 1) * kSamples; ++y)
+    for (std::size_t x = column * kSamples; x < (column + 1) * kSamples; ++x) {
+      const Sample& sample = canvas.samples[y * static_cast<std::size_t>(canvas.columns) + x];
+      if (sample.coat == Sample::kNothing) continue;
+      const Show& show = shows[sample.coat];
+      sum.add({show.light, show.roughness, show.metalness, 1});
+    }
+  return sum.mean(1);
+}
+
+Picture picture_of(const Canvas& canvas, const std::vector<Coat>& coats) {
+  std::vector<Show> shows;
+  for (const Coat& coat : coats) shows.push_back(show_of(coat));
+  Picture picture{canvas.view.columns, canvas.view.rows, {}};
+  picture.texels.reserve(std::size_t{picture.columns} * picture.rows);
+  for (std::size_t row = 0; row < picture.rows; ++row)
+    for (std::size_t column = 0; column < picture.columns; ++column)
+      picture.texels.push_back(texel_of(canvas, shows, column, row));
+  return picture;
+}
+
+void count_coats(const Canvas& canvas, const Shape& shape, Imprint& imprint) {
+  std::vector<std::uint64_t> counts(shape.coats.size());
+  std::uint64_t all = 0;
+  for (const Sample& sample : canvas.samples)
+    if (sample.coat != Sample::kNothing) ++counts[sample.coat], ++all;
+  if (all == 0) return;
+  const auto most = std::ranges::max_element(counts);
+  imprint.commonest = shape.coats[static_cast<std::size_t>(most - counts.begin())];
+  imprint.is_sole = *most == all;
+}
+
+Coat coat_of(const DressedMesh& mesh) { return {mesh.material, mesh.tints.empty() ? mesh.tint : mesh.tints.front()}; }
+
+}  // namespace
+
+Shape shape_of(std::span<const DressedMesh> meshes) {
+  Shape shape;
+  for (const DressedMesh& mesh : meshes) shape.coats.push_back(coat_of(mesh));
+  std::ranges::sort(shape.coats);
+  shape.coats.erase(std::unique(shape.coats.begin(), shape.coats.end()), shape.coats.end());
+  for (const DressedMesh& mesh : meshes) {
+    const auto coat =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(shape.coats, coat_of(mesh)) - shape.coats.begin());
+    for (const Triangle& t : mesh.mesh.triangles) {
+      const Vec3 a = mesh.mesh.positions[t[0]], b = mesh.mesh.positions[t[1]], c = mesh.mesh.positions[t[2]];
+      shape.facets.push_back({a, b, c, lower(lower(a, b), c), higher(higher(a, b), c), coat});
+    }
+  }
+  return shape;
+}
+
+Imprint imprint(const Shape& shape, const View& view) {
+  Canvas canvas{view};
+  const Reach reach = reach_of(canvas);
+  for (const Facet& facet : shape.facets)
+    if (reach.meets(facet)) draw(canvas, facet);
+  Imprint imprint{picture_of(canvas, shape.coats), {}, false};
+  count_coats(canvas, shape, imprint);
+  return imprint;
+}
+
+}  // namespace citykiln::imprint

@@ -1,0 +1,68 @@
+// A shape seen straight on, as a picture: what a flat face shows of the geometry that it stands for.
+//
+//      the shape       the face          1. all of the shape that lies within a depth of the face, and turns to where
+//     _                  |               the face turns, is put into the face's plane
+//    |_  <- a sill       |  <- looks     2. of what lies at one place the foremost is seen
+//     _|                 |     this way  3. a texel is the mean of its samples
+//    |_                  |
+#pragma once
+
+#include <compare>
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/vec.h"
+#include "compiler/imprint/picture.h"
+#include "compiler/materials/dressed_mesh.h"
+
+namespace citykiln::imprint {
+
+/// What a surface is made of, and its tint.
+struct Coat {
+  materials::Material material{};
+  materials::Tint tint = materials::kNoTint;
+  auto operator<=>(const Coat&) const = default;
+};
+
+/// A triangle of a shape, with the box about it.
+struct Facet {
+  Vec3 a, b, c;
+  Vec3 low, high;
+  std::uint32_t coat = 0;
+};
+
+/// A shape, made ready to be looked at from many sides.
+struct Shape {
+  std::vector<Facet> facets;
+  std::vector<Coat> coats;  ///< Rising, each once.
+};
+
+/// Tints by vertex, textures and normals are left out: of a mesh with `tints` the first counts. O(n log n).
+Shape shape_of(std::span<const materials::DressedMesh> meshes);
+
+/// From where a shape is looked at: a rectangle in its frame, metres.
+struct View {
+  Vec3 corner;  ///< Where u = v = 0.
+  Vec3 u, v;    ///< Unit, at right angles: along rows and along columns of texels. It is seen from cross(v, u).
+  double texel_m = 1;
+  std::uint32_t columns = 1, rows = 1;
+  double before_m = 0, behind_m = 0;  ///< How far before the rectangle, and behind it, what is seen may lie.
+};
+
+struct Imprint {
+  Picture picture;
+  Coat commonest{};      ///< That most samples show; of several the first. Of nothing: Coat{}.
+  bool is_sole = false;  ///< No sample shows anything else, and some show it.
+};
+
+/// The picture of a shape.
+///
+/// Method: a z-buffer of 4 × 4 samples a texel (Catmull 1974), by edge functions of whole numbers (Pineda, "A Parallel
+/// Algorithm for Polygon Rasterization", SIGGRAPH 1988): corners on a grid of a 64th of a texel.
+/// Guarantees: the same bytes on every CPU, and for triangles in any order: of what lies equally far to 2^-10 m the
+/// least coat is seen. Of two triangles with a common edge, exactly one shows at a sample on it. What is turned away,
+/// or lies beyond the depth, is not seen. Triangles with a corner farther than 2^20 texels off are left out, and what
+/// is not finite. Cost: O(facets), a few nanoseconds each that lies elsewhere; O(samples).
+Imprint imprint(const Shape& shape, const View& view);
+
+}  // namespace citykiln::imprint

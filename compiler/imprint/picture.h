@@ -1,0 +1,48 @@
+// A small picture of a surface: what each of its texels sends back of the light, and how smooth it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace citykiln::imprint {
+
+/// Samples a texel has each way, and in all.
+inline constexpr std::uint32_t kSamples = 4, kSamplesOfTexel = kSamples * kSamples;
+
+/// The mean of what its samples show; those that show nothing do not count.
+struct Texel {
+  std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
+  std::uint8_t roughness = 0, metalness = 0;
+  std::uint8_t shown = 0;  ///< How many samples show something: 0 … kSamplesOfTexel. 0: the rest is 0.
+  auto operator<=>(const Texel&) const = default;
+};
+
+struct Picture {
+  std::uint32_t columns = 0, rows = 0;
+  std::vector<Texel> texels;  ///< Row by row.
+  auto operator<=>(const Picture&) const = default;
+};
+
+/// Sums texels up, each as often as samples of it show something.
+class TexelSum {
+ public:
+  void add(const Texel& texel);
+  /// Rounded once; nothing is shown where nothing is. `shown` is the mean over so many texels, rounded up.
+  Texel mean(std::uint64_t texels) const;
+
+ private:
+  std::array<std::uint64_t, 3> light_{};
+  std::uint64_t roughness_ = 0, metalness_ = 0, shown_ = 0;
+};
+
+/// The mean of all that is shown; nothing is shown where nothing is. O(texels).
+Texel mean(const Picture& picture);
+
+/// Half as many texels each way, rounded up: each the mean of the four it covers. O(texels).
+Picture halved(const Picture& picture);
+
+/// Texels that show nothing take the mean of the picture: what lies there is not seen but for smoothing. O(texels).
+void fill_gaps(Picture& picture);
+
+}  // namespace citykiln::imprint

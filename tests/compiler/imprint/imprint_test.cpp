@@ -1,0 +1,167 @@
+#include "compiler/imprint/imprint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "compiler/contract/draw.h"
+#include "tests/compiler/imprint/made_wall.h"
+
+namespace citykiln::imprint {
+namespace {
+
+using materials::DressedMesh;
+using materials::Material;
+
+Imprint seen(const std::vector<DressedMesh>& meshes, const View& view) { return imprint(shape_of(meshes), view); }
+
+Texel whole(Material material) {
+  const Imprint one = seen({panel(0, 0, 1, 1, material)}, seen_from_south(1, 1));
+  return one.picture.texels.front();
+}
+
+double light(Material material, std::size_t channel) { return values_of(material).base_colour[channel]; }
+
+// Panels anywhere before and behind a wall of 8 by 8 m; their sides, between samples, so that mirrors agree.
+std::vector<DressedMesh> scattered(std::uint64_t seed, std::size_t count) {
+  const Draw draw(seed, StableId{}, "panels");
+  std::vector<DressedMesh> meshes;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto quarters = [&](std::uint32_t which, std::uint64_t below) {
+      return static_cast<double>(draw.below(below, 6 * i + which)) / 4;
+    };
+    const double x = quarters(0, 32), z = quarters(1, 32), wide = 0.25 + quarters(2, 12), high = 0.25 + quarters(3, 6);
+    const auto material = static_cast<Material>(draw.below(40, 6 * i + 4));
+    // few depths, so that there are ties
+    meshes.push_back(panel(x, z, x + wide, z + high, material, quarters(5, 3)));
+  }
+  return meshes;
+}
+
+TEST(Imprint, AFaceOfItselfIsItsOwnColour) {
+  for (const Material material : {Material::kPlaster, Material::kGlass, Material::kMetalRoof}) {
+    const Imprint one = seen({panel(0, 0, 3, 2, material)}, seen_from_south(3, 2));
+    for (const Texel& texel : one.picture.texels) {
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(texel.light[c] / 65535.0, light(material, c), 1e-5);
+      EXPECT_NEAR(texel.roughness / 255.0, values_of(material).roughness, 0.002);
+      EXPECT_EQ(texel.shown, kSamplesOfTexel);
+    }
+    EXPECT_EQ(one.commonest, (Coat{material, materials::kNoTint}));
+    EXPECT_TRUE(one.is_sole);
+  }
+}
+
+TEST(Imprint, TintsMultiplyTheColour) {
+  DressedMesh mesh = panel(0, 0, 1, 1, Material::kPlaster);
+  mesh.tint = {255, 51, 0, 255};
+  const Texel texel = seen({mesh}, seen_from_south(1, 1)).picture.texels.front();
+  EXPECT_NEAR(texel.light[0] / 65535.0, light(Material::kPlaster, 0), 1e-5);
+  EXPECT_NEAR(texel.light[1] / 65535.0, light(Material::kPlaster, 1) / 5, 1e-5);
+  EXPECT_EQ(texel.light[2], 0);
+}
+
+TEST(Imprint, HalfATexelIsHalfTheColour) {
+  const std::vector<DressedMesh> halves = {panel(0, 0, 0.5, 1, Material::kPlaster),
+                                           panel(0.5, 0, 1, 1, Material::kGlass)};
+  const Imprint one = seen(halves, seen_from_south(1, 1));
+  const Texel texel = one.picture.texels.front(), a = whole(Material::kPlaster), b = whole(Material::kGlass);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(texel.light[c], (a.light[c] + b.light[c]) / 2.0, 0.5);
+  EXPECT_NEAR(texel.roughness, (a.roughness + b.roughness) / 2.0, 0.5);
+  EXPECT_FALSE(one.is_sole);
+}
+
+TEST(Imprint, WhatShowsNothingDoesNotDarken) {
+  const Texel texel = seen({panel(0, 0, 0.5, 1, Material::kPlaster)}, seen_from_south(1, 1)).picture.texels.front();
+  EXPECT_EQ(texel.light, whole(Material::kPlaster).light);
+  EXPECT_EQ(texel.shown, kSamplesOfTexel / 2);
+}
+
+TEST(Imprint, TheForemostIsSeen) {
+  const std::vector<DressedMesh> one_behind = {panel(0, 0, 1, 1, Material::kBrick, 0.25),
+                                               panel(0, 0, 1, 1, Material::kGlass, 0)};
+  EXPECT_EQ(seen(one_behind, seen_from_south(1, 1)).commonest.material, Material::kGlass);
+}
+
+TEST(Imprint, WhatLiesBeyondTheDepthIsNotSeen) {
+  View view = seen_from_south(1, 1);
+  view.before_m = 0.5, view.behind_m = 0.25;
+  const auto shown = [&](double y) {
+    return seen({panel(0, 0, 1, 1, Material::kBrick, y)}, view).picture.texels.front().shown > 0;
+  };
+  EXPECT_TRUE(shown(-0.49));
+  EXPECT_FALSE(shown(-0.51));
+  EXPECT_TRUE(shown(0.24));
+  EXPECT_FALSE(shown(0.26));
+}
+
+TEST(Imprint, WhatIsTurnedAwayIsNotSeen) {
+  DressedMesh mesh = panel(0, 0, 1, 1, Material::kBrick);
+  for (Triangle& t : mesh.mesh.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(seen({mesh}, seen_from_south(1, 1)).picture.texels.front(), Texel{});
+}
+
+TEST(Imprint, TheOrderOfTrianglesDoesNotMatter) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::vector<DressedMesh> meshes = scattered(seed, 40);
+    const Imprint one = seen(meshes, seen_from_south(8, 8));
+    std::ranges::reverse(meshes);
+    for (DressedMesh& mesh : meshes) std::ranges::reverse(mesh.mesh.triangles);
+    const Imprint other = seen(meshes, seen_from_south(8, 8));
+    EXPECT_EQ(one.picture, other.picture);
+    EXPECT_EQ(one.commonest, other.commonest);
+  }
+}
+
+TEST(Imprint, MirroredInputGivesTheMirroredPicture) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::vector<DressedMesh> meshes = scattered(seed, 40);
+    const Picture one = seen(meshes, seen_from_south(8, 8)).picture;
+    for (DressedMesh& mesh : meshes) {
+      for (Vec3& p : mesh.mesh.positions) p.x = 8 - p.x;
+      for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
+    }
+    Picture other = seen(meshes, seen_from_south(8, 8)).picture;
+    for (std::size_t row = 0; row < other.rows; ++row)
+      std::reverse(other.texels.begin() + static_cast<std::ptrdiff_t>(row * 8),
+                   other.texels.begin() + static_cast<std::ptrdiff_t>(row * 8 + 8));
+    EXPECT_EQ(one, other);
+  }
+}
+
+// Seen from the east the same wall, turned, gives the same picture.
+TEST(Imprint, ATurnedWallGivesTheSamePicture) {
+  std::vector<DressedMesh> meshes = scattered(3, 40);
+  const Picture south = seen(meshes, seen_from_south(8, 8)).picture;
+  for (DressedMesh& mesh : meshes)
+    for (Vec3& p : mesh.mesh.positions) p = {100 - p.y, p.x, p.z};
+  View view = seen_from_south(8, 8);
+  view.corner = {100, 0, 8}, view.u = {0, 1, 0};
+  EXPECT_EQ(seen(meshes, view).picture, south);
+}
+
+TEST(Imprint, TrianglesThatShareAnEdgeLeaveNoGapAndShowOnce) {
+  // corners in the middle of samples, where all edges pass through samples
+  DressedMesh fan;
+  fan.material = Material::kBrick;
+  fan.mesh.positions = {{2.125, 0, 2.125}, {0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 4}};
+  fan.mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  for (const Texel& texel : seen({fan}, seen_from_south(4, 4)).picture.texels) EXPECT_EQ(texel.shown, kSamplesOfTexel);
+}
+
+TEST(Imprint, WhatIsNotFiniteIsLeftOut) {
+  DressedMesh mesh = panel(0, 0, 1, 1, Material::kBrick);
+  mesh.mesh.positions[0].x = std::numeric_limits<double>::quiet_NaN();
+  mesh.mesh.positions[3].z = std::numeric_limits<double>::infinity();
+  mesh.mesh.positions.push_back({-1e300, 0, 0}), mesh.mesh.triangles.push_back({4, 1, 2});
+  EXPECT_EQ(seen({mesh}, seen_from_south(1, 1)).picture.texels.front(), Texel{});
+}
+
+TEST(Imprint, OfNothingNothingIsSeen) {
+  const Imprint nothing = seen({}, seen_from_south(2, 2));
+  EXPECT_EQ(nothing.picture.texels, std::vector<Texel>(4));
+  EXPECT_FALSE(nothing.is_sole);
+}
+
+}  // namespace
+}  // namespace citykiln::imprint
