@@ -21,6 +21,7 @@ using bake::Float3;
 using bake::Float4;
 using bake::Instanced;
 using bake::Primitive;
+using materials::Coloured;
 using tinygltf::Value;
 
 // What is wrong with a file: thrown inside this file only, and turned into an Error at its door.
@@ -129,13 +130,18 @@ std::optional<std::string_view> without(std::string_view name, std::string_view 
   return name.substr(0, name.size() - ending.size());
 }
 
+// What a material's name ends with says what colours it.
+constexpr std::pair<std::string_view, Coloured> kEndings[] = {{"", Coloured::kByMaterial},
+                                                              {"Plain", Coloured::kByMaterial},
+                                                              {"Marked", Coloured::kBySheet},
+                                                              {"Imprinted", Coloured::kByAtlas}};
+
 // Whether it has uvs is not for the material to say.
 bake::PrimitiveKey key_named(const std::string& name) {
-  if (const auto material = material_called(name)) return {*material, false, false};
-  if (const auto plain = without(name, "Plain"))
-    if (const auto material = material_called(*plain)) return {*material, false, false};
-  if (const auto marked = without(name, "Marked"))
-    if (const auto material = material_called(*marked)) return {*material, true, true};
+  for (const auto& [ending, coloured] : kEndings)
+    if (const auto beginning = without(name, ending))
+      if (const auto material = material_called(*beginning))
+        return {*material, coloured != Coloured::kByMaterial, coloured};
   throw Wrong{"a material that citykiln has, not \"" + name + "\""};
 }
 
@@ -152,7 +158,11 @@ std::vector<Float2> uvs_of(Source& source, int accessor_number) {
   return uvs;
 }
 
-bool has_sheet(const tinygltf::Model& model) { return !model.images.empty() && model.images.front().name == "sheet"; }
+// Pictures are read after meshes.
+bool has_picture(const tinygltf::Model& model, Coloured coloured) {
+  const char* name = coloured == Coloured::kBySheet ? "sheet" : "imprints";
+  return coloured == Coloured::kByMaterial || std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
+}
 
 std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int accessor, std::size_t vertices) {
   const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
@@ -177,7 +187,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int acces
 Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
   const bake::PrimitiveKey key = key_named(item(source.model.materials, p.material, "a material that exists").name);
-  out.material = key.material, out.is_on_sheet = key.is_on_sheet;
+  out.material = key.material, out.coloured = key.coloured;
   out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
   out.normals = turned(
@@ -193,7 +203,7 @@ Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t
   expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
              (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
-  expect(!out.is_on_sheet || (!out.uvs.empty() && has_sheet(source.model)),
+  expect(out.coloured == Coloured::kByMaterial || (!out.uvs.empty() && has_picture(source.model, out.coloured)),
          "a sheet, and a place on it, for each corner that is on it");
   out.triangles = triangles_of(source, p.indices, n);
   return out;
@@ -244,23 +254,31 @@ materials::Texture& texture_with(std::vector<materials::Texture>& textures, std:
   return textures.emplace_back(materials::Texture{*material, {}, {}});
 }
 
-// The sheet, if any, then colours and normals of materials.
+void read_texture(Source& source, const tinygltf::Image& image, std::vector<materials::Texture>& textures) {
+  const auto coloured = without(image.name, "Colour"), shaped = without(image.name, "Normal");
+  expect(coloured || shaped, "pictures named after materials, and one sheet at most");
+  materials::Texture& texture = texture_with(textures, coloured ? *coloured : *shaped);
+  materials::Sheet& place = coloured ? texture.colour : texture.normal;
+  expect(place.texels.empty() && (shaped || texture.normal.texels.empty()), "each material's pictures once, in order");
+  place = picture_of(source, image);
+  expect(place.columns == place.rows, "textures that are square");
+}
+
+bool are_one_size(const imprint::Atlas& atlas) {
+  const auto& [colour, surface] = atlas;
+  return colour.columns == surface.columns && colour.rows == surface.rows && colour.texel_m == surface.texel_m;
+}
+
+// The sheet, if any, the atlas's two, if any, then colours and normals of materials.
 void read_pictures(Source& source, BakedTile& tile) {
-  for (std::size_t i = 0; i < source.model.images.size(); ++i) {
-    const tinygltf::Image& image = source.model.images[i];
-    if (i == 0 && image.name == "sheet") {
-      tile.sheet = picture_of(source, image);
-      continue;
-    }
-    const auto coloured = without(image.name, "Colour"), shaped = without(image.name, "Normal");
-    expect(coloured || shaped, "pictures named after materials, and one sheet at most");
-    materials::Texture& texture = texture_with(tile.textures, coloured ? *coloured : *shaped);
-    materials::Sheet& place = coloured ? texture.colour : texture.normal;
-    expect(place.texels.empty() && (shaped || texture.normal.texels.empty()),
-           "each material's pictures once, in order");
-    place = picture_of(source, image);
-    expect(place.columns == place.rows, "textures that are square");
-  }
+  const std::pair<const char*, materials::Sheet*> sheets[] = {
+      {"sheet", &tile.sheet}, {"imprints", &tile.imprints.colour}, {"imprintsSurface", &tile.imprints.surface}};
+  const auto& images = source.model.images;
+  std::size_t i = 0;
+  for (const auto& [name, place] : sheets)
+    if (i < images.size() && images[i].name == name) *place = picture_of(source, images[i++]);
+  for (; i < images.size(); ++i) read_texture(source, images[i], tile.textures);
+  expect(are_one_size(tile.imprints), "an atlas of two pictures of one size");
 }
 
 Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {

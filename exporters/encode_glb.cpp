@@ -20,6 +20,7 @@ using bake::Float3;
 using bake::Float4;
 using bake::Instanced;
 using bake::Primitive;
+using materials::Coloured;
 using tinygltf::Value;
 using Object = Value::Object;
 using Array = Value::Array;
@@ -123,18 +124,18 @@ bool is_in_steps(const Primitive& p) {
     const double steps = v / materials::kTexturePlace_m;
     return steps >= 0 && steps <= kMostSteps && steps == std::floor(steps);
   };
-  return !p.is_on_sheet &&
+  return p.coloured == Coloured::kByMaterial &&
          std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
 }
 
 Look look_of(const Filling& f, const Primitive& p) {
-  if (p.is_on_sheet) return {key_of(p)};
+  if (p.coloured != Coloured::kByMaterial) return {key_of(p)};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
-  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, false}};
+  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, Coloured::kByMaterial}};
   return {key_of(p), &*found, is_in_steps(p)};
 }
 
-// The number of a picture among all: the sheet, then each texture's colours and normals.
+// The number of a picture among all: the sheet, the atlas, then each texture's colours and normals.
 int picture_number(const BakedTile& tile, const materials::Sheet* picture) {
   int number = 0;
   const auto is_it = [&](const materials::Sheet& other) {
@@ -142,7 +143,7 @@ int picture_number(const BakedTile& tile, const materials::Sheet* picture) {
     number += other.texels.empty() ? 0 : 1;
     return false;
   };
-  if (is_it(tile.sheet)) return number;
+  if (is_it(tile.sheet) || is_it(tile.imprints.colour) || is_it(tile.imprints.surface)) return number;
   for (const materials::Texture& texture : tile.textures)
     if (is_it(texture.colour) || is_it(texture.normal)) break;
   return number;
@@ -160,13 +161,13 @@ Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
   return info;
 }
 
-// What is on the sheet keeps the default colour, white: the sheet says how much light each place sends back.
+// What is on a sheet keeps the default colour, white: the sheet says how much light each place sends back.
 void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
   const auto& base = values_of(look.key.material).base_colour;
-  if (look.key.is_on_sheet) {
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
-    return;
-  }
+  if (look.key.coloured == Coloured::kBySheet) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
+  if (look.key.coloured == Coloured::kByAtlas)
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.colour, 1);
+  if (look.key.coloured != Coloured::kByMaterial) return;
   m.baseColorFactor = {base[0], base[1], base[2], 1};
   if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
   const auto factor = colour_factor(*look.texture);
@@ -177,10 +178,19 @@ void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m)
 
 bool has_normals(const Look& look) { return look.texture != nullptr && !look.texture->normal.texels.empty(); }
 
+// What is on the atlas keeps the default factors, 1.
+void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
+  if (look.key.coloured == Coloured::kByAtlas) {
+    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.surface, 1);
+    return;
+  }
+  const auto& values = values_of(look.key.material);
+  m.roughnessFactor = values.roughness, m.metallicFactor = values.metallic;
+}
+
 int material_number(Filling& f, const Look& look) {
   const auto same = std::ranges::find(f.looks, look);
   if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
-  const auto& values = values_of(look.key.material);
   tinygltf::Material m;
   m.name = material_name(look.key, f.tile.textures);
   set_colour(f, look, m.pbrMetallicRoughness);
@@ -188,7 +198,7 @@ int material_number(Filling& f, const Look& look) {
     const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, look.texture->normal, unit_m);
   }
-  m.pbrMetallicRoughness.roughnessFactor = values.roughness, m.pbrMetallicRoughness.metallicFactor = values.metallic;
+  set_surface(f, look, m.pbrMetallicRoughness);
   f.model.materials.push_back(m), f.looks.push_back(look);
   return static_cast<int>(f.looks.size()) - 1;
 }
@@ -271,9 +281,9 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
   }
 }
 
-int add_sampler(Filling& f, int wrap_across) {
+int add_sampler(Filling& f, int wrap_across, int wrap_along) {
   tinygltf::Sampler sampler;
-  sampler.wrapS = wrap_across, sampler.wrapT = TINYGLTF_TEXTURE_WRAP_REPEAT;
+  sampler.wrapS = wrap_across, sampler.wrapT = wrap_along;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
   sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
   f.model.samplers.push_back(sampler);
@@ -294,9 +304,15 @@ void add_picture(Filling& f, const materials::Sheet& picture, const std::string&
 void add_pictures(Filling& f) {
   // strips lie side by side, so that the sheet repeats along v alone
   if (!f.tile.sheet.texels.empty())
-    add_picture(f, f.tile.sheet, "sheet", add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE));
+    add_picture(f, f.tile.sheet, "sheet",
+                add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_REPEAT));
+  if (!f.tile.imprints.colour.texels.empty()) {
+    const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
+    add_picture(f, f.tile.imprints.colour, "imprints", clamped);
+    add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
+  }
   if (f.tile.textures.empty()) return;
-  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT);
+  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
   for (const materials::Texture& texture : f.tile.textures) {
     const std::string name(values_of(texture.material).name);
     add_picture(f, texture.colour, name + "Colour", repeating);
@@ -387,7 +403,8 @@ void fill(Filling& f, Instancing instancing) {
 
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
   const std::string name(values_of(key.material).name);
-  if (key.is_on_sheet) return name + "Marked";
+  if (key.coloured == Coloured::kBySheet) return name + "Marked";
+  if (key.coloured == Coloured::kByAtlas) return name + "Imprinted";
   const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
   return !key.has_uvs && is_textured ? name + "Plain" : name;
 }

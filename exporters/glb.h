@@ -15,8 +15,8 @@ namespace citykiln::exporters {
 /// (Blender, Godot).
 enum class Instancing { kExtension, kNodes };
 
-/// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet; "AsphaltPlain"
-/// where it has no uvs, and Asphalt has one of the tile's textures.
+/// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet,
+/// "PaintImprinted" on the atlas; "AsphaltPlain" where it has no uvs, and Asphalt has one of the tile's textures.
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
 
 /// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
@@ -24,9 +24,9 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 /// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras,
 /// and for which eye it was made, if for one;
 /// attribution in asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of
-/// materials::kTexturePlace_m; the sheet and the textures as PNGs inside, shown with KHR_texture_transform from there
-/// to the picture: its row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same bytes.
-/// Valid by Khronos' validator with 0 errors and 0 warnings.
+/// materials::kTexturePlace_m; the sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform
+/// from there to the picture: its row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same
+/// bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing);
 
 /// A tile back from a .glb that encode_glb made; read(encode(tile)) == tile for either way of instancing.

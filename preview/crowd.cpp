@@ -114,7 +114,9 @@ Crowd::Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture*
 Crowd::~Crowd() { rtcReleaseScene(scene_); }
 
 bool Crowd::is_of(const bake::Instanced& shape, const SheetTexture* texture) const {
-  const auto is_on_it = [&](const MeshPart& part) { return !part.primitive->is_on_sheet || part.texture == texture; };
+  const auto is_on_it = [&](const MeshPart& part) {
+    return part.primitive->coloured != materials::Coloured::kBySheet || part.texture == texture;
+  };
   return shape_->primitives == shape.primitives && std::ranges::all_of(parts_, is_on_it);
 }
 

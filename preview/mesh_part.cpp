@@ -44,6 +44,19 @@ Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners
           beam.across_m};
 }
 
+// The same where a metre of the surface need not be one of the picture: atlases of several levels in one have texels of
+// one size.
+Patch patch_on_atlas(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
+                     const Beam& beam) {
+  Patch patch = patch_of(part, corners, found, beam);
+  const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
+  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
+  const double area = length(cross(at(1) - at(0), at(2) - at(0)));
+  const double of_picture = std::abs(cross(uv(1) - uv(0), uv(2) - uv(0)));
+  if (area > 0) patch.across_m *= std::sqrt(of_picture / area);
+  return patch;
+}
+
 // The normal of the texture, told by its directions over the triangle, instead of the smooth one.
 void roughen(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners, Vec3 normal) {
   const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
@@ -69,6 +82,11 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   }
   hit.material = primitive.material;
   hit.roughness = values.roughness;
+  if (part.imprint != nullptr) {
+    const Patch patch = patch_on_atlas(part, corners, found, beam);
+    colour = part.imprint->colour(patch);
+    hit.roughness = part.imprint->roughness(patch);
+  }
   for (int c = 0; c < 3; ++c) {
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
@@ -79,9 +97,12 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
 }  // namespace
 
 MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
-               const SurfaceTexture* surface) {
-  const bool shows_surface = !primitive.is_on_sheet && !primitive.uvs.empty();
-  MeshPart part{&primitive, {}, primitive.is_on_sheet ? texture : nullptr, shows_surface ? surface : nullptr};
+               const SurfaceTexture* surface, const ImprintTexture* imprint) {
+  using materials::Coloured;
+  MeshPart part{&primitive, {}};
+  if (primitive.coloured == Coloured::kBySheet) part.texture = texture;
+  if (primitive.coloured == Coloured::kByAtlas) part.imprint = imprint;
+  if (primitive.coloured == Coloured::kByMaterial && !primitive.uvs.empty()) part.surface = surface;
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
     part.corners.push_back({static_cast<float>(p[0] + offset.x), static_cast<float>(p[1] + offset.y),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
+#include "preview/imprint_texture.h"
 #include "preview/sheet_texture.h"
 #include "preview/surface_texture.h"
 #include "preview/world.h"
@@ -18,6 +19,7 @@ struct MeshPart {
   std::vector<bake::Float3> corners;        ///< One a position, and one more: Embree reads 16 bytes at each.
   const SheetTexture* texture = nullptr;    ///< What colours it instead of its material, if any.
   const SurfaceTexture* surface = nullptr;  ///< Or its material's texture.
+  const ImprintTexture* imprint = nullptr;  ///< Or the atlas, which says how rough it is, too.
 };
 
 /// What a ray covers where it hits.
@@ -28,8 +30,9 @@ struct Beam {
 
 /// The primitive's positions plus `offset`, rounded once. @param texture  Its tile's sheet, if there is one: taken
 /// where the primitive is on it. @param surface  Its material's texture, if there is one: taken where it has uvs.
+/// @param imprint  Its tile's atlas, if there is one: taken where the primitive is on it.
 MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
-               const SurfaceTexture* surface = nullptr);
+               const SurfaceTexture* surface = nullptr, const ImprintTexture* imprint = nullptr);
 
 /// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);

@@ -22,6 +22,8 @@ const std::array<float, 256>& values_of(Texels texels) {
   static const std::array<float, 256> colours = table(materials::linear_of_srgb);
   static const std::array<float, 256> normals =
       table([](std::uint8_t byte) { return static_cast<float>(byte) / 127.5f - 1; });
+  static const std::array<float, 256> numbers = table([](std::uint8_t byte) { return static_cast<float>(byte) / 255; });
+  if (texels == Texels::kNumbers) return numbers;
   return texels == Texels::kColours ? colours : normals;
 }
 
@@ -50,10 +52,11 @@ Shares shares(std::size_t i, std::size_t fine, std::size_t coarse) {
 
 }  // namespace
 
-SheetTexture::SheetTexture(const materials::Sheet& sheet, Texels texels, Sides sides)
+SheetTexture::SheetTexture(const materials::Sheet& sheet, Texels texels, Sides sides, std::size_t levels)
     : sheet_(&sheet), texels_(texels), sides_(sides) {
   levels_.push_back({sheet.columns, sheet.rows, {}});
-  while (levels_.back().columns > 1 || levels_.back().rows > 1) levels_.push_back(halved(levels_.back()));
+  while (levels_.size() < levels && (levels_.back().columns > 1 || levels_.back().rows > 1))
+    levels_.push_back(halved(levels_.back()));
 }
 
 SheetTexture::Texel SheetTexture::texel(const Level& level, std::size_t column, std::size_t row) const {

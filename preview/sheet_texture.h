@@ -19,6 +19,7 @@ struct Patch {
 /// What texels mean.
 enum class Texels {
   kColours,  ///< sRGB.
+  kNumbers,  ///< 0 … 1.
   kNormals   ///< -1 … 1 in each direction (materials::Texture).
 };
 
@@ -32,8 +33,11 @@ enum class Sides { kGoOn, kRepeat };
 /// Refers to the sheet, which must outlive it. Memory: 4 bytes a texel. Cost: O(texels), then O(1) a patch.
 class SheetTexture {
  public:
+  static constexpr std::size_t kAllLevels = 64;
   /// @param sheet  With texels.
-  explicit SheetTexture(const materials::Sheet& sheet, Texels texels = Texels::kColours, Sides sides = Sides::kGoOn);
+  /// @param levels  At most so many, the sheet's own texels among them.
+  explicit SheetTexture(const materials::Sheet& sheet, Texels texels = Texels::kColours, Sides sides = Sides::kGoOn,
+                        std::size_t levels = kAllLevels);
 
   const materials::Sheet& sheet() const { return *sheet_; }
   /// Linear reflectance, or the normal, mean over a patch. What is not finite gives the sheet's mean.

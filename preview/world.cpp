@@ -54,6 +54,7 @@ struct World::Scene {
   RTCScene top = rtcNewScene(device);
   std::vector<std::unique_ptr<SheetTexture>> textures;
   std::vector<std::unique_ptr<SurfaceTexture>> surfaces;
+  std::vector<std::unique_ptr<ImprintTexture>> imprints;
   std::vector<MeshPart> fixed;                 // geometry ids 0 … n - 1
   std::vector<std::unique_ptr<Crowd>> crowds;  // geometry ids n …
 
@@ -80,11 +81,18 @@ struct World::Scene {
     return surfaces.emplace_back(std::make_unique<SurfaceTexture>(*own)).get();
   }
 
+  // No two tiles have the same.
+  const ImprintTexture* imprint_of(const bake::BakedTile& tile) {
+    if (tile.imprints.colour.texels.empty()) return nullptr;
+    return imprints.emplace_back(std::make_unique<ImprintTexture>(tile.imprints)).get();
+  }
+
   void add_fixed(const bake::BakedTile& tile) {
     const SheetTexture* texture = texture_of(tile);
+    const ImprintTexture* imprint = imprint_of(tile);
     for (const bake::Primitive& primitive : tile.primitives)
       if (!primitive.triangles.empty())
-        fixed.push_back(moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material)));
+        fixed.push_back(moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material), imprint));
   }
 
   void add_crowds(const bake::BakedTile& tile) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "compiler/bake/dress_ground.h"
@@ -39,7 +41,10 @@ struct Common {
   std::vector<structures::Stairs> stairs;
 };
 
-// One level's part of the ground.
+// One an object of the chunk.
+using Houses = std::vector<buildings::Expanded>;
+
+// One level's part of the ground, and its houses where levels share what those are made of.
 struct Level {
   double tolerance_m;
   std::shared_ptr<const Common> common;
@@ -47,6 +52,8 @@ struct Level {
   std::vector<SeenCell> seen;
   std::vector<ground::GroundMesh> cells{};
   Report of_cells{};
+  std::optional<Houses> houses{};
+  Report of_houses{};
 };
 
 Lamps place_lamps(const scene::Chunk& chunk, const ground::SurfaceMap& map, const Box2& box) {
@@ -118,20 +125,55 @@ void fire_each(Firing& firing, const std::vector<Object>& objects, const char* k
   report.account("bake", kind) = account;
 }
 
-// Rules are read once a tile; houses are worked on side by side and taken in order.
-void fire_buildings(Firing& firing, int threads, Report& report) {
+// Houses at several tolerances, with a report each. Rules are read once; houses are worked on side by side and told in
+// order. What `holds` denies is left empty.
+std::vector<Houses> expand_houses(const scene::Header& header, const scene::Chunk& chunk,
+                                  std::span<const double> tolerances_m, int threads, std::span<Report> reports,
+                                  const std::function<bool(const buildings::Building&)>& holds) {
+  const std::vector<buildings::Building>& all = chunk.buildings;
+  const buildings::Rulebook rulebook = buildings::rulebook_of(buildings::styles_of(all), header.rules);
+  std::vector<std::vector<Report>> told(all.size(), std::vector<Report>(tolerances_m.size()));
+  std::vector<Houses> by_house = for_each_slot<Houses>(all.size(), threads, [&](std::size_t i) {
+    if (!holds(all[i])) return Houses(tolerances_m.size());
+    return buildings::expand(all[i], rulebook, header.seed, tolerances_m, told[i]);
+  });
+  std::vector<Houses> by_level(tolerances_m.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t l = 0; l < tolerances_m.size(); ++l) {
+      by_level[l].push_back(std::move(by_house[i][l]));
+      reports[l].append(told[i][l]);
+    }
+  return by_level;
+}
+
+// Pictures of facades go onto the tile's atlas, and the faces that show them to the house's other meshes.
+void put_on_atlas(Firing& firing, Houses& houses) {
+  std::vector<imprint::Picture> pictures;
+  for (buildings::Expanded& house : houses)
+    for (buildings::ImprintedMesh& face : house.imprinted) pictures.push_back(std::move(face.picture));
+  imprint::AtlasLayout layout = imprint::lay_out(pictures, firing.tolerance_m);
+  std::size_t picture = 0;
+  for (buildings::Expanded& house : houses)
+    for (buildings::ImprintedMesh& face : house.imprinted) {
+      for (Vec2& uv : face.mesh.uvs) uv = uv + layout.at_m[picture];
+      house.meshes.push_back(std::move(face.mesh));
+      ++picture;
+    }
+  firing.tile.imprints = std::move(layout.atlas);
+}
+
+void fire_buildings(Firing& firing, Level& level, int threads, Report& report) {
   const std::vector<buildings::Building>& all = firing.chunk.buildings;
-  const buildings::Rulebook rulebook = buildings::rulebook_of(buildings::styles_of(all), firing.header.rules);
-  std::vector<Report> diagnosed(all.size());
-  std::vector<buildings::Expanded> expanded =
-      for_each_slot<buildings::Expanded>(all.size(), threads, [&](std::size_t i) {
-        if (!firing.holds(bounds_of(all[i]))) return buildings::Expanded{};
-        return buildings::expand(all[i], rulebook, firing.header.seed, firing.tolerance_m, diagnosed[i]);
-      });
-  for (const Report& of_one : diagnosed) report.append(of_one);
+  if (!level.houses)
+    level.houses = std::move(expand_houses(firing.header, firing.chunk, std::span(&firing.tolerance_m, 1), threads,
+                                           std::span(&level.of_houses, 1),
+                                           [&](const auto& b) { return firing.holds(bounds_of(b)); })
+                                 .front());
+  report.append(level.of_houses);
+  put_on_atlas(firing, *level.houses);
   fire_each(
       firing, all, "building", report, [](const auto& b) { return bounds_of(b); },
-      [&](const auto& b) { return std::move(expanded[static_cast<std::size_t>(&b - all.data())]); });
+      [&](const auto& b) { return std::move((*level.houses)[static_cast<std::size_t>(&b - all.data())]); });
 }
 
 // A bridge or a tunnel, expanded.
@@ -342,7 +384,7 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   report.append(level.of_cells);
   fire_ground(firing, level, std::move(structures));
   fire_stairs(firing, common.stairs);
-  fire_buildings(firing, threads, report);
+  fire_buildings(firing, level, threads, report);
   fire_each(
       firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
@@ -399,6 +441,21 @@ void expand_grounds(std::span<Level> levels, const Box2& box, int threads) {
     levels[i].cells = std::move(cells[i]), levels[i].of_cells = std::move(reports[i]);
 }
 
+// Levels that show facades as pictures share what these are made of.
+void expand_imprinted(const scene::Header& header, const scene::Chunk& chunk, std::span<Level> levels, int threads) {
+  std::vector<Level*> imprinted;
+  std::vector<double> tolerances_m;
+  for (Level& level : levels)
+    if (level.tolerance_m >= buildings::kImprinted_m)
+      imprinted.push_back(&level), tolerances_m.push_back(level.tolerance_m);
+  if (imprinted.empty()) return;
+  std::vector<Report> reports(imprinted.size());
+  std::vector<Houses> houses =
+      expand_houses(header, chunk, tolerances_m, threads, reports, [](const auto&) { return true; });
+  for (std::size_t i = 0; i < imprinted.size(); ++i)
+    imprinted[i]->houses = std::move(houses[i]), imprinted[i]->of_houses = std::move(reports[i]);
+}
+
 // The cells of a tile that a view asks for at a tolerance.
 std::vector<SeenCell> cells_seen(const ViewLevels& view, const Box2& tile, double tolerance_m) {
   std::vector<SeenCell> cells = cells_of(view, tile);
@@ -436,6 +493,7 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
                                       std::span<const double> ladder_m, int threads) {
   PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m)};
   expand_grounds(prepared.levels, scene::box_of(header, chunk.tile), threads);
+  expand_imprinted(header, chunk, prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
 

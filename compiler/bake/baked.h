@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
+#include "compiler/imprint/atlas.h"
+#include "compiler/materials/dressed_mesh.h"
 #include "compiler/materials/material.h"
 #include "compiler/materials/sheet.h"
 #include "compiler/materials/texture.h"
@@ -29,21 +31,23 @@ struct Primitive {
   std::vector<materials::Tint> colours;  ///< One a position.
   std::vector<std::uint32_t> features;   ///< One a position: index into BakedTile::features.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// One a position, or empty: metres on the sheet, or on the material's texture (dressed_mesh.h). On the sheet rounded
-  /// once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of materials::kTexturePlace_m.
+  /// One a position, or empty: metres on the sheet, the atlas or the material's texture (dressed_mesh.h). On sheets
+  /// rounded once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of materials::kTexturePlace_m.
   std::vector<Float2> uvs{};
-  bool is_on_sheet = false;  ///< Coloured by BakedTile::sheet times `colours`; then it has uvs, and the sheet texels.
+  /// By BakedTile::sheet or BakedTile::imprints: then it has uvs, and they texels.
+  materials::Coloured coloured = materials::Coloured::kByMaterial;
   bool operator==(const Primitive&) const = default;
 };
 
 /// What tells the primitives of a mesh apart, in the order in which they are kept.
 struct PrimitiveKey {
   materials::Material material{};
-  bool has_uvs = false, is_on_sheet = false;
+  bool has_uvs = false;
+  materials::Coloured coloured = materials::Coloured::kByMaterial;
   auto operator<=>(const PrimitiveKey&) const = default;
 };
 
-inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empty(), p.is_on_sheet}; }
+inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empty(), p.coloured}; }
 
 /// A mesh that stands in many places.
 struct Instanced {
@@ -72,9 +76,10 @@ struct BakedTile {
   std::vector<OsmId> features;        ///< Sorted; index 0 is always the none feature.
   std::vector<Primitive> primitives;  ///< Sorted by key, at most one each.
   std::vector<Instanced> instanced;
-  materials::Sheet sheet{};  ///< What primitives on the sheet are coloured by; no texels: there are none.
-  /// Of the tile's own primitives that have uvs and are not on the sheet, by material, rising, where the tolerance has
-  /// any.
+  materials::Sheet sheet{};   ///< What primitives on the sheet are coloured by; no texels: there are none.
+  imprint::Atlas imprints{};  ///< Likewise: what facades of this level show as pictures.
+  /// Of the tile's own primitives that have uvs and are coloured by their material, by material, rising, where the
+  /// tolerance has any.
   std::vector<materials::Texture> textures{};
   std::optional<SeenFrom> seen_from{};  ///< Then tolerance_m is the finest of many.
   bool operator==(const BakedTile&) const = default;

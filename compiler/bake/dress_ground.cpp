@@ -156,7 +156,7 @@ DressedMesh dressed_as(const Dressing& d, std::uint32_t surface, Material materi
   mesh.material = material;
   if (surface == kNoSurface) return mesh;
   mesh.feature = d.cover.surfaces[surface].id.osm;
-  mesh.is_on_sheet = column_of(d.markings, piece_of(d.cover, surface)) != nullptr;
+  if (column_of(d.markings, piece_of(d.cover, surface))) mesh.coloured = materials::Coloured::kBySheet;
   return mesh;
 }
 
@@ -217,7 +217,7 @@ Markings lay_out_markings(const scene::GroundCover& cover, double tolerance_m) {
 
 void put_on_sheet(const Column& column, DressedMesh& mesh) {
   if (column.left_m < 0) return;
-  mesh.is_on_sheet = true;
+  mesh.coloured = materials::Coloured::kBySheet;
   for (Vec2& uv : mesh.uvs) uv = on_sheet(column, uv);
 }
 

@@ -50,11 +50,12 @@ Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 
 void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature) {
   const Mesh& mesh = dressed.mesh;
-  assert(dressed.uvs.empty() ? !dressed.is_on_sheet : dressed.uvs.size() == mesh.positions.size());
+  assert(dressed.uvs.empty() ? dressed.coloured == materials::Coloured::kByMaterial
+                             : dressed.uvs.size() == mesh.positions.size());
   assert(dressed.tints.empty() || dressed.tints.size() == mesh.positions.size());
-  const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.is_on_sheet};
+  const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.coloured};
   Primitive& primitive = merged[key];
-  primitive.material = key.material, primitive.is_on_sheet = key.is_on_sheet;
+  primitive.material = key.material, primitive.coloured = key.coloured;
   Copies copies{dressed, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
@@ -70,7 +71,7 @@ std::vector<materials::Texture> textures_shown(std::span<const Primitive> primit
                                                std::uint64_t seed) {
   std::vector<materials::Material> shown;
   for (const Primitive& p : primitives)
-    if (!p.uvs.empty() && !p.is_on_sheet) shown.push_back(p.material);
+    if (!p.uvs.empty() && p.coloured == materials::Coloured::kByMaterial) shown.push_back(p.material);
   return materials::textures_of(shown, tolerance_m, seed);
 }
 

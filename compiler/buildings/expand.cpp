@@ -1,6 +1,7 @@
 #include "compiler/buildings/expand.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "compiler/buildings/dress.h"
@@ -15,8 +16,8 @@ namespace {
 
 using materials::DressedMesh;
 
-// Tolerances at which nobody counts windows.
-constexpr double kFar_m = 1;
+// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep their frames.
+constexpr double kLooks_m = 0.25;
 
 // A tower of a hundred floors with a balcony at every window asks for half a million shapes.
 constexpr std::uint64_t kMostShapes = 4'000'000, kMostSteps = 400'000'000;
@@ -63,23 +64,19 @@ std::uint64_t times_of(const grammars::Derivation& derivation) {
   return times;
 }
 
-void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
-                     double tolerance_m, Expanded& expanded, Report& report) {
+grammars::Derivation derive_on(const Building& building, const Mass& mass, const grammars::Program& program,
+                               std::uint64_t seed, double tolerance_m, bool keep_looks) {
   grammars::DeriveOptions options;
   options.attributes = rule_values_of(building, mass.roof.form);
   options.seed = seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true;
-  // from afar windows are no wider than what may be left out, and what moves little is known ahead
-  options.keep_looks = tolerance_m < kFar_m, options.ahead = true;
+  // where pictures show what is left out, looks are theirs; what moves little is known ahead
+  options.keep_looks = keep_looks, options.ahead = true;
   // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;
-  const grammars::Derivation derivation = grammars::derive(program, shape_of(building, mass), options);
-  const std::uint64_t times = times_of(derivation);
-  if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
-  expanded.error_m += derivation.error_m;
-  for (DressedMesh& mesh : meshes_of(derivation, building.id.osm)) expanded.meshes.push_back(std::move(mesh));
+  return grammars::derive(program, shape_of(building, mass), options);
 }
 
 // Half of it. Rules are told the roof's form and build on its planes, so it keeps its form under them.
@@ -88,31 +85,82 @@ double roof_tolerance_m(const Building& building, bool has_rules, double toleran
   return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
 }
 
+// What the rules make of a building at its full looks.
+imprint::Shape looks_of(const Building& building, const grammars::Program& program, std::uint64_t seed) {
+  Report told_elsewhere;
+  const Mass mass = mass_of(building, roof_tolerance_m(building, true, kLooks_m), told_elsewhere);
+  return imprint::shape_of(
+      meshes_of(derive_on(building, mass, program, seed, kLooks_m - mass.roof.error_m, true), building.id.osm));
+}
+
+// One level, and what all those that show it as pictures share.
+struct LevelOf {
+  double tolerance_m;
+  const imprint::Shape* looks;
+};
+
+void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
+                     LevelOf level, Expanded& expanded, Report& report) {
+  // what the roof has left of the tolerance is for rules
+  const grammars::Derivation derivation =
+      derive_on(building, mass, program, seed, level.tolerance_m - mass.roof.error_m, level.looks == nullptr);
+  const std::uint64_t times = times_of(derivation);
+  if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
+  expanded.error_m += derivation.error_m;
+  DressedFaces faces;
+  if (level.looks != nullptr)
+    faces = imprint_walls(derivation, *level.looks, level.tolerance_m, building.id.osm);
+  else
+    faces.meshes = meshes_of(derivation, building.id.osm);
+  for (DressedMesh& mesh : faces.meshes) expanded.meshes.push_back(std::move(mesh));
+  expanded.imprinted = std::move(faces.imprinted);
+}
+
 // A building no higher than the tolerance, with all that rules put on its roof, is dropped: the ground is that near.
 Expanded without_what_is_low(const Building& building, double tolerance_m, Expanded expanded) {
   if (building.top_m - building.bottom_m >= tolerance_m) return expanded;
   double top_m = building.top_m;
   for (const DressedMesh& dressed : expanded.meshes)
     for (const Vec3 p : dressed.mesh.positions) top_m = std::max(top_m, p.z);
+  for (const ImprintedMesh& imprinted : expanded.imprinted)
+    for (const Vec3 p : imprinted.mesh.mesh.positions) top_m = std::max(top_m, p.z);
   const double error_m = top_m - building.bottom_m + expanded.error_m;
   return error_m < tolerance_m ? Expanded{{}, error_m} : std::move(expanded);
+}
+
+Expanded expand_level(const Building& building, const Rulebook& rulebook, std::uint64_t seed, LevelOf level,
+                      Report& report) {
+  const auto program = rulebook.find(building.style);
+  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), level.tolerance_m), report);
+  Expanded expanded{{}, mass.roof.error_m};
+  add_foundation(building, mass, program != rulebook.end(), seed, expanded);
+  if (program == rulebook.end()) {
+    expand_plain(building, mass, seed, expanded);
+  } else {
+    expand_by_rules(building, mass, program->second, seed, level, expanded, report);
+  }
+  return without_what_is_low(building, level.tolerance_m, std::move(expanded));
 }
 
 }  // namespace
 
 Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
                 Report& report) {
+  return std::move(expand(building, rulebook, seed, std::span(&tolerance_m, 1), std::span(&report, 1)).front());
+}
+
+std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed,
+                             std::span<const double> tolerances_m, std::span<Report> reports) {
   const auto program = rulebook.find(building.style);
-  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), tolerance_m), report);
-  Expanded expanded{{}, mass.roof.error_m};
-  add_foundation(building, mass, program != rulebook.end(), seed, expanded);
-  if (program == rulebook.end()) {
-    expand_plain(building, mass, seed, expanded);
-  } else {
-    // what the roof has left of the tolerance is for rules
-    expand_by_rules(building, mass, program->second, seed, tolerance_m - mass.roof.error_m, expanded, report);
+  std::optional<imprint::Shape> looks;
+  std::vector<Expanded> levels;
+  for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
+    const bool is_imprinted = program != rulebook.end() && tolerances_m[i] >= kImprinted_m;
+    if (is_imprinted && !looks) looks = looks_of(building, program->second, seed);
+    const LevelOf level{tolerances_m[i], is_imprinted ? &*looks : nullptr};
+    levels.push_back(expand_level(building, rulebook, seed, level, reports[i]));
   }
-  return without_what_is_low(building, tolerance_m, std::move(expanded));
+  return levels;
 }
 
 }  // namespace citykiln::buildings

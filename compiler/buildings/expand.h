@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "compiler/buildings/imprint_walls.h"
 #include "compiler/buildings/recipe.h"
 #include "compiler/buildings/rulebook.h"
 #include "compiler/contract/report.h"
@@ -14,7 +16,11 @@ namespace citykiln::buildings {
 struct Expanded {
   std::vector<materials::DressedMesh> meshes;
   double error_m = 0;  ///< Between this and the building at tolerance 0: Hausdorff, both ways, of what can be seen.
+  std::vector<ImprintedMesh> imprinted{};  ///< From kImprinted_m on: the faces that show pictures.
 };
+
+/// From this tolerance on what is left out of facades is pictures on the faces that are left.
+inline constexpr double kImprinted_m = 0.5;
 
 /// The mass (mass.h), worked on by the style's rules as far as the tolerance sees; where it sees nothing of them, or
 /// there are none, the bare mass. A building lower than the tolerance, chimneys and all, is dropped, with its height as
@@ -24,5 +30,9 @@ struct Expanded {
 /// for what cannot be, are diagnosed. Cost: the derivation's.
 Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
                 Report& report);
+
+/// The same at several tolerances, in their order: what pictures are made of is derived once. One report a tolerance.
+std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed,
+                             std::span<const double> tolerances_m, std::span<Report> reports);
 
 }  // namespace citykiln::buildings

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "compiler/commands/join_atlases.h"
 #include "compiler/commands/join_sheets.h"
 
 namespace citykiln::commands {
@@ -38,16 +39,25 @@ struct Guest {
   const bake::BakedTile& tile;
   Vec3 offset;                          ///< From the joined origin to the tile's.
   double sheet_m;                       ///< From the joined sheet's left edge to that of the tile's.
+  JoinedAtlases::Place on_atlas;        ///< Of the tile's atlas on the joined one.
   std::vector<std::uint32_t> features;  ///< The tile's numbers to the joined ones.
 };
 
-Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, double sheet_m) {
-  Guest guest{tile, tile.origin - joined.origin, sheet_m, {}};
+Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, double sheet_m,
+               const JoinedAtlases::Place& on_atlas) {
+  Guest guest{tile, tile.origin - joined.origin, sheet_m, on_atlas, {}};
   for (const OsmId feature : tile.features) {
     guest.features.push_back(
         static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
   }
   return guest;
+}
+
+bake::Float2 on_joined(const bake::Float2& uv, materials::Coloured coloured, const Guest& guest) {
+  if (coloured == materials::Coloured::kBySheet) return slid(uv, guest.sheet_m);
+  if (coloured == materials::Coloured::kByMaterial) return uv;
+  const auto& [at_m, scale] = guest.on_atlas;
+  return {static_cast<float>(at_m.x + scale * uv[0]), static_cast<float>(at_m.y + scale * uv[1])};
 }
 
 void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest& guest, double& reach_m) {
@@ -56,7 +66,7 @@ void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest
   to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
   to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
   for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
-  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(from.is_on_sheet ? slid(uv, guest.sheet_m) : uv);
+  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(on_joined(uv, from.coloured, guest));
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
@@ -70,21 +80,19 @@ void add_instanced(bake::Instanced& to, const bake::Instanced& from, const Guest
 bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
   const auto place = std::ranges::lower_bound(joined.primitives, key, {}, bake::key_of);
   if (place != joined.primitives.end() && bake::key_of(*place) == key) return *place;
-  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.is_on_sheet});
+  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.coloured});
 }
 
-/// A shared mesh as it lies on the joined sheet.
-std::vector<bake::Primitive> slid(std::vector<bake::Primitive> primitives, double across_m) {
-  for (bake::Primitive& primitive : primitives) {
-    if (!primitive.is_on_sheet) continue;
-    for (bake::Float2& uv : primitive.uvs) uv = slid(uv, across_m);
-  }
+/// A shared mesh as it lies on the joined sheets.
+std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, const Guest& guest) {
+  for (bake::Primitive& primitive : primitives)
+    for (bake::Float2& uv : primitive.uvs) uv = on_joined(uv, primitive.coloured, guest);
   return primitives;
 }
 
 /// The shared mesh of that name and shape: tiles may cut the same archetype differently.
-bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, double sheet_m) {
-  std::vector<bake::Primitive> primitives = slid(like.primitives, sheet_m);
+bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, const Guest& guest) {
+  std::vector<bake::Primitive> primitives = on_joined(like.primitives, guest);
   for (bake::Instanced& instanced : joined.instanced) {
     if (instanced.name == like.name && instanced.primitives == primitives) return instanced;
   }
@@ -113,16 +121,20 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   if (!joined_sheets) return joined_sheets.error();
   joined.sheet = std::move(joined_sheets->sheet);
 
+  std::vector<const imprint::Atlas*> atlases;
+  for (const bake::BakedTile& tile : tiles) atlases.push_back(&tile.imprints);
+  JoinedAtlases joined_atlases = join_atlases(atlases);
+  joined.imprints = std::move(joined_atlases.atlas);
+
   add_textures(joined, tiles);
 
   double reach_m = 0;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     const bake::BakedTile& tile = tiles[t];
-    const Guest guest = guest_of(tile, joined, joined_sheets->offsets_m[t]);
+    const Guest guest = guest_of(tile, joined, joined_sheets->offsets_m[t], joined_atlases.places[t]);
     for (const bake::Primitive& p : tile.primitives)
       add_primitive(primitive_of(joined, bake::key_of(p)), p, guest, reach_m);
-    for (const bake::Instanced& i : tile.instanced)
-      add_instanced(instanced_of(joined, i, guest.sheet_m), i, guest, reach_m);
+    for (const bake::Instanced& i : tile.instanced) add_instanced(instanced_of(joined, i, guest), i, guest, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
     if (tile.seen_from && (!joined.seen_from || joined.seen_from->pixel_error < tile.seen_from->pixel_error))

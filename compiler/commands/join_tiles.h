@@ -9,7 +9,8 @@
 namespace citykiln::commands {
 
 /// Guarantees: the same triangles and instances at the same places, exactly; one primitive a key, each showing its
-/// own tile's sheet, of which the joined one is made (join_sheets.h); the largest error of all.
+/// own tile's sheet and atlas, of which the joined ones are made (join_sheets.h, join_atlases.h); the largest error of
+/// all.
 /// @param tiles  At least one. Named after the first; its origin is the lowest corner of all.
 /// Errors: tiles that lie farther apart than float32 is exact for (16 km); sheets that cannot be one. O(vertices).
 Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles);

@@ -1,6 +1,7 @@
 // A mesh, what it is made of, and whose it is: what every expand door hands out.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
@@ -10,17 +11,24 @@
 
 namespace citykiln::materials {
 
+/// What says how much light each place sends back; tints multiply it.
+enum class Coloured : std::uint8_t {
+  kByMaterial,  ///< One colour, or a texture that repeats (texture.h).
+  kBySheet,     ///< The tile's sheet (sheet.h).
+  kByAtlas      ///< The tile's atlas of imprints (compiler/imprint/atlas.h), which says roughness and metalness too.
+};
+
 struct DressedMesh {
   Mesh mesh;
   Material material{};
   Tint tint = kNoTint;
   OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
-  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. Elsewhere where the
-  /// material's texture is shown: across and along a road; east and north, or a field's rows, on land.
+  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. On the atlas:
+  /// x along its rows, y along its columns. Elsewhere where the material's texture is shown: across and along a road;
+  /// east and north, or a field's rows, on land.
   std::vector<Vec2> uvs{};
-  std::vector<Tint> tints{};  ///< One a position, instead of `tint`; or empty.
-  bool is_on_sheet =
-      false;  ///< Drawn with the tile's sheet (sheet.h) instead of the material's colour; then it has uvs.
+  std::vector<Tint> tints{};                  ///< One a position, instead of `tint`; or empty.
+  Coloured coloured = Coloured::kByMaterial;  ///< If by a picture it has uvs.
 };
 
 }  // namespace citykiln::materials

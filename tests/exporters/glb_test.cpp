@@ -110,8 +110,9 @@ TEST(GlbSheet, TilesWithoutOneDoNotMentionIt) {
 TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
-    for (const bool is_on_sheet : {false, true})
-      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, is_on_sheet}, {})).second);
+    for (const auto coloured :
+         {materials::Coloured::kByMaterial, materials::Coloured::kBySheet, materials::Coloured::kByAtlas})
+      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, coloured}, {})).second);
 }
 
 nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {

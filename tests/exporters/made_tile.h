@@ -63,16 +63,17 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 1000);
   bake::BakedTile tile = made_tile(seed);
   tile.sheet = made_sheet(dice);
-  const auto laid_out = [&](materials::Material material, bool is_on_sheet, std::uint32_t features) {
+  const auto laid_out = [&](materials::Material material, materials::Coloured coloured, std::uint32_t features) {
     bake::Primitive p = made_primitive(dice, material, 12, features);
     for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
-    p.is_on_sheet = is_on_sheet;
+    p.coloured = coloured;
     return p;
   };
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, false, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, true, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kPaving, true, 4));
-  tile.instanced[0].primitives.push_back(laid_out(materials::Material::kPaintedMetal, true, 0));
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::Coloured::kByMaterial, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::Coloured::kBySheet, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kPaving, materials::Coloured::kBySheet, 4));
+  tile.instanced[0].primitives.push_back(
+      laid_out(materials::Material::kPaintedMetal, materials::Coloured::kBySheet, 0));
   return tile;
 }
 

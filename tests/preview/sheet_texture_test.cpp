@@ -108,7 +108,7 @@ TEST(SheetTexture, ALongPatchMixesAlongItself) {
 bake::Primitive marked_road() {
   bake::Primitive road = floor({0, 0, 0}, {64, 64, 0}, Material::kAsphalt);
   for (const bake::Float3& at : road.positions) road.uvs.push_back({at[0], 100 + at[1]});
-  road.is_on_sheet = true;
+  road.coloured = materials::Coloured::kBySheet;
   return road;
 }
 
@@ -197,7 +197,7 @@ TEST(SheetOnTheGround, CopiesShowTheSheetOfTheirTile) {
 
 TEST(SheetOnTheGround, OtherRoadsKeepTheirMaterial) {
   bake::Primitive plain = marked_road();
-  plain.is_on_sheet = false;
+  plain.coloured = materials::Coloured::kByMaterial;
   bake::BakedTile ground = tile({0, 0, 0}, {plain});
   ground.sheet = squares();
   const std::vector tiles = {ground};

@@ -55,7 +55,7 @@ TEST(DressGround, PutsMarkedPiecesOnTheSheet) {
   const Markings markings = lay_out_markings(one.cover, 0.05);
   const auto meshes = dress(one.ground, one.cover, markings, {}, 0.05);
   ASSERT_EQ(meshes.size(), 1u);
-  EXPECT_TRUE(meshes[0].is_on_sheet);
+  EXPECT_EQ(meshes[0].coloured, materials::Coloured::kBySheet);
   EXPECT_EQ(meshes[0].feature.id, 9);
   // four corners, one vertex each, across the pattern's column and along the road
   ASSERT_EQ(meshes[0].uvs.size(), 4u);
@@ -72,7 +72,7 @@ TEST(DressGround, TellsTheMetresOfPiecesThatAreNotMarkedLessWholePeriods) {
   const OnePiece one(roads::kNoPattern);
   const auto meshes = dress(one.ground, one.cover, lay_out_markings(one.cover, 0.05), {}, 0.05);
   ASSERT_EQ(meshes.size(), 1u);
-  EXPECT_FALSE(meshes[0].is_on_sheet);
+  EXPECT_EQ(meshes[0].coloured, materials::Coloured::kByMaterial);
   EXPECT_EQ(meshes[0].uvs[0], (Vec2{7, 100 - materials::kTexturePeriod_m}));
 }
 

@@ -7,6 +7,7 @@
 namespace citykiln::bake {
 namespace {
 
+using materials::Coloured;
 using materials::DressedMesh;
 using materials::Material;
 
@@ -20,10 +21,10 @@ DressedMesh square(Material material, bool is_smooth = true) {
   return dressed;
 }
 
-DressedMesh laid_out(Material material, bool is_on_sheet) {
+DressedMesh laid_out(Material material, Coloured coloured) {
   DressedMesh dressed = square(material);
   dressed.uvs = {{0, 100}, {2, 100}, {2, 102}, {0, 102}};
-  dressed.is_on_sheet = is_on_sheet;
+  dressed.coloured = coloured;
   return dressed;
 }
 
@@ -34,21 +35,22 @@ std::vector<Primitive> merged(const std::vector<DressedMesh>& meshes) {
 }
 
 TEST(Merge, OnePrimitiveAKeySortedByKey) {
-  const auto primitives =
-      merged({laid_out(Material::kAsphalt, true), square(Material::kBark), laid_out(Material::kAsphalt, false),
-              square(Material::kAsphalt), laid_out(Material::kAsphalt, true), square(Material::kGrass)});
-  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, false},
-                                              {Material::kAsphalt, false, false},
-                                              {Material::kAsphalt, true, false},
-                                              {Material::kAsphalt, true, true},
-                                              {Material::kBark, false, false}};
+  const auto primitives = merged({laid_out(Material::kAsphalt, Coloured::kBySheet), square(Material::kBark),
+                                  laid_out(Material::kAsphalt, Coloured::kByMaterial), square(Material::kAsphalt),
+                                  laid_out(Material::kAsphalt, Coloured::kBySheet), square(Material::kGrass)});
+  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, Coloured::kByMaterial},
+                                              {Material::kAsphalt, false, Coloured::kByMaterial},
+                                              {Material::kAsphalt, true, Coloured::kByMaterial},
+                                              {Material::kAsphalt, true, Coloured::kBySheet},
+                                              {Material::kBark, false, Coloured::kByMaterial}};
   ASSERT_EQ(primitives.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(key_of(primitives[i]), expected[i]) << i;
   EXPECT_EQ(primitives[3].positions.size(), 8u);
 }
 
 TEST(Merge, EachVertexHasTheUvOfItsPosition) {
-  const auto primitives = merged({laid_out(Material::kAsphalt, false), laid_out(Material::kAsphalt, false)});
+  const auto primitives = merged(
+      {laid_out(Material::kAsphalt, Coloured::kByMaterial), laid_out(Material::kAsphalt, Coloured::kByMaterial)});
   ASSERT_EQ(primitives.size(), 1u);
   ASSERT_EQ(primitives[0].uvs.size(), primitives[0].positions.size());
   for (std::size_t v = 0; v < primitives[0].uvs.size(); ++v) {
@@ -69,8 +71,9 @@ TEST(Merge, EachVertexHasTheTintOfItsPosition) {
 }
 
 TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
-  const auto primitives = merged({laid_out(Material::kAsphalt, true), laid_out(Material::kGrass, false),
-                                  square(Material::kMeadow), laid_out(Material::kRock, false)});
+  const auto primitives =
+      merged({laid_out(Material::kAsphalt, Coloured::kBySheet), laid_out(Material::kGrass, Coloured::kByMaterial),
+              square(Material::kMeadow), laid_out(Material::kRock, Coloured::kByMaterial)});
   const auto textures = textures_shown(primitives, 0.1, 1);
   ASSERT_EQ(textures.size(), 2u);
   EXPECT_EQ(textures[0].material, Material::kGrass);
@@ -79,8 +82,8 @@ TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
 }
 
 TEST(Merge, MeshesWithoutUvsGetNone) {
-  for (const Primitive& p : merged({square(Material::kGrass), laid_out(Material::kAsphalt, true)}))
-    EXPECT_EQ(p.uvs.size(), p.is_on_sheet ? p.positions.size() : 0);
+  for (const Primitive& p : merged({square(Material::kGrass), laid_out(Material::kAsphalt, Coloured::kBySheet)}))
+    EXPECT_EQ(p.uvs.size(), p.coloured == Coloured::kBySheet ? p.positions.size() : 0);
 }
 
 TEST(Merge, SharesVerticesOfOneNormal) {
@@ -91,7 +94,7 @@ TEST(Merge, SharesVerticesOfOneNormal) {
 }
 
 TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
-  DressedMesh seam = laid_out(Material::kAsphalt, true);
+  DressedMesh seam = laid_out(Material::kAsphalt, Coloured::kBySheet);
   seam.mesh.positions.push_back(seam.mesh.positions[0]);
   seam.mesh.normals.push_back(seam.mesh.normals[0]);
   seam.uvs.push_back({7, 100});
@@ -102,7 +105,7 @@ TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
 }
 
 TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
-  DressedMesh far = laid_out(Material::kAsphalt, true);
+  DressedMesh far = laid_out(Material::kAsphalt, Coloured::kBySheet);
   for (Vec2& uv : far.uvs) uv.y = 16383.123456 + uv.y / 1000;
   for (const Primitive& p : merged({far}))
     for (std::size_t v = 0; v < p.uvs.size(); ++v)
@@ -110,7 +113,7 @@ TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
 }
 
 TEST(Merge, LeavesOutTrianglesWithoutArea) {
-  DressedMesh thin = laid_out(Material::kAsphalt, true);
+  DressedMesh thin = laid_out(Material::kAsphalt, Coloured::kBySheet);
   thin.mesh.triangles = {{0, 1, 1}};
   EXPECT_TRUE(merged({thin}).empty());
 }

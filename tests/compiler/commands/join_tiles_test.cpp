@@ -75,10 +75,10 @@ TEST(JoinTiles, SharesMeshesThatAreTheSame) {
 /// With a road on a sheet of one colour, and one that is not on it.
 bake::BakedTile marked_at(Vec3 origin, std::uint8_t grey) {
   bake::BakedTile tile = tile_at(origin, way(5), 0);
-  for (const bool is_on_sheet : {false, true}) {
+  for (const auto coloured : {materials::Coloured::kByMaterial, materials::Coloured::kBySheet}) {
     tile.primitives.push_back(tile.primitives[0]);
     tile.primitives.back().uvs = {{0, 7}, {0.5f, 7}, {1, 9}};
-    tile.primitives.back().is_on_sheet = is_on_sheet;
+    tile.primitives.back().coloured = coloured;
   }
   tile.instanced[0].primitives.push_back(tile.primitives.back());
   tile.instanced[0].primitives.back().features.clear();

@@ -1,0 +1,112 @@
+#include "compiler/buildings/imprint_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "compiler/buildings/dress_terminals.h"
+#include "compiler/buildings/painted.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using grammars::Face;
+using imprint::Coat;
+using imprint::Imprint;
+using imprint::View;
+using materials::DressedMesh;
+using materials::Material;
+
+// Balconies and bays stand out so far.
+constexpr double kStandsOut_m = 2;
+
+// Pictures have all colours: the material under them says only what the rest is like that no picture tells.
+constexpr Material kUnderPictures = Material::kPaint;
+
+// A little less than a texel more is rounding.
+std::uint32_t texels_in(double length_m, double texel_m) {
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(length_m / texel_m - 1e-6), 1.0, 1e6));
+}
+
+// The face's box in its own plane, as one stands before it: columns along its foot, rows down.
+View view_of(const Face& face, double texel_m) {
+  const std::array<Vec3, 3> axis = grammars::axes_of(face);
+  View view;
+  view.u = axis[0], view.v = axis[1] * -1, view.texel_m = texel_m;
+  view.before_m = std::min(texel_m, kStandsOut_m), view.behind_m = texel_m;
+  const Vec3 first = face.outer.front();
+  Vec2 low{}, high{};
+  each_vertex(face, [&](Vec3 p) {
+    const Vec2 at{dot(p - first, view.u), dot(p - first, view.v)};
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)}, high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+  });
+  view.corner = first + view.u * low.x + view.v * low.y;
+  view.columns = texels_in(high.x - low.x, texel_m), view.rows = texels_in(high.y - low.y, texel_m);
+  return view;
+}
+
+// The mean colour as paint on what most of it is made of.
+Coat mean_coat(const Imprint& imprint) {
+  const imprint::Texel texel = mean(imprint.picture);
+  const Linear paint{texel.light[0] / 65535.0, texel.light[1] / 65535.0, texel.light[2] / 65535.0};
+  const Material shown = showing(paint, {imprint.commonest.material, Material::kPaint});
+  return {shown, painted(shown, paint)};
+}
+
+// Faces on their way to meshes.
+struct Dressing {
+  const imprint::Shape& looks;
+  double texel_m;
+  OsmId feature;
+  DressedFaces dressed{};
+  std::map<Coat, DressedMesh> plain{};
+
+  void add_plain(const Face& face, const Coat& coat) {
+    const auto [place, is_new] = plain.try_emplace(coat);
+    DressedMesh& mesh = place->second;
+    if (is_new) mesh = {{}, coat.material, coat.tint, feature};
+    add_face(face, mesh);
+  }
+
+  void add_imprinted(const Face& face, const View& view, imprint::Picture&& picture) {
+    fill_gaps(picture);
+    ImprintedMesh imprinted{std::move(picture), {{}, kUnderPictures, materials::kNoTint, feature}};
+    add_face(face, imprinted.mesh.mesh);
+    for (const Vec3 p : imprinted.mesh.mesh.positions)
+      imprinted.mesh.uvs.push_back({dot(p - view.corner, view.u), dot(p - view.corner, view.v)});
+    imprinted.mesh.coloured = materials::Coloured::kByAtlas;
+    if (!imprinted.mesh.mesh.triangles.empty()) dressed.imprinted.push_back(std::move(imprinted));
+  }
+
+  void add(const Face& face, const Coat& own) {
+    if (face.outer.size() < 3) return;
+    const View view = view_of(face, texel_m);
+    const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
+    if (texels > kMostTexelsOfFace) return add_plain(face, own);
+    Imprint seen = imprint::imprint(looks, view);
+    if (seen.is_sole) return add_plain(face, seen.commonest);
+    if (mean(seen.picture).shown == 0) return add_plain(face, own);
+    if (texels < kFewTexels) return add_plain(face, mean_coat(seen));
+    add_imprinted(face, view, std::move(seen.picture));
+  }
+};
+
+}  // namespace
+
+DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
+                           OsmId feature) {
+  std::vector<Coat> own;
+  for (const grammars::Look& look : derivation.looks) {
+    const SurfaceDress dress = dress_of(look);
+    own.push_back({dress.material, dress.tint});
+  }
+  Dressing dressing{looks, texel_m, feature};
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    for (const Face& face : terminal.faces) dressing.add(face, own[terminal.look]);
+  for (auto& [coat, mesh] : dressing.plain)
+    if (!mesh.mesh.triangles.empty()) dressing.dressed.meshes.push_back(std::move(mesh));
+  return std::move(dressing.dressed);
+}
+
+}  // namespace citykiln::buildings

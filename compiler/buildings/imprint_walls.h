@@ -1,0 +1,40 @@
+// What a level leaves out of a facade, as pictures on the faces that it keeps: a high house baked on a low one.
+#pragma once
+
+#include <vector>
+
+#include "compiler/imprint/imprint.h"
+#include "compiler/materials/dressed_mesh.h"
+#include "grammars/derive.h"
+
+namespace citykiln::buildings {
+
+/// A face and its picture. The mesh has uvs: metres on the picture, from its first texel's corner.
+struct ImprintedMesh {
+  imprint::Picture picture;
+  materials::DressedMesh mesh;
+};
+
+struct DressedFaces {
+  std::vector<materials::DressedMesh> meshes;  ///< What one material and tint is enough for: one mesh each, in order.
+  std::vector<ImprintedMesh> imprinted;        ///< In the terminals' order.
+};
+
+/// The terminals' faces as meshes_of() makes them, dressed as what stands before and behind them looks.
+///
+/// @param looks    The same building, finer.
+/// @param texel_m  Of pictures; of how far the finer one may stand behind a face, and before it up to 2 m: farther
+///                 before a wall of a court stands the other wing.
+///
+/// A face on which all is of one material and tint takes them; one that is smaller than kFewTexels the mean colour, as
+/// paint on what most of it is made of; the rest have pictures. Faces before which nothing stands, or with more than
+/// kMostTexelsOfFace, look as the terminal does. The same bytes on every CPU. Total. Cost: imprint()'s, a face.
+DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
+                           OsmId feature);
+
+/// From here on a picture says more than its mean does.
+inline constexpr std::uint32_t kFewTexels = 9;
+/// A face of 300 by 400 m at half a metre; larger ones are roofs of halls.
+inline constexpr std::uint32_t kMostTexelsOfFace = 1u << 19;
+
+}  // namespace citykiln::buildings

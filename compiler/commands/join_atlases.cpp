@@ -1,0 +1,107 @@
+#include "compiler/commands/join_atlases.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/materials/material.h"
+
+namespace citykiln::commands {
+namespace {
+
+using imprint::Atlas;
+using materials::Sheet;
+
+// The mean of up to four texels, of light or of numbers.
+Sheet::Texel mean(std::span<const Sheet::Texel> texels, bool is_light) {
+  Sheet::Texel mean{};
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    double sum = 0;
+    for (const Sheet::Texel& texel : texels) sum += is_light ? materials::linear_of_srgb(texel[c]) : texel[c];
+    sum /= static_cast<double>(texels.size());
+    mean[c] = is_light ? materials::srgb_of_linear(sum) : static_cast<std::uint8_t>(sum + 0.5);
+  }
+  return mean;
+}
+
+Sheet halved(const Sheet& sheet, bool is_light) {
+  Sheet half{2 * sheet.texel_m, (sheet.columns + 1) / 2, (sheet.rows + 1) / 2, {}};
+  for (std::size_t row = 0; row < half.rows; ++row)
+    for (std::size_t column = 0; column < half.columns; ++column) {
+      std::array<Sheet::Texel, 4> four{};
+      std::size_t count = 0;
+      for (std::size_t y = 2 * row; y < std::min<std::size_t>(2 * row + 2, sheet.rows); ++y)
+        for (std::size_t x = 2 * column; x < std::min<std::size_t>(2 * column + 2, sheet.columns); ++x)
+          four[count++] = sheet.texels[y * sheet.columns + x];
+      half.texels.push_back(mean(std::span(four).first(count), is_light));
+    }
+  return half;
+}
+
+// Where each atlas begins, and how large all are.
+struct Layout {
+  std::vector<std::array<std::uint64_t, 2>> firsts;  // column, row
+  std::uint64_t columns = 0, rows = 0;
+
+  bool fits() const {
+    return std::max(columns, rows) <= materials::kWidestSheet_px && columns * rows <= materials::kMostTexels;
+  }
+};
+
+Layout layout_of(std::span<const Atlas> atlases) {
+  Layout layout;
+  std::uint64_t left = 0, row = 0;
+  for (const auto& [colour, surface] : atlases) {
+    if (row + colour.rows > materials::kWidestSheet_px) left = layout.columns, row = 0;
+    layout.firsts.push_back({left, row});
+    row += colour.rows;
+    layout.columns = std::max(layout.columns, left + colour.columns), layout.rows = std::max(layout.rows, row);
+  }
+  return layout;
+}
+
+void draw(const Sheet& sheet, std::array<std::uint64_t, 2> first, Sheet& joined) {
+  for (std::size_t row = 0; row < sheet.rows; ++row)
+    std::copy_n(sheet.texels.begin() + static_cast<std::ptrdiff_t>(row * sheet.columns), sheet.columns,
+                joined.texels.begin() + static_cast<std::ptrdiff_t>((first[1] + row) * joined.columns + first[0]));
+}
+
+Sheet blank(double texel_m, const Layout& layout) {
+  return {texel_m, static_cast<std::uint32_t>(layout.columns), static_cast<std::uint32_t>(layout.rows),
+          std::vector<Sheet::Texel>(layout.columns * layout.rows)};
+}
+
+double finest_texel_m(std::span<const Atlas> atlases) {
+  double finest_m = 0;
+  for (const auto& [colour, surface] : atlases)
+    if (!colour.texels.empty()) finest_m = finest_m > 0 ? std::min(finest_m, colour.texel_m) : colour.texel_m;
+  return finest_m;
+}
+
+}  // namespace
+
+JoinedAtlases join_atlases(std::span<const Atlas* const> atlases) {
+  std::vector<Atlas> all;
+  for (const Atlas* atlas : atlases) all.push_back(*atlas);
+  JoinedAtlases joined{{}, std::vector<JoinedAtlases::Place>(all.size())};
+  const auto finest_m = finest_texel_m(all);
+  if (!(finest_m > 0)) return joined;
+  // places stay where they are while atlases are halved
+  std::vector<double> own_m;
+  for (const Atlas& atlas : all) own_m.push_back(atlas.colour.texel_m);
+  double texel_m = finest_m;
+  Layout layout = layout_of(all);
+  for (; !layout.fits(); layout = layout_of(all), texel_m *= 2)
+    for (Atlas& atlas : all) atlas = {halved(atlas.colour, true), halved(atlas.surface, false)};
+  joined.atlas = {blank(texel_m, layout), blank(texel_m, layout)};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].colour.texels.empty()) continue;
+    draw(all[i].colour, layout.firsts[i], joined.atlas.colour);
+    draw(all[i].surface, layout.firsts[i], joined.atlas.surface);
+    const auto& [column, row] = layout.firsts[i];
+    joined.places[i] = {{static_cast<double>(column) * texel_m, static_cast<double>(row) * texel_m},
+                        finest_m / own_m[i]};
+  }
+  return joined;
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,26 @@
+// An atlas of imprints as rays see it: colour and roughness, smoothed as far as what a ray covers.
+#pragma once
+
+#include "compiler/imprint/atlas.h"
+#include "preview/sheet_texture.h"
+
+namespace citykiln::preview {
+
+/// Refers to the atlas, which must outlive it. It is smoothed down to its second mip level, where its pictures are
+/// still apart; what covers more of it is what a coarser level is for.
+class ImprintTexture {
+ public:
+  /// @param atlas  With texels.
+  explicit ImprintTexture(const imprint::Atlas& atlas);
+
+  const imprint::Atlas& atlas() const { return *atlas_; }
+  /// Linear reflectance, mean over a patch.
+  std::array<double, 3> colour(const Patch& patch) const { return colour_.mean(patch); }
+  float roughness(const Patch& patch) const { return static_cast<float>(surface_.mean(patch)[1]); }
+
+ private:
+  const imprint::Atlas* atlas_;
+  SheetTexture colour_, surface_;
+};
+
+}  // namespace citykiln::preview
