@@ -46,6 +46,12 @@ View view_of(const Face& face, double texel_m) {
   return view;
 }
 
+// Of what shows as plain. Roofs are large, and on most the only other thing is the top of a parapet.
+double plain_share(const View& view) {
+  constexpr double kUpright = 0.7, kOfRoof = 0.95;
+  return std::abs(view.v.z) > kUpright ? 1 : kOfRoof;
+}
+
 // The mean colour as paint on what most of it is made of.
 Coat mean_coat(const Imprint& imprint) {
   const imprint::Texel texel = mean(imprint.picture);
@@ -85,9 +91,9 @@ struct Dressing {
     const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
     if (texels > kMostTexelsOfFace) return add_plain(face, own);
     Imprint seen = imprint::imprint(looks, view);
-    if (seen.is_sole) return add_plain(face, seen.commonest);
-    if (mean(seen.picture).shown == 0) return add_plain(face, own);
-    if (texels < kFewTexels) return add_plain(face, mean_coat(seen));
+    if (seen.commonest_share == 0) return add_plain(face, own);
+    if (seen.commonest_share >= plain_share(view)) return add_plain(face, seen.commonest);
+    if (texels < kFewTexels || std::min(view.columns, view.rows) == 1) return add_plain(face, mean_coat(seen));
     add_imprinted(face, view, std::move(seen.picture));
   }
 };

@@ -16,9 +16,9 @@
 
 namespace citykiln::imprint {
 
-/// The budget of a tile, all of its frames counted: 3 bytes of colour and 3 of what else it is like, each, are 12 MB
-/// before they are packed. On a graphics card, with mip levels, 22 MB.
-inline constexpr std::uint64_t kMostAtlasTexels = std::uint64_t{1} << 21;
+/// The budget of a tile, all of its frames counted: 3 bytes of colour and 3 of what else it is like, each, are 25 MB
+/// before they are packed. On a graphics card, with mip levels, 45 MB.
+inline constexpr std::uint64_t kMostAtlasTexels = std::uint64_t{1} << 22;
 
 /// Two sheets of the same texels, which do not repeat; or none.
 struct Atlas {

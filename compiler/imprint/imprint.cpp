@@ -61,27 +61,25 @@ struct Canvas {
   double behind_m(Vec3 p) const { return dot(view.corner - p, out); }
 };
 
-// The box of all that a view can see.
-struct Reach {
-  Vec3 low, high;
-  bool meets(const Facet& f) const {
-    return f.low.x <= high.x && low.x <= f.high.x && f.low.y <= high.y && low.y <= f.high.y && f.low.z <= high.z &&
-           low.z <= f.high.z;
-  }
-};
+bool meet(const Box3& a, const Box3& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
 
 Vec3 lower(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 higher(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-Reach reach_of(const Canvas& canvas) {
+Box3 about(const Box3& box, Vec3 p) { return {lower(box.low, p), higher(box.high, p)}; }
+Box3 about(const Box3& a, const Box3& b) { return about(about(a, b.low), b.high); }
+
+// The box of all that a view can see.
+Box3 reach_of(const Canvas& canvas) {
   const View& view = canvas.view;
-  Reach reach{view.corner + canvas.out * view.before_m, view.corner + canvas.out * view.before_m};
+  Box3 reach{view.corner, view.corner};
   for (const double u : {0.0, view.columns * view.texel_m})
     for (const double v : {0.0, view.rows * view.texel_m})
-      for (const double out : {view.before_m, -view.behind_m}) {
-        const Vec3 p = view.corner + view.u * u + view.v * v + canvas.out * out;
-        reach.low = lower(reach.low, p), reach.high = higher(reach.high, p);
-      }
+      for (const double out : {view.before_m, -view.behind_m})
+        reach = about(reach, view.corner + view.u * u + view.v * v + canvas.out * out);
   return reach;
 }
 
@@ -175,7 +173,7 @@ void count_coats(const Canvas& canvas, const Shape& shape, Imprint& imprint) {
   if (all == 0) return;
   const auto most = std::ranges::max_element(counts);
   imprint.commonest = shape.coats[static_cast<std::size_t>(most - counts.begin())];
-  imprint.is_sole = *most == all;
+  imprint.commonest_share = static_cast<double>(*most) / static_cast<double>(all);
 }
 
 Coat coat_of(const DressedMesh& mesh) { return {mesh.material, mesh.tints.empty() ? mesh.tint : mesh.tints.front()}; }
@@ -192,18 +190,26 @@ Shape shape_of(std::span<const DressedMesh> meshes) {
         static_cast<std::uint32_t>(std::ranges::lower_bound(shape.coats, coat_of(mesh)) - shape.coats.begin());
     for (const Triangle& t : mesh.mesh.triangles) {
       const Vec3 a = mesh.mesh.positions[t[0]], b = mesh.mesh.positions[t[1]], c = mesh.mesh.positions[t[2]];
-      shape.facets.push_back({a, b, c, lower(lower(a, b), c), higher(higher(a, b), c), coat});
+      shape.facets.push_back({a, b, c, about(about({a, a}, b), c), coat});
     }
+  }
+  for (std::size_t i = 0; i < shape.facets.size(); ++i) {
+    if (i % kBlock == 0) shape.blocks.push_back(shape.facets[i].box);
+    shape.blocks.back() = about(shape.blocks.back(), shape.facets[i].box);
   }
   return shape;
 }
 
 Imprint imprint(const Shape& shape, const View& view) {
   Canvas canvas{view};
-  const Reach reach = reach_of(canvas);
-  for (const Facet& facet : shape.facets)
-    if (reach.meets(facet)) draw(canvas, facet);
-  Imprint imprint{picture_of(canvas, shape.coats), {}, false};
+  const Box3 reach = reach_of(canvas);
+  for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
+    if (!meet(reach, shape.blocks[block])) continue;
+    const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
+    for (std::size_t i = first; i < end; ++i)
+      if (meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
+  }
+  Imprint imprint{picture_of(canvas, shape.coats), {}, 0};
   count_coats(canvas, shape, imprint);
   return imprint;
 }

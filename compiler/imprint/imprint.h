@@ -24,17 +24,25 @@ struct Coat {
   auto operator<=>(const Coat&) const = default;
 };
 
+struct Box3 {
+  Vec3 low, high;
+};
+
 /// A triangle of a shape, with the box about it.
 struct Facet {
   Vec3 a, b, c;
-  Vec3 low, high;
+  Box3 box;
   std::uint32_t coat = 0;
 };
+
+/// What follows each other in a mesh lies near each other: what a block's box rules out is not looked at.
+inline constexpr std::size_t kBlock = 32;
 
 /// A shape, made ready to be looked at from many sides.
 struct Shape {
   std::vector<Facet> facets;
-  std::vector<Coat> coats;  ///< Rising, each once.
+  std::vector<Box3> blocks;  ///< About each kBlock facets that follow each other; of the last, about the rest.
+  std::vector<Coat> coats;   ///< Rising, each once.
 };
 
 /// Tints by vertex, textures and normals are left out: of a mesh with `tints` the first counts. O(n log n).
@@ -51,8 +59,8 @@ struct View {
 
 struct Imprint {
   Picture picture;
-  Coat commonest{};      ///< That most samples show; of several the first. Of nothing: Coat{}.
-  bool is_sole = false;  ///< No sample shows anything else, and some show it.
+  Coat commonest{};            ///< That most samples show; of several the first. Of nothing: Coat{}.
+  double commonest_share = 0;  ///< Of the samples that show something, those that show it.
 };
 
 /// The picture of a shape.
@@ -62,7 +70,7 @@ struct Imprint {
 /// Guarantees: the same bytes on every CPU, and for triangles in any order: of what lies equally far to 2^-10 m the
 /// least coat is seen. Of two triangles with a common edge, exactly one shows at a sample on it. What is turned away,
 /// or lies beyond the depth, is not seen. Triangles with a corner farther than 2^20 texels off are left out, and what
-/// is not finite. Cost: O(facets), a few nanoseconds each that lies elsewhere; O(samples).
+/// is not finite. Cost: O(blocks), a few nanoseconds each that lies elsewhere; O(samples).
 Imprint imprint(const Shape& shape, const View& view);
 
 }  // namespace citykiln::imprint

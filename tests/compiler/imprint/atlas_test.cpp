@@ -96,7 +96,7 @@ TEST(Atlas, EqualPicturesShareAPlace) {
 
 TEST(Atlas, TexelsGrowByDoublingUntilTheBudgetHolds) {
   std::vector<Picture> pictures;
-  for (std::uint32_t i = 0; i < 12; ++i) {
+  for (std::uint32_t i = 0; i < 24; ++i) {
     pictures.push_back({1000, 1000, std::vector<Texel>(1000000)});
     pictures.back().texels[i].roughness = 9, pictures.back().texels[i].shown = 1;
   }

@@ -48,7 +48,7 @@ TEST(Imprint, AFaceOfItselfIsItsOwnColour) {
       EXPECT_EQ(texel.shown, kSamplesOfTexel);
     }
     EXPECT_EQ(one.commonest, (Coat{material, materials::kNoTint}));
-    EXPECT_TRUE(one.is_sole);
+    EXPECT_EQ(one.commonest_share, 1);
   }
 }
 
@@ -68,7 +68,7 @@ TEST(Imprint, HalfATexelIsHalfTheColour) {
   const Texel texel = one.picture.texels.front(), a = whole(Material::kPlaster), b = whole(Material::kGlass);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(texel.light[c], (a.light[c] + b.light[c]) / 2.0, 0.5);
   EXPECT_NEAR(texel.roughness, (a.roughness + b.roughness) / 2.0, 0.5);
-  EXPECT_FALSE(one.is_sole);
+  EXPECT_EQ(one.commonest_share, 0.5);
 }
 
 TEST(Imprint, WhatShowsNothingDoesNotDarken) {
@@ -160,7 +160,7 @@ TEST(Imprint, WhatIsNotFiniteIsLeftOut) {
 TEST(Imprint, OfNothingNothingIsSeen) {
   const Imprint nothing = seen({}, seen_from_south(2, 2));
   EXPECT_EQ(nothing.picture.texels, std::vector<Texel>(4));
-  EXPECT_FALSE(nothing.is_sole);
+  EXPECT_EQ(nothing.commonest_share, 0);
 }
 
 }  // namespace
