@@ -52,11 +52,14 @@ double plain_share(const View& view) {
   return std::abs(view.v.z) > kUpright ? 1 : kOfRoof;
 }
 
-// The mean colour as paint on what most of it is made of.
+// The mean colour as paint on what most of it is made of. Glass, which stays glass whatever its colour, has to be
+// nearly all: of a wall with windows it would make a hole.
 Coat mean_coat(const Imprint& imprint) {
+  constexpr double kNearlyAll = 0.75;
   const imprint::Texel texel = mean(imprint.picture);
   const Linear paint{texel.light[0] / 65535.0, texel.light[1] / 65535.0, texel.light[2] / 65535.0};
-  const Material shown = showing(paint, {imprint.commonest.material, Material::kPaint});
+  const Material most = imprint.commonest_share >= kNearlyAll ? imprint.commonest.material : Material::kPlaster;
+  const Material shown = showing(paint, {most, Material::kPaint});
   return {shown, painted(shown, paint)};
 }
 

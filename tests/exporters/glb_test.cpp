@@ -62,7 +62,8 @@ std::string refusal_with(Instancing instancing, const std::string& text, const s
 TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
   for (std::uint32_t seed = 0; seed < 100; ++seed)
     for (const Instancing instancing : kBoth) {
-      for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_textured_tile(seed)}) {
+      for (const BakedTile& tile :
+           {made_tile(seed), made_marked_tile(seed), made_imprinted_tile(seed), made_textured_tile(seed)}) {
         const auto back = decoded(encoded(tile, instancing));
         ASSERT_TRUE(back) << refusal(back);
         ASSERT_EQ(*back, tile);
@@ -107,19 +108,46 @@ TEST(GlbSheet, TilesWithoutOneDoNotMentionIt) {
     EXPECT_EQ(json.find(word), std::string::npos) << word;
 }
 
+nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {
+  for (const auto& material : gltf["materials"])
+    if (material["name"] == name) return material;
+  ADD_FAILURE() << "no material " << name;
+  return {};
+}
+
+TEST(GlbImprints, SayColourRoughnessAndMetalness) {
+  const BakedTile tile = made_imprinted_tile(1);
+  const auto gltf = gltf_of(tile);
+  const auto pbr = material_called(gltf, "PaintImprinted")["pbrMetallicRoughness"];
+  for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
+    EXPECT_EQ(pbr.value(factor, nlohmann::json(1)).flatten().begin().value(), 1) << factor;
+  const auto picture = [&](const char* place) {
+    const auto scale = pbr[place]["extensions"]["KHR_texture_transform"]["scale"];
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.imprints.colour.columns * tile.imprints.colour.texel_m));
+    const auto texture = gltf["textures"][pbr[place]["index"].get<std::size_t>()];
+    // what lies at the other end of an atlas has nothing to do with this one
+    EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["wrapT"], 33071);
+    return gltf["images"][texture["source"].get<std::size_t>()]["name"].get<std::string>();
+  };
+  EXPECT_EQ(picture("baseColorTexture"), "imprints");
+  EXPECT_EQ(picture("metallicRoughnessTexture"), "imprintsSurface");
+}
+
+TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
+  const BakedTile tile = made_imprinted_tile(1);
+  const auto refused = [&](const char* name, const char* other) {
+    return refusal_with(Instancing::kExtension, name, other, tile);
+  };
+  EXPECT_NE(refused("\"imprints\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"imprintsSurface\"", "\"GrassColour\""), "accepted");
+}
+
 TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
     for (const auto coloured :
          {materials::Coloured::kByMaterial, materials::Coloured::kBySheet, materials::Coloured::kByAtlas})
       EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, coloured}, {})).second);
-}
-
-nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {
-  for (const auto& material : gltf["materials"])
-    if (material["name"] == name) return material;
-  ADD_FAILURE() << "no material " << name;
-  return {};
 }
 
 // What the primitive of a material has as its attributes.

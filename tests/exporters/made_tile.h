@@ -77,6 +77,20 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   return tile;
 }
 
+/// The same with facades on an atlas, beside the sheet.
+inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
+  std::mt19937 dice(seed + 3000);
+  bake::BakedTile tile = made_marked_tile(seed);
+  tile.imprints.colour = made_sheet(dice);
+  tile.imprints.surface = tile.imprints.colour;
+  for (materials::Sheet::Texel& texel : tile.imprints.surface.texels) texel[2] = static_cast<std::uint8_t>(dice());
+  bake::Primitive facades = made_primitive(dice, materials::Material::kPaint, 12, 4);
+  for (const bake::Float3& at : facades.positions) facades.uvs.push_back({at[0], at[2]});
+  facades.coloured = materials::Coloured::kByAtlas;
+  tile.primitives.push_back(facades);
+  return tile;
+}
+
 /// The same on textures: land, water, a wall, a primitive too wide for 16 bits, and one of a textured material that has
 /// no places.
 inline bake::BakedTile made_textured_tile(std::uint32_t seed) {

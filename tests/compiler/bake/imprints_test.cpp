@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include "compiler/bake/bake.h"
+
+namespace citykiln::bake {
+namespace {
+
+constexpr double kTile_m = 256, kGround_m = 30;
+
+buildings::Building block(std::int64_t id, Vec2 at) {
+  buildings::Building house;
+  house.id = {{OsmType::kWay, id}, 0};
+  house.footprint.outer = {at, at + Vec2{30, 0}, at + Vec2{30, 12}, at + Vec2{0, 12}};
+  house.bottom_m = house.floor_m = kGround_m, house.top_m = kGround_m + 18;
+  house.levels = 6;
+  house.wall = house.roof = materials::Material::kConcrete;
+  house.style = buildings::Style::kPanelBlock;
+  return house;
+}
+
+scene::Scene with_blocks(std::int64_t count) {
+  scene::Scene scene;
+  scene.header.region = {{0, 0}, {kTile_m, kTile_m}};
+  scene.header.tile_m = kTile_m;
+  const auto rules = buildings::shipped_rules();
+  scene.header.rules.assign(rules.begin(), rules.end());
+  scene::Chunk& chunk = scene.chunks.emplace_back();
+  chunk.heights = {{-64, -64}, 64, 7, 7, {}, 0};
+  chunk.heights.heights.assign(7 * 7, static_cast<std::int32_t>(kGround_m / map::kHeightQuantum_m));
+  for (std::int64_t i = 0; i < count; ++i)
+    chunk.buildings.push_back(block(i + 1, {20.0, 20.0 + 30 * static_cast<double>(i)}));
+  return scene;
+}
+
+std::vector<BakedTile> baked(const scene::Scene& scene, const std::vector<double>& ladder_m) {
+  Report report;
+  return bake(scene.header, scene.chunks[0], ladder_m, 2, report);
+}
+
+// The tile's faces that the atlas colours.
+const Primitive* imprinted(const BakedTile& tile) {
+  for (const Primitive& p : tile.primitives)
+    if (p.coloured == materials::Coloured::kByAtlas) return &p;
+  return nullptr;
+}
+
+TEST(Imprints, FacadesLieOnTheTilesAtlas) {
+  for (const BakedTile& tile : baked(with_blocks(5), {0.5, 2.5})) {
+    const materials::Sheet& colour = tile.imprints.colour;
+    ASSERT_FALSE(colour.texels.empty());
+    EXPECT_EQ(colour.texel_m, tile.tolerance_m);
+    const Primitive* facades = imprinted(tile);
+    ASSERT_NE(facades, nullptr);
+    for (const Float2& uv : facades->uvs) {
+      EXPECT_TRUE(uv[0] > 0 && uv[0] < colour.columns * colour.texel_m);
+      EXPECT_TRUE(uv[1] > 0 && uv[1] < colour.rows * colour.texel_m);
+    }
+  }
+}
+
+TEST(Imprints, FineLevelsHaveNone) {
+  const BakedTile tile = std::move(baked(with_blocks(2), {0.1}).front());
+  EXPECT_EQ(tile.imprints, imprint::Atlas{});
+  EXPECT_EQ(imprinted(tile), nullptr);
+}
+
+TEST(Imprints, EveryHouseIsThereThoughAllOfItIsPictures) {
+  const scene::Scene scene = with_blocks(5);
+  Report report;
+  const double tolerance_m = 2.5;
+  const auto tiles = bake(scene.header, scene.chunks[0], std::span(&tolerance_m, 1), 1, report);
+  EXPECT_EQ(report.account("bake", "building").out, 5u);
+  EXPECT_EQ(tiles[0].features.size(), 6u);
+}
+
+TEST(Imprints, LevelsTogetherAreTheLevelsAlone) {
+  const scene::Scene scene = with_blocks(4);
+  const std::vector<BakedTile> together = baked(scene, {0.1, 0.5, 2.5, 12.5});
+  for (const BakedTile& tile : together) EXPECT_EQ(baked(scene, {tile.tolerance_m}).front(), tile);
+}
+
+}  // namespace
+}  // namespace citykiln::bake

@@ -1,0 +1,154 @@
+#include "compiler/buildings/imprint_walls.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/buildings/expand.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using materials::DressedMesh;
+using materials::Material;
+
+Building house(Style style, double width_m, double height_m) {
+  Building b;
+  b.id = {{OsmType::kWay, 7}, 0};
+  b.footprint = {{{0, 0}, {width_m, 0}, {width_m, 14}, {0, 14}}, {}};
+  b.top_m = height_m;
+  b.levels = static_cast<std::uint8_t>(height_m / 3);
+  b.wall = Material::kPlaster, b.roof = Material::kFlatRoof;
+  b.style = style;
+  return b;
+}
+
+const Rulebook& rulebook() {
+  static const Rulebook book = [] {
+    std::vector<Style> styles;
+    for (int i = 0; i < static_cast<int>(Style::kCount); ++i) styles.push_back(static_cast<Style>(i));
+    return rulebook_of(styles, shipped_rules());
+  }();
+  return book;
+}
+
+Expanded expanded(const Building& building, double tolerance_m) {
+  Report report;
+  return expand(building, rulebook(), 1, tolerance_m, report);
+}
+
+// Square metres, and the mean of what upright faces show, by area.
+struct Shown {
+  double area_m2 = 0, wall_m2 = 0;
+  std::array<double, 3> light{};
+
+  void add(const Mesh& mesh, const std::array<double, 3>& colour) {
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3 across =
+          cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+      const double own_m2 = length(across) / 2;
+      area_m2 += own_m2;
+      if (std::abs(unit(across).z) > 0.1) continue;
+      wall_m2 += own_m2;
+      for (std::size_t c = 0; c < 3; ++c) light[c] += own_m2 * colour[c];
+    }
+  }
+};
+
+Shown shown_by(const Expanded& house) {
+  Shown shown;
+  for (const DressedMesh& mesh : house.meshes) {
+    const auto& base = values_of(mesh.material).base_colour;
+    shown.add(mesh.mesh,
+              {base[0] * mesh.tint[0] / 255.0, base[1] * mesh.tint[1] / 255.0, base[2] * mesh.tint[2] / 255.0});
+  }
+  for (const ImprintedMesh& face : house.imprinted) {
+    const auto light = mean(face.picture).light;
+    shown.add(face.mesh.mesh, {light[0] / 65535.0, light[1] / 65535.0, light[2] / 65535.0});
+  }
+  return shown;
+}
+
+bool is_glass(const imprint::Texel& texel) { return texel.roughness < 100; }
+
+TEST(ImprintWalls, FacadesShowTheirWindows) {
+  for (const Style style : {Style::kPanelBlock, Style::kOldTownHouse, Style::kOfficeSlab}) {
+    const Expanded block = expanded(house(style, 30, 18), 0.5);
+    std::size_t with_windows = 0;
+    for (const ImprintedMesh& face : block.imprinted) {
+      const auto& texels = face.picture.texels;
+      if (std::ranges::any_of(texels, is_glass) && !std::ranges::all_of(texels, is_glass)) ++with_windows;
+    }
+    EXPECT_GE(with_windows, 2u) << static_cast<int>(style);
+  }
+}
+
+TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
+  // the house at the detail that pictures are made of, without sills and balconies that hide or add walls
+  const Building block = house(Style::kOfficeSlab, 30, 18);
+  const Shown fine = shown_by(expanded(block, 0.25));
+  for (const double tolerance_m : {0.5, 2.5, 12.5}) {
+    const Shown coarse = shown_by(expanded(block, tolerance_m));
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(coarse.light[c] / coarse.wall_m2, fine.light[c] / fine.wall_m2, 0.06) << tolerance_m;
+  }
+}
+
+TEST(ImprintWalls, PlacesLieOnThePicture) {
+  for (const double tolerance_m : {0.5, 2.5, 12.5})
+    for (const ImprintedMesh& face : expanded(house(Style::kOldTownHouse, 17.3, 16), tolerance_m).imprinted) {
+      EXPECT_EQ(face.mesh.coloured, materials::Coloured::kByAtlas);
+      ASSERT_EQ(face.mesh.uvs.size(), face.mesh.mesh.positions.size());
+      for (const Vec2 uv : face.mesh.uvs) {
+        EXPECT_TRUE(uv.x > -1e-6 && uv.x < face.picture.columns * tolerance_m + 1e-6);
+        EXPECT_TRUE(uv.y > -1e-6 && uv.y < face.picture.rows * tolerance_m + 1e-6);
+      }
+    }
+}
+
+TEST(ImprintWalls, PicturesHaveNoGaps) {
+  for (const ImprintedMesh& face : expanded(house(Style::kVilla, 12, 7), 0.5).imprinted)
+    for (const imprint::Texel& texel : face.picture.texels) EXPECT_GT(texel.shown, 0);
+}
+
+TEST(ImprintWalls, FewTexelsAreATint) {
+  for (const ImprintedMesh& face : expanded(house(Style::kPanelBlock, 40, 18), 12.5).imprinted)
+    EXPECT_GE(face.picture.texels.size(), kFewTexels);
+  EXPECT_TRUE(expanded(house(Style::kRowHouse, 8, 7), 2.5).imprinted.empty() ||
+              expanded(house(Style::kRowHouse, 8, 7), 2.5).imprinted.front().picture.texels.size() >= kFewTexels);
+}
+
+TEST(ImprintWalls, FarHousesHaveHardlyMoreTrianglesThanTheirMass) {
+  const Expanded block = expanded(house(Style::kPanelBlock, 45, 18), 2.5);
+  std::size_t triangles = 0;
+  for (const DressedMesh& mesh : block.meshes) triangles += mesh.mesh.triangles.size();
+  for (const ImprintedMesh& face : block.imprinted) triangles += face.mesh.mesh.triangles.size();
+  EXPECT_LE(triangles, 40u);
+  EXPECT_LE(block.error_m, 2.5);
+}
+
+bool are_same(const Mesh& a, const Mesh& b) { return a.positions == b.positions && a.triangles == b.triangles; }
+
+TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
+  const Building block = house(Style::kCourtyardBlock, 24, 19);
+  const double ladder_m[] = {0.1, 0.5, 2.5, 12.5};
+  std::vector<Report> reports(std::size(ladder_m));
+  const std::vector<Expanded> together = expand(block, rulebook(), 1, ladder_m, reports);
+  for (std::size_t l = 0; l < together.size(); ++l) {
+    const Expanded alone = expanded(block, ladder_m[l]);
+    ASSERT_EQ(together[l].meshes.size(), alone.meshes.size());
+    ASSERT_EQ(together[l].imprinted.size(), alone.imprinted.size());
+    EXPECT_TRUE(alone.imprinted.empty() || ladder_m[l] >= kImprinted_m);
+    for (std::size_t i = 0; i < alone.meshes.size(); ++i)
+      EXPECT_TRUE(are_same(together[l].meshes[i].mesh, alone.meshes[i].mesh));
+    for (std::size_t i = 0; i < alone.imprinted.size(); ++i) {
+      EXPECT_EQ(together[l].imprinted[i].picture, alone.imprinted[i].picture);
+      EXPECT_TRUE(are_same(together[l].imprinted[i].mesh.mesh, alone.imprinted[i].mesh.mesh));
+    }
+  }
+}
+
+TEST(ImprintWalls, BareHousesStayBare) { EXPECT_TRUE(expanded(house(Style::kPlain, 30, 18), 2.5).imprinted.empty()); }
+
+}  // namespace
+}  // namespace citykiln::buildings
