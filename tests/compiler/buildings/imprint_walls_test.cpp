@@ -84,13 +84,13 @@ TEST(ImprintWalls, FacadesShowTheirWindows) {
 }
 
 TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
-  // the house at the detail that pictures are made of, without sills and balconies that hide or add walls
+  // reveals, and what stands on the roof, are walls too where they are geometry: light ones
   const Building block = house(Style::kOfficeSlab, 30, 18);
   const Shown fine = shown_by(expanded(block, 0.25));
   for (const double tolerance_m : {0.5, 2.5, 12.5}) {
     const Shown coarse = shown_by(expanded(block, tolerance_m));
     for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_NEAR(coarse.light[c] / coarse.wall_m2, fine.light[c] / fine.wall_m2, 0.06) << tolerance_m;
+      EXPECT_NEAR(coarse.light[c] / coarse.wall_m2, fine.light[c] / fine.wall_m2, 0.09) << tolerance_m;
   }
 }
 
