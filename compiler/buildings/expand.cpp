@@ -71,7 +71,7 @@ grammars::Derivation derive_on(const Building& building, const Mass& mass, const
   options.seed = seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true;
-  // what moves little is known ahead; where pictures show what is left out, looks need no keeping
+  // where pictures show what is left out, looks are theirs; what moves little is known ahead
   options.keep_looks = keep_looks, options.ahead = true;
   // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
   options.roofs = grammars::form_roofs(kQuantum_m);
@@ -79,10 +79,16 @@ grammars::Derivation derive_on(const Building& building, const Mass& mass, const
   return grammars::derive(program, shape_of(building, mass), options);
 }
 
+// Half of it. Rules are told the roof's form and build on its planes, so it keeps its form under them.
+double roof_tolerance_m(const Building& building, bool has_rules, double tolerance_m) {
+  const double rise_m = building.roof_shape.height_m;
+  return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
+}
+
 // What the rules make of a building at its full looks.
 imprint::Shape looks_of(const Building& building, const grammars::Program& program, std::uint64_t seed) {
   Report told_elsewhere;
-  const Mass mass = mass_of(building, kLooks_m / 2, told_elsewhere);
+  const Mass mass = mass_of(building, roof_tolerance_m(building, true, kLooks_m), told_elsewhere);
   return imprint::shape_of(
       meshes_of(derive_on(building, mass, program, seed, kLooks_m - mass.roof.error_m, true), building.id.osm));
 }
@@ -110,32 +116,22 @@ void expand_by_rules(const Building& building, const Mass& mass, const grammars:
   expanded.imprinted = std::move(faces.imprinted);
 }
 
-double height_m(const Building& building) { return building.top_m - building.bottom_m; }
-
-// Half of it. Rules are told the roof's form and build on its planes, so it keeps its form under them.
-double roof_tolerance_m(const Building& building, bool has_rules, double tolerance_m) {
-  const double rise_m = building.roof_shape.height_m;
-  return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
-}
-
 // A building no higher than the tolerance, with all that rules put on its roof, is dropped: the ground is that near.
 Expanded without_what_is_low(const Building& building, double tolerance_m, Expanded expanded) {
-  if (height_m(building) >= tolerance_m) return expanded;
+  if (building.top_m - building.bottom_m >= tolerance_m) return expanded;
   double top_m = building.top_m;
-  const auto raise = [&](const DressedMesh& dressed) {
+  for (const DressedMesh& dressed : expanded.meshes)
     for (const Vec3 p : dressed.mesh.positions) top_m = std::max(top_m, p.z);
-  };
-  std::ranges::for_each(expanded.meshes, raise);
-  for (const ImprintedMesh& imprinted : expanded.imprinted) raise(imprinted.mesh);
+  for (const ImprintedMesh& imprinted : expanded.imprinted)
+    for (const Vec3 p : imprinted.mesh.mesh.positions) top_m = std::max(top_m, p.z);
   const double error_m = top_m - building.bottom_m + expanded.error_m;
   return error_m < tolerance_m ? Expanded{{}, error_m} : std::move(expanded);
 }
 
 Expanded expand_level(const Building& building, const Rulebook& rulebook, std::uint64_t seed, LevelOf level,
                       Report& report) {
-  const double tolerance_m = level.tolerance_m;
   const auto program = rulebook.find(building.style);
-  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), tolerance_m), report);
+  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), level.tolerance_m), report);
   Expanded expanded{{}, mass.roof.error_m};
   add_foundation(building, mass, program != rulebook.end(), seed, expanded);
   if (program == rulebook.end()) {
@@ -143,7 +139,7 @@ Expanded expand_level(const Building& building, const Rulebook& rulebook, std::u
   } else {
     expand_by_rules(building, mass, program->second, seed, level, expanded, report);
   }
-  return without_what_is_low(building, tolerance_m, std::move(expanded));
+  return without_what_is_low(building, level.tolerance_m, std::move(expanded));
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ struct Dressing {
     const auto [place, is_new] = plain.try_emplace(coat);
     DressedMesh& mesh = place->second;
     if (is_new) mesh = {{}, coat.material, coat.tint, feature};
-    add_face(face, mesh);
+    add_face(face, mesh.mesh);
   }
 
   void add_imprinted(const Face& face, const View& view, imprint::Picture&& picture) {

@@ -1,5 +1,5 @@
 // make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles; and made-up tiles with
-// a sheet, and their sheets.
+// a sheet and an atlas, and their sheets.
 #include <cstdio>
 #include <filesystem>
 
@@ -27,7 +27,7 @@ fuzz::ByteSpan span_of(const std::vector<std::byte>& bytes) {
 
 void write_made_seeds(const std::filesystem::path& folder) {
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
-    const auto tile = made_marked_tile(seed);
+    const auto tile = made_imprinted_tile(seed);
     const auto glb = encode_glb(tile, {}, seed % 2 == 0 ? Instancing::kExtension : Instancing::kNodes);
     const auto png = encode_png(tile.sheet);
     write_seed(folder / "glb", "made_" + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));

@@ -25,7 +25,7 @@ scene::Scene with_blocks(std::int64_t count) {
   const auto rules = buildings::shipped_rules();
   scene.header.rules.assign(rules.begin(), rules.end());
   scene::Chunk& chunk = scene.chunks.emplace_back();
-  chunk.heights = {{-64, -64}, 64, 7, 7, {}, 0};
+  chunk.heights = {{-64, -64}, {64, 64}, 7, 7, {}, 0};
   chunk.heights.heights.assign(7 * 7, static_cast<std::int32_t>(kGround_m / map::kHeightQuantum_m));
   for (std::int64_t i = 0; i < count; ++i)
     chunk.buildings.push_back(block(i + 1, {20.0, 20.0 + 30 * static_cast<double>(i)}));

@@ -34,11 +34,12 @@ Level level_of(const Building& building, const Rulebook& rulebook, double tolera
   Report report;
   const Expanded expanded = expand(building, rulebook, 1, tolerance_m, report);
   Level level{{}, expanded.error_m};
-  for (const auto& dressed : expanded.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
-      level.triangles.push_back({p[a], p[b], p[c]});
-    }
+  const auto add = [&](const materials::DressedMesh& dressed) {
+    const auto& p = dressed.mesh.positions;
+    for (const auto& [a, b, c] : dressed.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
+  };
+  for (const auto& dressed : expanded.meshes) add(dressed);
+  for (const auto& imprinted : expanded.imprinted) add(imprinted.mesh);
   return level;
 }
 

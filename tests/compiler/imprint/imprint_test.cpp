@@ -95,6 +95,15 @@ TEST(Imprint, WhatLiesBeyondTheDepthIsNotSeen) {
   EXPECT_FALSE(shown(0.26));
 }
 
+TEST(Imprint, OfWhatLeansOutOfTheDepthTheRestIsSeen) {
+  DressedMesh ramp = panel(0, 0, 1, 4, Material::kBrick);
+  for (Vec3& p : ramp.mesh.positions) p.y = p.z;
+  View view = seen_from_south(1, 4);
+  view.behind_m = 2;
+  const std::vector<Texel> texels = seen({ramp}, view).picture.texels;
+  for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(texels[row].shown > 0, row >= 2) << row;
+}
+
 TEST(Imprint, WhatIsTurnedAwayIsNotSeen) {
   DressedMesh mesh = panel(0, 0, 1, 1, Material::kBrick);
   for (Triangle& t : mesh.mesh.triangles) std::swap(t[0], t[1]);

@@ -18,7 +18,7 @@ const Box2 kBox{{-64, -64}, {64, 64}};
 
 // A hill of any shape, on squares of 4 m.
 map::Heightfield hill(const std::function<double(Vec2)>& height_m) {
-  map::Heightfield field{{-128, -128}, 4, 65, 65, {}, 0};
+  map::Heightfield field{{-128, -128}, {4, 4}, 65, 65, {}, 0};
   for (int j = 0; j < field.rows; ++j)
     for (int i = 0; i < field.columns; ++i)
       field.heights.push_back(
