@@ -119,8 +119,8 @@ struct Growing {
   }
 
   // Where a face is off most, or a corner of the reference's piece there: that mends all edges about it, a point
-  // between two of them only one. So it goes in even where it is off by little itself. (A third fewer triangles where
-  // the tolerance is small.)
+  // between two of them only one. So it goes in even where it is off by little itself. (A twentieth fewer triangles
+  // where the tolerance is small.)
   Insertion best_insertion(std::uint32_t f, double tolerance_m) const {
     const Vec2 worst = errors[f].mendable.at;
     Insertion best = insertion_at(nearest_vertex(reference, worst), f);
