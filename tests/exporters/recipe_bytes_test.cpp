@@ -33,7 +33,7 @@ scene::Scene scene_of(const std::vector<Building>& all) {
     chunks[tile].buildings.push_back(building);
   }
   for (auto& [tile, chunk] : chunks) {
-    chunk.heights = {{}, 64, 2, 2, std::vector<std::int32_t>(4), 0};
+    chunk.heights = {{}, {64, 64}, 2, 2, std::vector<std::int32_t>(4), 0};
     scene.chunks.push_back(std::move(chunk));
   }
   return scene;
@@ -93,7 +93,7 @@ std::vector<Building> town(int rows, int houses_in_row) {
     features.tracks.push_back(street);
   }
   Report report;
-  map::Heightfield level{{-64, -64}, 64, 3, 3, std::vector<std::int32_t>(9), 0};
+  map::Heightfield level{{-64, -64}, {64, 64}, 3, 3, std::vector<std::int32_t>(9), 0};
   return buildings::plan(features, ground::Carving(std::move(level)), report);
 }
 
