@@ -42,7 +42,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of the junctions, roads, ground, view and profile charts.
+  std::vector<std::string> maps;     ///< Of all charts but those of plane and terrain.
   std::optional<Vec3> eye;           ///< Of the view chart; else 100 m over the middle of the map.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
@@ -74,6 +74,14 @@ Result<std::vector<Chart>> chart_view(const ChartRequest& request);
 /// Earth moved, distance from the heightmap and share over the limit of a map's roads, over the scale of their grade
 /// limits.
 Result<std::vector<Chart>> chart_profile(const ChartRequest& request);
+
+/// Share of roofs that fail and time for one over the corners of a map's footprints, a form each: by the straight
+/// skeleton in doubles, in exact numbers, and as citykiln builds them.
+Result<std::vector<Chart>> chart_roof(const ChartRequest& request);
+
+/// Triangles, bytes and time of some of a map's houses over tolerances, and the error of their picture from where the
+/// tolerance is one pixel, beside the noise of the picture.
+Result<std::vector<Chart>> chart_facade(const ChartRequest& request);
 
 /// The scene of the first map that the request names. Errors: none named; as compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);

@@ -120,5 +120,25 @@ TEST(WallTint, ShowsTheTaggedColour) {
   EXPECT_EQ(tint, wall_tint(b, 2));
 }
 
+// Rules are told the form of the roof, and build on it: it keeps its form under them.
+TEST(Expand, TellsRulesTheSameRoofOnEveryLevel) {
+  Building b = with_court(true);
+  b.footprint = {{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {}};
+  b.style = Style::kBarn;
+  b.roof_shape.form = roofs::Form::kGabled, b.roof_shape.height_m = 2;
+  Rulebook rulebook;
+  const auto program = grammars::read_rules_of(R"(
+attr roof = ""
+Building --> case roof == "gabled" : t(0, 20, 0) Told. else : Untold.
+)");
+  ASSERT_TRUE(program) << to_string(program.error());
+  rulebook.emplace(b.style, *program);
+  double highest_m = 0;
+  Report report;
+  for (const auto& dressed : expand(b, rulebook, 1, 12.5, report).meshes)
+    for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z);
+  EXPECT_GT(highest_m, 30);
+}
+
 }  // namespace
 }  // namespace citykiln::buildings

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <cmath>
 
 namespace citykiln::buildings {
 namespace {
@@ -124,6 +124,33 @@ TEST(Mass, IsTotalOnAnyRing) {
     b.footprint.outer = ring;
     EXPECT_NO_FATAL_FAILURE(shape_of(b, made(b)));
   }
+}
+
+// A strip of a hand's breadth over a neighbour's roof, or beside it, is not worth a face.
+TEST(Mass, HasNoNarrowStripsAboutPartyWalls) {
+  Building b = house();
+  b.party_walls = {{1, 0.125, 8.875, 105.875, true, false}};
+  const Mass mass = made(b);
+  EXPECT_EQ(mass.walls.size(), 3u);
+  EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (12 + 9 + 12) * 6);
+}
+
+// Rules work along the longest wall at a street, however long others are.
+TEST(Mass, LiesAlongItsStreet) {
+  Building b = house();
+  b.fronts[1].faces_street = true;
+  EXPECT_EQ(shape_of(b, made(b)).scope.axis[0], (Vec3{0, 1, 0}));
+  b.fronts[1].faces_street = false;
+  EXPECT_EQ(std::abs(shape_of(b, made(b)).scope.axis[0].x), 1);
+}
+
+// Over its eaves stand no walls.
+TEST(Mass, IsBuriedToItsEavesAtMost) {
+  Building b = house();
+  for (Front& front : b.fronts) front.buried_storeys = 3;
+  const Mass mass = made(b);
+  EXPECT_TRUE(mass.walls.empty());
+  EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 8);
 }
 
 }  // namespace

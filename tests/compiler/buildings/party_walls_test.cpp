@@ -65,5 +65,13 @@ TEST(PartyWalls, StandInCourtyardsToo) {
   EXPECT_TRUE(shared[0].empty());  // only walls of the outer ring are told
 }
 
+// A corner that nearly closes, a gap that a cat goes through, a corner that overlaps another.
+TEST(PartyWalls, AreNoneThatTurnAwayNorFarOffNorShort) {
+  const map::Footprint house = rectangle(1, {0, 0}, 8, 10, 9);
+  const map::Footprint turned = footprint_on(2, {{8.05, 5.3}, {8, 5}, {12, 5}, {12, 5.3}}, 9);
+  for (const map::Footprint& other : {turned, rectangle(2, {8.1, 0}, 8, 10, 9), rectangle(2, {8, 9.8}, 8, 10, 9)})
+    EXPECT_TRUE(shared_walls(std::vector{house, other})[0].empty());
+}
+
 }  // namespace
 }  // namespace citykiln::buildings

@@ -76,5 +76,50 @@ TEST(PlanRoof, IsOnTheGrid) {
   }
 }
 
+TEST(PlanRoof, IsFlatWhereItWouldHardlyRise) {
+  EXPECT_EQ(plan_roof(told(Form::kGabled, 0.2), {}), roofs::RoofShape{});
+  EXPECT_EQ(plan_roof(told(Form::kGabled, 0.25), {}).form, Form::kGabled);
+}
+
+TEST(PlanRoof, ForgetsWhatItsHeightWasDecidedFrom) {
+  map::Footprint f = told(Form::kGabled, 0);
+  f.roof.levels = 1;
+  EXPECT_EQ(plan_roof(f, {}).levels, 0);
+}
+
+TEST(PlanRoof, OfAttachedHousesIsAGable) {
+  for (std::int64_t id = 1; id < 60; ++id) {
+    map::Footprint f = of_class(BuildingClass::kHouse, 8, 10, 8);
+    f.id.osm.id = id;
+    EXPECT_EQ(plan_roof(f, {true, Vec2{0, -1}}).form, Form::kGabled);
+  }
+}
+
+TEST(PlanRoof, LeavesRoomToStandUnderUntoldHeights) {
+  map::Footprint f = of_class(BuildingClass::kHouse, 12, 9, 4);
+  EXPECT_LE(plan_roof(f, {}).height_m, 4 - 2.25);
+  f = of_class(BuildingClass::kHouse, 12, 9, 8);
+  EXPECT_LE(plan_roof(f, {}).height_m, 4);
+}
+
+TEST(PlanRoof, OfHallsIsLowAndOfWideOnesFlat) {
+  const roofs::RoofShape hall = plan_roof(of_class(BuildingClass::kHall, 40, 20, 30), {});
+  EXPECT_EQ(hall.form, Form::kGabled);
+  EXPECT_NEAR(hall.height_m, 10 * 0.158, 0.01);
+  EXPECT_EQ(plan_roof(of_class(BuildingClass::kHall, 80, 60, 30), {}).form, Form::kFlat);
+}
+
+TEST(PlanRoof, OfHutsIsAGableWhereAManStands) {
+  EXPECT_EQ(plan_roof(of_class(BuildingClass::kHut, 2, 3, 5), {}).form, Form::kFlat);
+  EXPECT_EQ(plan_roof(of_class(BuildingClass::kHut, 5, 4, 5), {}).form, Form::kGabled);
+}
+
+TEST(PlanRoof, OfPartsHasNoEaves) {
+  map::Footprint part = told(Form::kGabled, 2);
+  EXPECT_GT(plan_roof(part, {}).overhang_m, 0);
+  part.is_part = true;
+  EXPECT_EQ(plan_roof(part, {}).overhang_m, 0);
+}
+
 }  // namespace
 }  // namespace citykiln::buildings

@@ -43,5 +43,24 @@ TEST(Rulebook, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(to_string(bad.error()).starts_with("barn.cga:2:")) << to_string(bad.error());
 }
 
+TEST(Rulebook, TakesNoMoreThanIsNeededAndSortsIt) {
+  const std::vector<RuleText> available = {
+      {"shop.cga", "Building --> NIL"}, {"garage.cga", "Building --> NIL"}, {"barn.cga", "Building --> NIL"}};
+  const auto texts = rules_for(std::vector{Style::kShop, Style::kBarn}, available);
+  ASSERT_TRUE(texts) << to_string(texts.error());
+  ASSERT_EQ(texts->size(), 2u);
+  EXPECT_EQ((*texts)[0].name, "barn.cga");
+  EXPECT_EQ((*texts)[1].name, "shop.cga");
+}
+
+TEST(Rulebook, KnowsTheStylesOfBuildingsSortedAndOnce) {
+  std::vector<Building> buildings(4);
+  buildings[0].style = Style::kVilla, buildings[1].style = Style::kOldTownHouse, buildings[2].style = Style::kVilla;
+  buildings[3].style = Style::kPlain;
+  const std::vector<Style> styles = styles_of(buildings);
+  EXPECT_EQ(styles.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(styles.begin(), styles.end()));
+}
+
 }  // namespace
 }  // namespace citykiln::buildings

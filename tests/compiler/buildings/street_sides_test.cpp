@@ -37,5 +37,19 @@ TEST(StreetSides, AreNotAtRailsPathsTunnelsAndBridges) {
   for (const map::Track& track : {rail, tunnel, bridge}) EXPECT_EQ(sides({track}), std::vector<bool>(4));
 }
 
+TEST(StreetSides, AreNotCornersCutOff) {
+  const Polygon cut{{{0, 0}, {1, 0}, {12, 0.5}, {12, 10}, {0, 10}}, {}};
+  EXPECT_EQ(street_sides(cut, index_streets(std::vector{street({{-50, -8}, {50, -8}})})),
+            (std::vector{false, true, false, false, false}));
+}
+
+// What counts is the way to the kerb.
+TEST(StreetSides, AreAsFarFromWideStreets) {
+  map::Track wide = street({{-50, -18}, {50, -18}});
+  EXPECT_EQ(sides({wide}), std::vector<bool>(4));
+  wide.section.lanes = {{map::LaneKind::kDriving, map::LaneWay::kBoth, 12}};
+  EXPECT_EQ(sides({wide}), (std::vector{true, false, false, false}));
+}
+
 }  // namespace
 }  // namespace citykiln::buildings

@@ -51,6 +51,25 @@ TEST(ChartOfJunctions, AsksForMaps) {
   EXPECT_EQ(to_string(chart_junctions({}).error()), "chart junctions: needs maps (--map FILE)");
 }
 
+TEST(ChartOfRoofs, CountsFailuresAndTimeForEveryWay) {
+  ChartRequest request;
+  request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};
+  const Result<std::vector<Chart>> charts = chart_roof(request);
+  ASSERT_TRUE(charts) << to_string(charts.error());
+  ASSERT_EQ(charts->size(), 2u);
+  for (const Chart& chart : *charts) {
+    EXPECT_EQ(chart.series.size(), 9u);
+    for (const Series& series : chart.series) EXPECT_FALSE(series.points.empty()) << series.name;
+  }
+  for (const Series& series : charts->front().series)
+    for (const auto& [corners, percent] : series.points) EXPECT_EQ(percent, 0) << series.name;
+}
+
+TEST(ChartOfFacades, AsksForHouses) {
+  ChartRequest request;
+  EXPECT_FALSE(chart_facade(request));
+}
+
 TEST(ChartOfJunctions, NeverFindsSnapRoundingInvalid) {
   ChartRequest request;
   request.maps = {CITYKILN_SOURCE "/tests/golden/crossing/map.osm"};

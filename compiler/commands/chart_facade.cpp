@@ -1,0 +1,158 @@
+// What facades cost over the tolerance, and what they look like: triangles, bytes and time of some of a map's houses,
+// and the error of their picture from where the tolerance is one pixel.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "compiler/bake/bake.h"
+#include "compiler/commands/chart.h"
+#include "exporters/glb.h"
+#include "preview/preview.h"
+
+namespace citykiln::commands {
+namespace {
+
+constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
+/// What pictures are compared with.
+constexpr double kFinest_m = 0.01;
+constexpr std::size_t kHouses = 4;
+/// A picture's size, and its focal length: that of 1,080 lines at 45 degrees. Larger houses are seen in part.
+constexpr int kPixels = 256, kSamples = 12;
+constexpr double kFocal_px = 1304;
+
+/// A chunk with one house and nothing else; what stands around it would hide it.
+scene::Chunk alone(const scene::Chunk& chunk, const buildings::Building& building) {
+  scene::Chunk house;
+  house.tile = chunk.tile, house.heights = chunk.heights;
+  house.buildings = {building};
+  house.buildings.front().party_walls.clear();
+  return house;
+}
+
+/// Houses that have rules, evenly taken.
+std::vector<scene::Chunk> houses_of(const scene::Scene& scene) {
+  std::vector<scene::Chunk> all, some;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const buildings::Building& building : chunk.buildings)
+      if (building.style != buildings::Style::kPlain && building.stands_on_ground)
+        all.push_back(alone(chunk, building));
+  const std::size_t count = std::min(kHouses, all.size());
+  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * all.size() / count]);
+  return some;
+}
+
+bake::BakedTile fired(const scene::Header& header, const scene::Chunk& house, double tolerance_m, int threads) {
+  Report ignored;
+  return bake::bake(header, house, tolerance_m, threads, ignored);
+}
+
+/// Before the longest wall at a street, or the first, a little above the ground.
+preview::Camera camera_before(const buildings::Building& building, double away_m) {
+  const Ring& ring = building.footprint.outer;
+  std::size_t front = 0;
+  for (std::size_t i = 0; i < building.fronts.size(); ++i)
+    if (building.fronts[i].faces_street && !building.fronts[front].faces_street) front = i;
+  const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()];
+  const Vec2 middle = (from + to) * 0.5, out = unit(left_of(to - from)) * -1;
+  const double height_m = (building.floor_m + building.top_m) / 2;
+  // a little from the side, so that depths show
+  const Vec2 eye = middle + out * away_m + unit(to - from) * (0.2 * away_m);
+  constexpr double kDegrees = 57.29577951308232;
+  return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(kPixels / 2 / kFocal_px)};
+}
+
+preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera,
+                       std::uint64_t seed) {
+  preview::Options options;
+  options.width = options.height = kPixels;
+  options.samples = kSamples, options.bounces = 2, options.seed = seed;
+  return preview::render(std::span(&tile, 1), sky, camera, options);
+}
+
+/// Mean over pixels and channels, in shares of white; brighter than white is white.
+double difference(const preview::Image& a, const preview::Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f));
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+struct Costs {
+  double triangles = 0, bytes = 0, ms = 0, error = 0, noise = 0;
+};
+
+double triangles_of(const bake::BakedTile& tile) {
+  double sum = 0;
+  for (const bake::Primitive& primitive : tile.primitives) sum += static_cast<double>(primitive.triangles.size());
+  return sum;
+}
+
+/// What the house adds to its tile.
+void add_costs(const scene::Header& header, const scene::Chunk& house, double tolerance_m, int threads, Costs& costs) {
+  scene::Chunk empty = house;
+  empty.buildings.clear();
+  const auto clock = [] { return std::chrono::steady_clock::now(); };
+  const auto start = clock();
+  const bake::BakedTile bare = fired(header, empty, tolerance_m, threads);
+  const auto middle = clock();
+  const bake::BakedTile tile = fired(header, house, tolerance_m, threads);
+  costs.ms += std::chrono::duration<double, std::milli>((clock() - middle) - (middle - start)).count();
+  costs.triangles += triangles_of(tile) - triangles_of(bare);
+  const auto bytes = [&](const bake::BakedTile& t) {
+    return static_cast<double>(encode_glb(t, header, exporters::Instancing::kExtension).size());
+  };
+  costs.bytes += bytes(tile) - bytes(bare);
+}
+
+void add_picture_error(const scene::Header& header, const scene::Chunk& house, const bake::BakedTile& finest,
+                       double tolerance_m, int threads, Costs& costs) {
+  const preview::Camera camera = camera_before(house.buildings.front(), kFocal_px * tolerance_m);
+  const preview::Image truth = picture(finest, header.sky, camera, 1);
+  costs.noise += difference(truth, picture(finest, header.sky, camera, 2));
+  costs.error += difference(truth, picture(fired(header, house, tolerance_m, threads), header.sky, camera, 2));
+}
+
+std::vector<Chart> empty_charts(std::size_t houses) {
+  std::vector<Chart> charts(2);
+  for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
+  charts[0].name = "facade_costs", charts[0].title = fmt::format("A house, mean of {}", houses);
+  charts[0].y.label = "triangles; bytes of .glb; microseconds", charts[0].y.is_logarithmic = true;
+  charts[0].series = {{"triangles", {}}, {"bytes", {}}, {"microseconds", {}}};
+  charts[1].name = "facade_picture";
+  charts[1].title = "Error of the picture from where the tolerance is one pixel";
+  charts[1].y.label = "mean difference (share of white)";
+  charts[1].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}};
+  return charts;
+}
+
+void add_points(double tolerance_m, const Costs& costs, double houses, std::vector<Chart>& charts) {
+  charts[0].series[0].points.emplace_back(tolerance_m, costs.triangles / houses);
+  charts[0].series[1].points.emplace_back(tolerance_m, costs.bytes / houses);
+  charts[0].series[2].points.emplace_back(tolerance_m, 1000 * costs.ms / houses);
+  charts[1].series[0].points.emplace_back(tolerance_m, costs.error / houses);
+  charts[1].series[1].points.emplace_back(tolerance_m, costs.noise / houses);
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
+  const Result<scene::Scene> scene = compile_first_map(request);
+  if (!scene) return scene.error();
+  const std::vector<scene::Chunk> houses = houses_of(*scene);
+  if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
+  std::vector<Chart> charts = empty_charts(houses.size());
+  std::vector<bake::BakedTile> finest;
+  for (const scene::Chunk& house : houses) finest.push_back(fired(scene->header, house, kFinest_m, request.threads));
+  for (const double tolerance_m : kTolerances_m) {
+    Costs costs;
+    for (std::size_t i = 0; i < houses.size(); ++i) {
+      add_costs(scene->header, houses[i], tolerance_m, request.threads, costs);
+      add_picture_error(scene->header, houses[i], finest[i], tolerance_m, request.threads, costs);
+    }
+    add_points(tolerance_m, costs, static_cast<double>(houses.size()), charts);
+  }
+  return charts;
+}
+
+}  // namespace citykiln::commands
