@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "compiler/bake/bake.h"
 #include "compiler/commands/chart.h"
+#include "compiler/map/locate.h"
 #include "exporters/glb.h"
 #include "preview/preview.h"
 
@@ -22,30 +24,43 @@ constexpr std::size_t kHouses = 4;
 constexpr int kPixels = 256, kSamples = 12;
 constexpr double kFocal_px = 1304;
 
-/// A chunk with one house and nothing else; what stands around it would hide it.
-scene::Chunk alone(const scene::Chunk& chunk, const buildings::Building& building) {
-  scene::Chunk house;
-  house.tile = chunk.tile, house.heights = chunk.heights;
-  house.buildings = {building};
-  house.buildings.front().party_walls.clear();
+/// A house on a tile of its own, as small as tiles get; what stands around it would hide it.
+struct House {
+  scene::Header header;
+  scene::Chunk chunk;
+};
+
+House alone(scene::Header header, const scene::Chunk& chunk, const buildings::Building& building) {
+  header.tile_m = map::kCell_m;
+  House house{std::move(header), {}};
+  const Vec2 corner = building.footprint.outer.front();
+  house.chunk.tile = {static_cast<std::int32_t>(std::floor(corner.x / map::kCell_m)),
+                      static_cast<std::int32_t>(std::floor(corner.y / map::kCell_m))};
+  const Box2 near = scene::box_of(house.header, house.chunk.tile).widened(scene::kHalo_m);
+  house.chunk.heights = map::window_of(chunk.heights, near);
+  house.chunk.buildings = {building};
+  house.chunk.buildings.front().party_walls.clear();
   return house;
 }
 
 /// Houses that have rules, evenly taken.
-std::vector<scene::Chunk> houses_of(const scene::Scene& scene) {
-  std::vector<scene::Chunk> all, some;
+std::vector<House> houses_of(const scene::Scene& scene) {
+  std::vector<std::pair<const scene::Chunk*, const buildings::Building*>> all;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const buildings::Building& building : chunk.buildings)
-      if (building.style != buildings::Style::kPlain && building.stands_on_ground)
-        all.push_back(alone(chunk, building));
+      if (building.style != buildings::Style::kPlain && building.stands_on_ground) all.emplace_back(&chunk, &building);
+  std::vector<House> some;
   const std::size_t count = std::min(kHouses, all.size());
-  for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * all.size() / count]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [chunk, building] = all[i * all.size() / count];
+    some.push_back(alone(scene.header, *chunk, *building));
+  }
   return some;
 }
 
-bake::BakedTile fired(const scene::Header& header, const scene::Chunk& house, double tolerance_m, int threads) {
+bake::BakedTile fired(const House& house, double tolerance_m, int threads) {
   Report ignored;
-  return bake::bake(header, house, tolerance_m, threads, ignored);
+  return bake::bake(house.header, house.chunk, tolerance_m, threads, ignored);
 }
 
 /// Before the longest wall at a street, or the first, a little above the ground.
@@ -89,28 +104,29 @@ double triangles_of(const bake::BakedTile& tile) {
 }
 
 /// What the house adds to its tile.
-void add_costs(const scene::Header& header, const scene::Chunk& house, double tolerance_m, int threads, Costs& costs) {
-  scene::Chunk empty = house;
-  empty.buildings.clear();
+void add_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
+  House empty = house;
+  empty.chunk.buildings.clear();
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto start = clock();
-  const bake::BakedTile bare = fired(header, empty, tolerance_m, threads);
+  const bake::BakedTile bare = fired(empty, tolerance_m, threads);
   const auto middle = clock();
-  const bake::BakedTile tile = fired(header, house, tolerance_m, threads);
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
   costs.ms += std::chrono::duration<double, std::milli>((clock() - middle) - (middle - start)).count();
   costs.triangles += triangles_of(tile) - triangles_of(bare);
   const auto bytes = [&](const bake::BakedTile& t) {
-    return static_cast<double>(encode_glb(t, header, exporters::Instancing::kExtension).size());
+    return static_cast<double>(encode_glb(t, house.header, exporters::Instancing::kExtension).size());
   };
   costs.bytes += bytes(tile) - bytes(bare);
 }
 
-void add_picture_error(const scene::Header& header, const scene::Chunk& house, const bake::BakedTile& finest,
-                       double tolerance_m, int threads, Costs& costs) {
-  const preview::Camera camera = camera_before(house.buildings.front(), kFocal_px * tolerance_m);
-  const preview::Image truth = picture(finest, header.sky, camera, 1);
-  costs.noise += difference(truth, picture(finest, header.sky, camera, 2));
-  costs.error += difference(truth, picture(fired(header, house, tolerance_m, threads), header.sky, camera, 2));
+void add_picture_error(const House& house, const bake::BakedTile& finest, double tolerance_m, int threads,
+                       Costs& costs) {
+  const sky::Sky& sky = house.header.sky;
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m);
+  const preview::Image truth = picture(finest, sky, camera, 1);
+  costs.noise += difference(truth, picture(finest, sky, camera, 2));
+  costs.error += difference(truth, picture(fired(house, tolerance_m, threads), sky, camera, 2));
 }
 
 std::vector<Chart> empty_charts(std::size_t houses) {
@@ -139,16 +155,16 @@ void add_points(double tolerance_m, const Costs& costs, double houses, std::vect
 Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  const std::vector<scene::Chunk> houses = houses_of(*scene);
+  const std::vector<House> houses = houses_of(*scene);
   if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
   std::vector<Chart> charts = empty_charts(houses.size());
   std::vector<bake::BakedTile> finest;
-  for (const scene::Chunk& house : houses) finest.push_back(fired(scene->header, house, kFinest_m, request.threads));
+  for (const House& house : houses) finest.push_back(fired(house, kFinest_m, request.threads));
   for (const double tolerance_m : kTolerances_m) {
     Costs costs;
     for (std::size_t i = 0; i < houses.size(); ++i) {
-      add_costs(scene->header, houses[i], tolerance_m, request.threads, costs);
-      add_picture_error(scene->header, houses[i], finest[i], tolerance_m, request.threads, costs);
+      add_costs(houses[i], tolerance_m, request.threads, costs);
+      add_picture_error(houses[i], finest[i], tolerance_m, request.threads, costs);
     }
     add_points(tolerance_m, costs, static_cast<double>(houses.size()), charts);
   }

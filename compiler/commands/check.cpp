@@ -90,23 +90,18 @@ void add_ids(std::span<const Recipe> recipes, std::vector<OsmId>& ids) {
   for (const Recipe& recipe : recipes) ids.push_back(recipe.id.osm);
 }
 
-/// What bears the id of a field too, a fence around it or a house on it: its faces are taken for the field's, over
-/// which they stand. The rest of what stands.
-std::vector<OsmId> without_fields(std::vector<OsmId> standing, std::vector<OsmId> fields) {
-  std::vector<OsmId> only_standing;
-  std::ranges::sort(standing);
-  std::ranges::sort(fields);
-  std::ranges::set_difference(standing, fields, std::back_inserter(only_standing));
-  return only_standing;
-}
-
+/// A fence may bear the id of the field it goes around: then its faces are taken for the field's, over which they
+/// stand.
 std::vector<OsmId> walls_of(const scene::Scene& scene) {
-  std::vector<OsmId> walls, fields;
+  std::vector<OsmId> walls, fields, only_walls;
   for (const scene::Chunk& chunk : scene.chunks) {
     add_ids(std::span(chunk.barriers), walls);
     add_ids(std::span(chunk.surfaces), fields);
   }
-  return without_fields(std::move(walls), std::move(fields));
+  std::ranges::sort(walls);
+  std::ranges::sort(fields);
+  std::ranges::set_difference(walls, fields, std::back_inserter(only_walls));
+  return only_walls;
 }
 
 std::vector<OsmId> leaving_of(const scene::Scene& scene) {
@@ -120,13 +115,31 @@ std::vector<OsmId> leaving_of(const scene::Scene& scene) {
 }
 
 std::vector<OsmId> houses_of(const scene::Scene& scene) {
-  std::vector<OsmId> houses, fields;
-  for (const scene::Chunk& chunk : scene.chunks) {
-    add_ids(std::span(chunk.buildings), houses);
+  std::vector<OsmId> houses;
+  for (const scene::Chunk& chunk : scene.chunks) add_ids(std::span(chunk.buildings), houses);
+  std::ranges::sort(houses);
+  return houses;
+}
+
+/// Of houses that are mapped as a square or a pitch too.
+std::vector<std::pair<OsmId, materials::Material>> fields_of(const scene::Scene& scene,
+                                                             const std::vector<OsmId>& houses) {
+  std::vector<std::pair<OsmId, materials::Material>> fields;
+  for (const scene::Chunk& chunk : scene.chunks)
     for (const ground::Surface& surface : chunk.surfaces)
-      if (surface.surface != map::SurfaceClass::kBuilding) fields.push_back(surface.id.osm);
-  }
-  return without_fields(std::move(houses), std::move(fields));
+      if (surface.surface != map::SurfaceClass::kBuilding && std::ranges::binary_search(houses, surface.id.osm))
+        fields.emplace_back(surface.id.osm, map::values_of(surface.surface).material);
+  std::ranges::sort(fields);
+  return fields;
+}
+
+std::vector<OsmId> steps_of(const scene::Scene& scene) {
+  std::vector<OsmId> steps;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const roads::Road& road : chunk.roads)
+      if (road.surface == map::SurfaceClass::kSteps) steps.push_back(road.id.osm);
+  std::ranges::sort(steps);
+  return steps;
 }
 
 /// The levels of standing water by the name of its faces.
@@ -145,6 +158,8 @@ Result<Subject> open_subject(const std::string& folder) {
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
   Standing standing{leaving_of(*scene), houses_of(*scene)};
+  standing.fields = fields_of(*scene, standing.houses);
+  standing.steps = steps_of(*scene);
   return Subject{folder, std::move(*record), std::move(*scene), std::move(standing)};
 }
 

@@ -24,8 +24,8 @@ struct GroundPlace {
   OsmId feature;   ///< What covers it.
 };
 
-/// The faces that hold the place, their edges too, from the lowest to the highest: two where the ground steps, none
-/// where there is none. O(1) expected.
+/// The faces that hold the place, or end beside it by no more than the plane's grid moves borders, from the lowest to
+/// the highest: two where the ground steps, none where there is none. O(1) expected.
 std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::commands

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "compiler/contract/tolerance.h"
 
@@ -40,41 +41,56 @@ double gap_under(const Building& building, const Box2& box, const GroundUnder& g
   return largest_m;
 }
 
-/// The lowest point of walls by feature and place.
-using LowestWalls = std::map<std::pair<OsmId, Vec2>, double>;
+/// An upright edge of a wall.
+struct UprightEdge {
+  double top_m = 0, low_m = 0;
+};
+/// By feature and place.
+using Walls = std::map<std::pair<OsmId, Vec2>, std::vector<UprightEdge>>;
+
+/// As far down as walls stand on each other below the floor; none where no wall reaches that. Kerbs and walls of the
+/// ground under a house are the house's too, but end at the ground.
+std::optional<double> lowest_m(std::vector<UprightEdge> walls, double floor_m) {
+  std::ranges::sort(walls, std::ranges::greater{}, &UprightEdge::top_m);
+  std::optional<double> lowest_m;
+  for (const UprightEdge& wall : walls)
+    if (wall.top_m >= std::min(lowest_m.value_or(floor_m), floor_m) - kQuantum_m)
+      lowest_m = std::min(lowest_m.value_or(wall.low_m), wall.low_m);
+  return lowest_m;
+}
 
 void add_wall(const bake::BakedTile& tile, const bake::Primitive& primitive,
-              const std::array<std::uint32_t, 3>& corners, const std::map<OsmId, double>& floors_m,
-              LowestWalls& walls) {
+              const std::array<std::uint32_t, 3>& corners, const std::set<OsmId>& houses, Walls& walls) {
   const OsmId feature = tile.features[primitive.features[corners[0]]];
-  const auto floor = floors_m.find(feature);
-  if (floor == floors_m.end()) return;
+  if (!houses.contains(feature)) return;
   std::array<Vec3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
     const bake::Float3& q = primitive.positions[corners[i]];
     p[i] = Vec3{q[0], q[1], q[2]} + tile.origin;
   }
-  const double top_m = std::max({p[0].z, p[1].z, p[2].z});
-  const bool is_upright = cross(in_plan(p[1] - p[0]), in_plan(p[2] - p[0])) == 0;
-  // kerbs and walls of the ground under it are the building's too, but end at the ground
-  if (!is_upright || top_m < floor->second - kQuantum_m) return;
-  for (const Vec3& q : p) {
-    double& lowest_m = walls.try_emplace({feature, in_plan(q)}, q.z).first->second;
-    lowest_m = std::min(lowest_m, q.z);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = p[i], b = p[(i + 1) % 3];
+    if (in_plan(a) == in_plan(b)) walls[{feature, in_plan(a)}].push_back({std::max(a.z, b.z), std::min(a.z, b.z)});
   }
 }
 
-LowestWalls walls_of(const scene::Chunk& chunk, const bake::BakedTile& tile) {
-  // of buildings with one name the lowest floor
+Walls walls_of(const scene::Chunk& chunk, const bake::BakedTile& tile) {
+  std::set<OsmId> houses;
+  for (const Building& building : chunk.buildings) houses.insert(building.id.osm);
+  Walls walls;
+  for (const bake::Primitive& primitive : tile.primitives)
+    for (const auto& triangle : primitive.triangles) add_wall(tile, primitive, triangle, houses, walls);
+  return walls;
+}
+
+// Of buildings with one name the lowest.
+std::map<OsmId, double> floors_of(const scene::Chunk& chunk) {
   std::map<OsmId, double> floors_m;
   for (const Building& building : chunk.buildings) {
     double& floor_m = floors_m.try_emplace(building.id.osm, building.floor_m).first->second;
     floor_m = std::min(floor_m, building.floor_m);
   }
-  LowestWalls walls;
-  for (const bake::Primitive& primitive : tile.primitives)
-    for (const auto& triangle : primitive.triangles) add_wall(tile, primitive, triangle, floors_m, walls);
-  return walls;
+  return floors_m;
 }
 
 }  // namespace
@@ -94,7 +110,8 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
 
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const bake::BakedTile& tile,
                         const GroundIndex& ground) {
-  const LowestWalls walls = walls_of(chunk, tile);
+  const Walls walls = walls_of(chunk, tile);
+  const std::map<OsmId, double> floors_m = floors_of(chunk);
   const auto ground_under = [&](Vec2 p) -> std::optional<double> {
     const std::vector<GroundPlace> places = ground_at(ground, p);
     // where the ground steps at a corner, a house stands on the upper side: the step's own wall closes what is below
@@ -102,7 +119,7 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
   };
   const auto wall_at = [&](const Building& building, Vec2 p) -> std::optional<double> {
     const auto found = walls.find({building.id.osm, p});
-    return found == walls.end() ? std::nullopt : std::optional(found->second);
+    return found == walls.end() ? std::nullopt : lowest_m(found->second, floors_m.at(building.id.osm));
   };
   return measure_footing(chunk, box, allowed_m, ground_under, wall_at);
 }

@@ -25,6 +25,13 @@ bool is_of_ground(materials::Material material) {
 // What lies under buildings has no places on textures; their walls of that material have.
 const materials::Material kUnderHouses = map::values_of(map::SurfaceClass::kBuilding).material;
 
+bool stands(const Standing& standing, OsmId feature, materials::Material material, bool is_under_houses) {
+  if (std::ranges::binary_search(standing.leaving, feature)) return true;
+  if (material == materials::Material::kStone && std::ranges::binary_search(standing.steps, feature)) return true;
+  return !is_under_houses && std::ranges::binary_search(standing.houses, feature) &&
+         !std::ranges::binary_search(standing.fields, std::pair{feature, material});
+}
+
 /// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
 /// metres.
 template <typename Visit>
@@ -34,8 +41,7 @@ void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& stand
     const bool is_under_houses = primitive.material == kUnderHouses && primitive.uvs.empty();
     for (const auto& triangle : primitive.triangles) {
       const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      if (std::ranges::binary_search(standing.leaving, feature)) continue;
-      if (!is_under_houses && std::ranges::binary_search(standing.houses, feature)) continue;
+      if (stands(standing, feature, primitive.material, is_under_houses)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];

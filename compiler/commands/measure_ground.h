@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "compiler/bake/baked.h"
@@ -13,10 +14,12 @@
 
 namespace citykiln::commands {
 
-/// What stands on the ground, or leaves it, and may be made of the same materials. Both sorted.
+/// What stands on the ground, or leaves it, and may be made of the same materials. All sorted.
 struct Standing {
   std::vector<OsmId> leaving;  ///< Bridges, tunnels, walls: no ground, whatever they are made of.
-  std::vector<OsmId> houses;   ///< No ground but for what lies under them.
+  std::vector<OsmId> houses;   ///< No ground but for what lies under them, and their fields.
+  std::vector<std::pair<OsmId, materials::Material>> fields{};  ///< Of houses that are also a field of that material.
+  std::vector<OsmId> steps{};                                   ///< Ways of steps: what is of stone there is stairs.
 };
 
 /// A triangle of the ground, in plane metres.

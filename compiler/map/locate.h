@@ -37,9 +37,9 @@ Features locate(const source::OsmData& osm, const Plane& plane, const source::Lo
 
 /// Resamples the rasters (voids already filled, first raster wins where several cover a place) into one field over
 /// `region` and one step beyond. Without rasters the field is flat at 0. Places that no raster covers take the nearest
-/// height, diagnosed kNoHeight. The steps, east and north, are the largest whole multiples of kStepUnit_m that are not above
-/// the finest spacing of a raster that way (at least 1 m, at most kCell_m). In the middle of the region vertices lie on
-/// samples of the first raster that covers it; farther off, where degrees and metres run apart, between them.
+/// height, diagnosed kNoHeight. The steps, east and north, are the largest whole multiples of kStepUnit_m that are not
+/// above the finest spacing of a raster that way (at least 1 m, at most kCell_m). In the middle of the region vertices
+/// lie on samples of the first raster that covers it; farther off, where degrees and metres run apart, between them.
 Result<Heightfield> resample(std::span<const source::Raster> rasters, const Plane& plane, const Box2& region,
                              Report& report);
 

@@ -64,15 +64,16 @@ Vec2 left_at(const Polyline& axis, std::size_t segment, bool is_begin) {
   return length(sum) > 0.5 ? unit(sum) : own;
 }
 
-// Both ends of the line lie before those of a later one.
-bool is_before(const Crossing& a, const Crossing& b, Vec2 along) {
+// Both ends of the line lie before the later one.
+bool is_before(const Crossing& a, const Crossing& b) {
+  const Vec2 across = b.left - b.right, along = {across.y, -across.x};
   return dot(b.left - a.left, along) > 0 && dot(b.right - a.right, along) > 0;
 }
 
 // Near a corner lines would cross: that at the corner stays.
-void add_crossing(const Crossing& next, Vec2 along, std::vector<Crossing>& run) {
-  while (next.is_corner && !run.empty() && !run.back().is_corner && !is_before(run.back(), next, along)) run.pop_back();
-  if (next.is_corner || run.empty() || is_before(run.back(), next, along)) run.push_back(next);
+void add_crossing(const Crossing& next, std::vector<Crossing>& run) {
+  while (next.is_corner && !run.empty() && !run.back().is_corner && !is_before(run.back(), next)) run.pop_back();
+  if (next.is_corner || run.empty() || is_before(run.back(), next)) run.push_back(next);
 }
 
 // Runs of crossings between which nothing else covers the way.
@@ -90,7 +91,7 @@ std::vector<std::vector<Crossing>> runs_of(const Looking& looking) {
       }
       Crossing crossing = looking.crossing(p, left_at(axis, i, k == 0), *surface);
       crossing.is_corner = k == 0;
-      add_crossing(crossing, axis[i + 1] - axis[i], runs.back());
+      add_crossing(crossing, runs.back());
     }
   }
   return runs;
@@ -113,13 +114,20 @@ std::vector<std::size_t> turns_of(std::span<const Crossing> run) {
   return turns;
 }
 
+// False where the way turns so sharply that the lines across it cross.
+bool is_convex(const std::array<Vec2, 4>& ring) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (cross(ring[(i + 1) % 4] - ring[i], ring[(i + 2) % 4] - ring[(i + 1) % 4]) <= 0) return false;
+  return true;
+}
+
 void add_block(const Crossing& a, const Crossing& b, double top_m, Stairs& stairs) {
   const double low_m = std::min(a.low_m, b.low_m);
   stairs.error_m = std::max(stairs.error_m, top_m - low_m);
   // counter-clockwise, whichever way the flight goes
   std::array<Vec2, 4> base = {a.right, b.right, b.left, a.left};
-  if (cross(base[1] - base[0], base[2] - base[0]) + cross(base[2] - base[0], base[3] - base[0]) < 0)
-    std::ranges::reverse(base);
+  if (cross(base[2] - base[0], base[3] - base[1]) < 0) std::ranges::reverse(base);
+  if (!is_convex(base)) return;
   add_box(base, low_m - kInto_m, top_m, stairs.mesh);
 }
 

@@ -296,7 +296,8 @@ INSTANTIATE_TEST_SUITE_P(Looks, KeptLevels, testing::Bool(),
 
 const char* const kPanels =
     "Lot --> extrude(6) comp(f) { side : Facade | all : Roof. }\n"
-    "Facade --> color(\"#808080\") split(x) { { ~2 : Panel | 0.05 : color(\"#000000\") Joint. | ~1 : Wall. }* | ~2 : Panel }\n"
+    "Facade --> color(\"#808080\") split(x) { { ~2 : Panel | 0.05 : color(\"#000000\") Joint. | ~1 : Wall. }* | ~2 : "
+    "Panel }\n"
     "Panel --> split(y) { ~1 : Wall. | 0.08 : Sill | 1.2 : 50% : color(\"#203040\") Glass. else : Wall. | ~1 : Wall. "
     "}\n"
     "Sill --> color(\"#ffffff\") extrude(0.08) comp(f) { back : NIL | all : Block. }";

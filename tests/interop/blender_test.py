@@ -148,7 +148,10 @@ class BlenderImport(BlenderTest):
                 values, found = material["pbrMetallicRoughness"], facts["materials"][material["name"]]
                 if "baseColorTexture" not in values:
                     self.assert_near(found["colour"], values["baseColorFactor"][:3], 1e-5)
-                self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
+                if "metallicRoughnessTexture" in values:
+                    self.assertTrue(found["roughness_is_picture"])
+                else:
+                    self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
 
     def test_the_tile_says_what_it_is(self):
         for _, gltf, facts in self.tiles:

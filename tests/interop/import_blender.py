@@ -47,14 +47,20 @@ def facts_of_ground_and_buildings(tile):
     }
 
 
+def nodes_behind(socket):
+    """All nodes that lead to an input."""
+    return [node for link in socket.links for node in [link.from_node] + [n for i in link.from_node.inputs for n in nodes_behind(i)]]
+
+
 def base_colour(material):
     """What the colours of the corners are multiplied by on the way into the shader."""
     shader = material.node_tree.nodes["Principled BSDF"]
-    pictures = [node for node in material.node_tree.nodes if node.type == "TEX_IMAGE"]
+    pictures = [node for node in nodes_behind(shader.inputs["Base Color"]) if node.type == "TEX_IMAGE"]
     if pictures:
         # between it and the picture stand nodes that repeat it one way only
-        [mapping] = [node for node in material.node_tree.nodes if node.type == "MAPPING"]
+        mapping = next(node for node in nodes_behind(pictures[0].inputs["Vector"]) if node.type == "MAPPING")
         return {"roughness": shader.inputs["Roughness"].default_value,
+                "roughness_is_picture": any(n.type == "TEX_IMAGE" for n in nodes_behind(shader.inputs["Roughness"])),
                 "picture_px": list(pictures[0].image.size), "has_pixels": len(pictures[0].image.pixels) > 0,
                 "scale": list(mapping.inputs["Scale"].default_value), "location": list(mapping.inputs["Location"].default_value)}
     link = shader.inputs["Base Color"].links[0].from_node
