@@ -32,8 +32,8 @@ using WallAt = std::function<std::optional<double>(const buildings::Building& bu
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundUnder& ground,
                         const WallAt& wall);
 
-/// The same of a baked tile's own triangles: at a corner stands what its upright edges there reach, one below the other,
-/// down from the floor or above. Where the tolerance has left no edge at a corner nothing is known of it.
+/// The same of a baked tile's own triangles: at a corner stands what its upright edges there reach, one below the
+/// other, down from the floor or above. Where the tolerance has left no edge at a corner nothing is known of it.
 Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const bake::BakedTile& tile,
                         const GroundIndex& ground);
 

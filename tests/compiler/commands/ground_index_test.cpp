@@ -19,6 +19,9 @@ TEST(GroundIndex, HasGroundOnItsEdgesAndNoneOutside) {
   const GroundIndex index = index_ground(made_ground(map::SurfaceClass::kGrass, {0, 0, 0, 0}), {});
   for (const Vec2 p : {Vec2{0, 0}, Vec2{64, 64}, Vec2{32, 32}, Vec2{64, 1}}) EXPECT_FALSE(ground_at(index, p).empty());
   EXPECT_TRUE(ground_at(index, {65, 1}).empty());
+  // what the plane's grid moves borders by
+  EXPECT_FALSE(ground_at(index, {64 + 0x1p-10, 1}).empty());
+  EXPECT_TRUE(ground_at(index, {64 + 0x1p-7, 1}).empty());
 }
 
 TEST(GroundIndex, TellsBothSidesOfAStep) {

@@ -64,6 +64,22 @@ TEST(MeasureFooting, FindsOneCornerOverAHollow) {
   EXPECT_EQ(footing_of(tile_with_house(-1, {0, -6.4F, -6.4F, 0})).floating, 1u);
 }
 
+// Walls in two strips, one below the other; and one whose lower strip is missing at a corner's edge.
+TEST(MeasureFooting, FollowsWallsThatStandOnEachOther) {
+  bake::BakedTile tile = tile_with_house(0.5F, {0, 0, 0, 0});
+  bake::Primitive& walls = tile.primitives.back();
+  const auto first = static_cast<std::uint32_t>(walls.positions.size());
+  const Ring ring = house().footprint.outer;
+  for (const Vec2 p : ring)
+    for (const float z : {-1.0F, 0.5F})
+      walls.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), z}), walls.features.push_back(2);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % 4);
+    walls.triangles.push_back({a, b, b + 1}), walls.triangles.push_back({a, b + 1, a + 1});
+  }
+  EXPECT_EQ(footing_of(tile).largest_gap_m, -1);
+}
+
 // A corner at the edge of a street that is cut into the land: the house stands on the land.
 TEST(MeasureFooting, TakesTheUpperSideOfAStepAtACorner) {
   bake::BakedTile tile = tile_with_house(-1, {0, 0, 0, 0});

@@ -61,6 +61,22 @@ TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
   EXPECT_EQ(sample_ground(square(0, true), {}, flat, kBox, 16).error_m, 5);
 }
 
+// The lower square is a house's that is mapped as a field too, or of another stuff; or it is stairs, which are of
+// stone.
+TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
+  const auto error_m = [](const bake::BakedTile& tile, const Standing& standing) {
+    return sample_ground(tile, standing, flat, kBox, 16).error_m;
+  };
+  bake::BakedTile tile = square(0, true);
+  const materials::Material own = tile.primitives.front().material;
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}}), 0);
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}, {{kBridge, own}}}), 5);
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}, {{kBridge, materials::Material::kSand}}}), 0);
+  EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 5);
+  for (bake::Primitive& primitive : tile.primitives) primitive.material = materials::Material::kStone;
+  EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 0);
+}
+
 TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
   const Standing leaving{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);

@@ -114,6 +114,20 @@ TEST(Stairs, GoUpAndDown) {
   EXPECT_LE(*heights.rbegin(), 10.01);
 }
 
+TEST(Stairs, TurnSharplyWithoutTurningOver) {
+  for (const Vec2 last : {Vec2{2, 1.5}, Vec2{2, 6}, Vec2{12, 12}, Vec2{0, -0.25}}) {
+    const Built made = built(steps_along({{0, 0}, {10, 0}, last}), [](Vec2 p) { return 50 + 0.5 * p.x + 2 * p.y; });
+    const Mesh& mesh = made.stairs.mesh;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+      const bool is_level = p.z == q.z && q.z == r.z;
+      const Vec3 centre = (p + q + r) * (1.0 / 3);
+      if (!is_level || cross(in_plan(q - p), in_plan(r - p)) <= 0) continue;
+      EXPECT_GE(centre.z, map::height_m_at(made.ground.terrain, in_plan(centre)) - 0.25) << centre.x;
+    }
+  }
+}
+
 TEST(Stairs, AreNoneOnLevelGround) {
   EXPECT_TRUE(built(kUp, [](Vec2) { return 7.0; }).stairs.mesh.triangles.empty());
 }
