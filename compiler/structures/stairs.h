@@ -27,7 +27,8 @@ struct Stairs {
 };
 
 /// The stairs of a road of steps, as far as its own surface is on top, in the box. Where it rises and falls it has a
-/// flight for each; where it does neither, none. O(length).
+/// flight for each; where it does neither, none. Where it turns so sharply that lines across it cross, a tread is left
+/// out. O(length).
 /// @param map      Of the surfaces that cover the box, and what is near it.
 /// @param ground   Known in the box and a road's breadth around it.
 Stairs stairs_on(const roads::Road& steps, const ground::SurfaceMap& map, const ground::Carving& ground,
