@@ -1,0 +1,39 @@
+#include "compiler/ground/carve_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace citykiln::ground {
+namespace {
+
+roads::Road street(double x, double z_m) {
+  roads::Road road;
+  road.id = {{OsmType::kWay, static_cast<std::int64_t>(x) + 1}, 0};
+  road.surface = map::SurfaceClass::kResidentialRoad;
+  road.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 8}}, 4};
+  road.axis = {{x, -32}, {x, 160}};
+  road.profile = {{0, z_m, 0}, {192, z_m, 0}};
+  return road;
+}
+
+// Lines along the street, so far from x = 0.
+long lines_at(double x, double rise_m) {
+  map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
+  const std::vector<roads::Road> roads = {street(40, rise_m), street(48.25, 0)};
+  const Box2 cell{{0, 0}, {128, 128}};
+  const Carving carving = carve(std::move(flat), {roads, {}, {}, cell.widened(kCarve_m), false});
+  return std::ranges::count_if(carve_lines(carving, cell), [&](const auto& line) {
+    return plane_point(line.first).x == x && plane_point(line.second).x == x;
+  });
+}
+
+TEST(CarveLines, HaveTheTopAndTheFootOfWallsBetweenStreets) {
+  for (const double x : {44 + kWallTop_m, 44 + kWallFoot_m}) {
+    EXPECT_GT(lines_at(x, 4), 0) << x;
+    EXPECT_EQ(lines_at(x, 0.3125), 0) << x;
+  }
+}
+
+}  // namespace
+}  // namespace citykiln::ground
