@@ -22,13 +22,13 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
-// What lies under buildings has no places on textures; their walls of that material have.
+// Nothing of a building itself is made of what lies under it.
 const materials::Material kUnderHouses = map::values_of(map::SurfaceClass::kBuilding).material;
 
-bool stands(const Standing& standing, OsmId feature, materials::Material material, bool is_under_houses) {
+bool stands(const Standing& standing, OsmId feature, materials::Material material) {
   if (std::ranges::binary_search(standing.leaving, feature)) return true;
   if (material == materials::Material::kStone && std::ranges::binary_search(standing.steps, feature)) return true;
-  return !is_under_houses && std::ranges::binary_search(standing.houses, feature) &&
+  return material != kUnderHouses && std::ranges::binary_search(standing.houses, feature) &&
          !std::ranges::binary_search(standing.fields, std::pair{feature, material});
 }
 
@@ -38,10 +38,9 @@ template <typename Visit>
 void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& standing, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_of_ground(primitive.material)) continue;
-    const bool is_under_houses = primitive.material == kUnderHouses && primitive.uvs.empty();
     for (const auto& triangle : primitive.triangles) {
       const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      if (stands(standing, feature, primitive.material, is_under_houses)) continue;
+      if (stands(standing, feature, primitive.material)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];

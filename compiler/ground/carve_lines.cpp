@@ -36,18 +36,33 @@ void add_bent(const Carving& carving, const Line& line, const Box2& cell, std::v
   add_line(plane_point(from), plane_point(line.second), lines);
 }
 
+// A vertex of the terrain's grid, counted from its south-western one.
+struct Node {
+  int i, j;
+};
+
+// The terrain bends on an edge of its grid unless the two triangles beside it are one level piece; u and v are their
+// corners off the edge. Beyond the rim it goes on as it ends.
+void add_terrain_line(const map::Heightfield& field, Node a, Node b, Node u, Node v, std::vector<Line>& lines) {
+  const auto height = [&](Node n) {
+    return field.height_m_at_vertex(std::clamp(n.i, 0, field.columns - 1), std::clamp(n.j, 0, field.rows - 1));
+  };
+  if (height(a) == height(b) && height(a) == height(u) && height(a) == height(v)) return;
+  add_line(field.vertex(a.i, a.j), field.vertex(b.i, b.j), lines);
+}
+
 // Rows, columns and diagonals, rectangle by rectangle, so that every crossing is an end.
 void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
   const auto column = [&](double x) { return static_cast<int>(std::floor((x - field.min.x) / field.step_m.x)); };
   const auto row = [&](double y) { return static_cast<int>(std::floor((y - field.min.y) / field.step_m.y)); };
   const int i0 = std::max(0, column(cell.min.x)), i1 = std::min(field.columns - 1, column(cell.max.x) + 1);
   const int j0 = std::max(0, row(cell.min.y)), j1 = std::min(field.rows - 1, row(cell.max.y) + 1);
-  const auto vertex = [&](int i, int j) { return field.vertex(i, j); };
   for (int j = j0; j <= j1; ++j)
     for (int i = i0; i <= i1; ++i) {
-      if (i < i1) add_line(vertex(i, j), vertex(i + 1, j), lines);
-      if (j < j1) add_line(vertex(i, j), vertex(i, j + 1), lines);
-      if (i < i1 && j < j1) add_line(vertex(i, j), vertex(i + 1, j + 1), lines);
+      const Node here{i, j}, east{i + 1, j}, north{i, j + 1}, beyond{i + 1, j + 1};
+      if (i < i1) add_terrain_line(field, here, east, beyond, {i, j - 1}, lines);
+      if (j < j1) add_terrain_line(field, here, north, beyond, {i - 1, j}, lines);
+      if (i < i1 && j < j1) add_terrain_line(field, here, beyond, east, north, lines);
     }
 }
 
@@ -145,7 +160,7 @@ std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
   std::vector<Line> lines;
   for (const std::uint32_t i : boxes_about(carving.roads.grid, cell))
     add_road_lines(carving, carving.roads.segments[i], lines);
-  if (!is_level(carving.terrain, cell)) add_terrain_lines(carving.terrain, cell, lines);
+  add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;
   for (const Line& line : lines) add_bent(carving, line, cell, bent);

@@ -196,9 +196,4 @@ bool is_carved(const Carving& carving, const Box2& box) {
   return false;
 }
 
-bool is_level(const map::Heightfield& terrain, const Box2& box) {
-  const map::Heightfield window = map::window_of(terrain, box);
-  return std::ranges::adjacent_find(window.heights, std::ranges::not_equal_to{}) == window.heights.end();
-}
-
 }  // namespace citykiln::ground

@@ -68,7 +68,4 @@ Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer);
 /// False where the carved ground in the box is the terrain.
 bool is_carved(const Carving& carving, const Box2& box);
 
-/// True where all heights that tell the terrain in the box are the same.
-bool is_level(const map::Heightfield& terrain, const Box2& box);
-
 }  // namespace citykiln::ground

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 namespace citykiln::ground {
 namespace {
@@ -32,6 +33,32 @@ TEST(CarveLines, HaveTheTopAndTheFootOfWallsBetweenStreets) {
   for (const double x : {44 + kWallTop_m, 44 + kWallFoot_m}) {
     EXPECT_GT(lines_at(x, 4), 0) << x;
     EXPECT_EQ(lines_at(x, 0.3125), 0) << x;
+  }
+}
+
+// Where lines cross the plane's y axis.
+std::set<double> crossings_of_axis(const map::Heightfield& terrain, const Box2& cell) {
+  const std::vector<roads::Road> roads = {street(40, 1)};
+  map::Heightfield copy = terrain;
+  const Carving carving = carve(std::move(copy), {roads, {}, {}, cell.widened(kCarve_m), false});
+  std::set<double> crossings;
+  for (const auto& line : carve_lines(carving, cell)) {
+    const Vec2 a = plane_point(line.first), b = plane_point(line.second);
+    if (a.x < 0 && b.x > 0) crossings.insert(a.y - a.x * (b.y - a.y) / (b.x - a.x));
+  }
+  return crossings;
+}
+
+// a hill that ends at every distance from the border of two cells, of which the eastern becomes level land
+TEST(CarveLines, CrossACommonBorderInBothCells) {
+  const Box2 west{{-128, 0}, {0, 128}}, east{{0, 0}, {128, 128}};
+  for (int column = 4; column < 20; ++column) {
+    map::Heightfield terrain{{-260, -256}, {24, 40}, 24, 14, std::vector<std::int32_t>(24 * 14), 0};
+    terrain.heights[static_cast<std::size_t>(8 * 24 + column)] = 640;
+    const auto crossings = crossings_of_axis(terrain, west);
+    EXPECT_EQ(crossings, crossings_of_axis(terrain, east)) << column;
+    EXPECT_EQ(crossings.empty(), terrain.vertex(column - 1, 0).x >= 0 || terrain.vertex(column + 1, 0).x <= 0)
+        << column;
   }
 }
 
