@@ -19,6 +19,9 @@ constexpr double kNoBank_m = 0.03125;
 // Lower walls between roads are left to what the ground is followed by.
 constexpr double kLeastWall_m = 0.5;
 
+// A road whose tilt changes is no plane: where one diagonal of a piece is off its axis by more, the axis is a line too.
+constexpr double kLeastTwist_m = 0x1p-9;
+
 // How often the foot of a bank is looked for, each time from where the terrain was found to be.
 constexpr int kFootSteps = 4;
 
@@ -88,6 +91,10 @@ double foot_m(const map::Heightfield& terrain, Vec2 edge, Vec2 out, double edge_
   return away_m;
 }
 
+Vec2 on_axis(const GradedSegment& s, double at_m) {
+  return s.from + (s.to - s.from) * ((at_m - s.from_m) / (s.to_m - s.from_m));
+}
+
 // Where a line across the road leaves it; `out` of it is a metre.
 struct Edge {
   Vec2 at, out;
@@ -96,7 +103,7 @@ struct Edge {
 
 std::array<Edge, 2> edges_at(const Carving& carving, const GradedSegment& s, double at_m) {
   const Vec2 left = left_of(unit(s.to - s.from));
-  const Vec2 axis = s.from + (s.to - s.from) * ((at_m - s.from_m) / (s.to_m - s.from_m));
+  const Vec2 axis = on_axis(s, at_m);
   const Knot knot = knot_at(carving.roads.profiles[s.road], at_m);
   return {{{axis + left * s.left_m, left, knot.z_m + knot.tilt * s.left_m},
            {axis - left * s.right_m, left * -1.0, knot.z_m - knot.tilt * s.right_m}}};
@@ -135,6 +142,14 @@ void add_wall_lines(const Carving& carving, const GradedSegment& s, double from_
   }
 }
 
+void add_axis_line(const Carving& carving, const GradedSegment& s, double from_m, double to_m,
+                   std::vector<Line>& lines) {
+  const Profile& profile = carving.roads.profiles[s.road];
+  const double turned = knot_at(profile, to_m).tilt - knot_at(profile, from_m).tilt;
+  if (std::abs(turned) * (s.left_m + s.right_m) / 4 <= kLeastTwist_m) return;
+  add_line(on_axis(s, from_m), on_axis(s, to_m), lines);
+}
+
 void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<Line>& lines) {
   const Profile& profile = carving.roads.profiles[s.road];
   if (profile.empty()) return;
@@ -147,6 +162,7 @@ void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<
     add_line(before_left, left, lines);
     add_line(before_right, right, lines);
     add_wall_lines(carving, s, stations[i - 1], stations[i], lines);
+    add_axis_line(carving, s, stations[i - 1], stations[i], lines);
   }
 }
 

@@ -1,5 +1,6 @@
 // Lines along which the carved ground bends: the terrain's own grid but where it is level, lines across roads where
-// their profiles bend, and the feet of cuts and banks. A cell's reference triangulation has them as edges.
+// their profiles bend, their axes where they twist, and the feet of cuts and banks. A cell's reference triangulation
+// has them as edges.
 #pragma once
 
 #include <utility>

@@ -18,10 +18,9 @@ roads::Road street(double x, double z_m) {
   return road;
 }
 
-// Lines along the street, so far from x = 0.
-long lines_at(double x, double rise_m) {
+// Lines along streets, so far from x = 0.
+long lines_along(const std::vector<roads::Road>& roads, double x) {
   map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
-  const std::vector<roads::Road> roads = {street(40, rise_m), street(48.25, 0)};
   const Box2 cell{{0, 0}, {128, 128}};
   const Carving carving = carve(std::move(flat), {roads, {}, {}, cell.widened(kCarve_m), false});
   return std::ranges::count_if(carve_lines(carving, cell), [&](const auto& line) {
@@ -31,9 +30,16 @@ long lines_at(double x, double rise_m) {
 
 TEST(CarveLines, HaveTheTopAndTheFootOfWallsBetweenStreets) {
   for (const double x : {44 + kWallTop_m, 44 + kWallFoot_m}) {
-    EXPECT_GT(lines_at(x, 4), 0) << x;
-    EXPECT_EQ(lines_at(x, 0.3125), 0) << x;
+    EXPECT_GT(lines_along({street(40, 4), street(48.25, 0)}, x), 0) << x;
+    EXPECT_EQ(lines_along({street(40, 0.3125), street(48.25, 0)}, x), 0) << x;
   }
+}
+
+TEST(CarveLines, HaveTheAxisOfARoadWhereItTwists) {
+  roads::Road road = street(40, 1);
+  EXPECT_EQ(lines_along({road}, 40), 0);
+  road.profile.back().tilt = 0.25;
+  EXPECT_GT(lines_along({road}, 40), 0);
 }
 
 // Where lines cross the plane's y axis.
