@@ -156,21 +156,22 @@ bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner
   return winding > 0;
 }
 
-// The distance to a border, if it is below `nearest_m`; else that.
-double distance_to_border(const SurfaceMap& map, const BucketSurface& entry, Vec2 p, double nearest_m) {
-  double nearest2 = nearest_m * nearest_m;
+double squared(double x) { return x * x; }
+
+// The square of the distance to a border, if it is below `nearest`; else that. Squares alone are compared, so it does
+// not matter which border comes first.
+double squared_distance(const SurfaceMap& map, const BucketSurface& entry, Vec2 p, double nearest) {
   for (const auto& [a, b] : edges_of(map, entry)) {
     // most are farther off than another was
-    const double aside = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
-    const double above = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
-    if (std::max(aside, above) >= nearest_m) continue;
+    const double aside = std::max({std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x), 0.0});
+    const double above = std::max({std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y), 0.0});
+    if (squared(aside) + squared(above) >= nearest) continue;
     const Vec2 along = b - a;
     const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
     const Vec2 off = p - (a + along * t);
-    if (dot(off, off) >= nearest2) continue;
-    nearest2 = dot(off, off), nearest_m = std::sqrt(nearest2);
+    nearest = std::min(nearest, dot(off, off));
   }
-  return nearest_m;
+  return nearest;
 }
 
 // Takes what was found, sorted by bucket, its borders too: then a question reads them in a row.
@@ -219,19 +220,24 @@ std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
 }
 
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) {
-  double nearest_m = reach_m;
-  const BucketRange range = buckets_of(map, {{p.x - reach_m, p.y - reach_m}, {p.x + reach_m, p.y + reach_m}});
   const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
+  double nearest = squared(reach_m);
+  for (const BucketSurface& entry : entries_at(map, own_column, own_row)) {
+    // sorted from the top down: none of this priority can follow
+    if (entry.priority < priority) break;
+    if (covers_point(map, entry, corner_of(map, own_column, own_row), p)) return 0;
+    nearest = squared_distance(map, entry, p, nearest);
+  }
+  // what lies beside the own bucket may be nearer still
+  const double near_m = std::sqrt(nearest);
+  const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column)
       for (const BucketSurface& entry : entries_at(map, column, row)) {
-        // sorted from the top down: none of this priority can follow
-        if (entry.priority < priority) break;
-        if (column == own_column && row == own_row && covers_point(map, entry, corner_of(map, column, row), p))
-          return 0;
-        nearest_m = distance_to_border(map, entry, p, nearest_m);
+        if (entry.priority < priority || (column == own_column && row == own_row)) break;
+        nearest = squared_distance(map, entry, p, nearest);
       }
-  return nearest_m;
+  return nearest < squared(reach_m) ? std::sqrt(nearest) : reach_m;
 }
 
 }  // namespace citykiln::ground
