@@ -15,6 +15,9 @@ constexpr double kCorner_m = 12;
 // Of the grid that tells where there is water at all.
 constexpr double kBucket_m = 64;
 
+// Of the grids that tell how far off what is near by is: about its reach.
+constexpr double kNearBucket_m = 12;
+
 // Room for the strands of nearly all places.
 constexpr std::size_t kStrandBytes = 48 * sizeof(Strand);
 
@@ -151,8 +154,8 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   carving.decks = span_field_of(parts.decks), carving.bores = span_field_of(parts.bores);
   carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
   carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
-  carving.paved_map = map_surfaces(carving.paved, parts.box);
-  carving.wet_map = map_surfaces(carving.wet, parts.box);
+  carving.paved_map = map_surfaces(carving.paved, parts.box, kNearBucket_m);
+  carving.wet_map = map_surfaces(carving.wet, parts.box, kNearBucket_m);
   carving.shores = grid_of(reaches_of(carving.wet), kBucket_m);
   return carving;
 }
