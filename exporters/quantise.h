@@ -1,0 +1,15 @@
+// A tile on the grids of packed meshes: what a compressed .glb loses is lost here, and stated.
+#pragma once
+
+#include "compiler/bake/baked.h"
+
+namespace citykiln::exporters {
+
+/// The tile with all places on the grid of kPackedPlace_m, and uvs on that of kPackedUv_m; error_m is larger by the
+/// farthest that any place has moved, in the world: at most half a step times √3 (for copies: and their scale).
+///
+/// Guarantees: places that are on the grid stay, so borders, which are, meet as before; equal places stay equal; no
+/// triangle goes, even where its corners meet; quantised twice is quantised once. Total. O(n).
+bake::BakedTile quantised(bake::BakedTile tile);
+
+}  // namespace citykiln::exporters
