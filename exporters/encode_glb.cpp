@@ -360,8 +360,7 @@ Value extras_of(const BakedTile& tile, const scene::Header& header) {
                    {"origin_m", vector(tile.origin)},
                    {"tolerance_m", number(tile.tolerance_m)},
                    {"error_m", number(tile.error_m)},
-                   // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
-                   {"rounding_m", number(0)},
+                   {"rounding_m", number(rounding_m(tile.primitives))},
                    {"plane", Value(plane)}};
   if (const auto& seen = tile.seen_from)
     extras["seen_from"] = Value(Object{{"eye_m", vector(seen->eye)},

@@ -37,13 +37,24 @@ double put_on_grid(std::vector<Primitive>& primitives) {
 
 }  // namespace
 
+double rounding_m(std::span<const Primitive> primitives) {
+  constexpr double kHalfALastBit = 0x1p-24, kSqrt3 = 1.7320508075688772;
+  double farthest_m = 0;
+  for (const Primitive& primitive : primitives)
+    for (const Float3& p : primitive.positions)
+      for (const float c : p)
+        if (c != snapped(c)) farthest_m = std::max<double>(farthest_m, std::abs(c));
+  return farthest_m * kHalfALastBit * kSqrt3;
+}
+
 bake::BakedTile quantised(bake::BakedTile tile) {
+  const double before_m = rounding_m(tile.primitives);
   double farthest_m = put_on_grid(tile.primitives);
   for (bake::Instanced& instanced : tile.instanced) {
     const double moved_m = put_on_grid(instanced.primitives);
     for (const float scale : instanced.scales) farthest_m = std::max(farthest_m, moved_m * std::abs(scale));
   }
-  tile.error_m += farthest_m;
+  tile.error_m += before_m + farthest_m;
   return tile;
 }
 

@@ -225,8 +225,16 @@ TEST(Quantised, StatesAtLeastTheErrorMeasured) {
       }
     EXPECT_GT(measured_m, 0.0005);
     EXPECT_GE(packed.error_m + 1e-15, tile.error_m + measured_m);
-    EXPECT_LE(packed.error_m, tile.error_m + largest_scale * kPackedPlace_m * std::sqrt(0.75) + 1e-15);
+    EXPECT_LE(packed.error_m, tile.error_m + largest_scale * kPackedPlace_m * std::sqrt(0.75) + 1e-4);
   }
+}
+
+TEST(Rounding, IsNothingOnTheGridAndHalfALastBitElsewhere) {
+  EXPECT_EQ(rounding_m(made_tile(1).primitives), 0);
+  BakedTile tile = made_tile(1);
+  tile.primitives[0].positions[0] = {300.1f, 0.1f, 0};
+  EXPECT_GE(rounding_m(tile.primitives), std::abs(300.1 - double{300.1f}));
+  EXPECT_LT(rounding_m(tile.primitives), 4e-5);
 }
 
 TEST(Quantised, WhatIsOnTheGridStays) {
