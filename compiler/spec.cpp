@@ -133,12 +133,8 @@ Result<Done> set_world(CompileSpec&, std::string_view text) {
   return expected("plane, ellipsoid or cylinder:R", text);
 }
 
-Result<Done> set_compress(CompileSpec&, std::string_view text) {
-  if (text == "none") return Done{};
-  if (text == "draco" || text == "meshopt") {
-    return Error{"", fmt::format("{} is not written yet; this version writes none", text)};
-  }
-  return expected("none, draco or meshopt", text);
+Result<Done> set_compress(CompileSpec& spec, std::string_view text) {
+  return put(parse_compress(text), spec.outputs.compress);
 }
 
 Result<Done> set_instancing(CompileSpec& spec, std::string_view text) {
@@ -197,7 +193,7 @@ constexpr Setting kSettings[] = {
     {"emit", "kiln,glb", "what to write (kiln,glb)", false, set_emit},
     {"lods", "M,M,...", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
     {"world", "plane", "what the plane is bent into (plane)", false, set_world},
-    {"compress", "none", "of glb (none)", false, set_compress},
+    {"compress", "none|draco|meshopt", "meshes in glb (none)", false, set_compress},
     {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false,
      set_instancing},
     {"drive-on", "left|right", "side of the road; else by each road's place", false, set_drive_on},
@@ -279,6 +275,17 @@ Result<Done> is_complete(const CompileSpec& spec) {
   if (spec.map_path.empty()) return Error{"", "no map is given"};
   if (spec.outputs.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   return Done{};
+}
+
+std::string_view name_of(Compress compress) {
+  if (compress == Compress::kDraco) return "draco";
+  return compress == Compress::kMeshopt ? "meshopt" : "none";
+}
+
+Result<Compress> parse_compress(std::string_view text) {
+  for (const Compress compress : {Compress::kNone, Compress::kDraco, Compress::kMeshopt})
+    if (text == name_of(compress)) return compress;
+  return expected("none, draco or meshopt", text);
 }
 
 Result<std::vector<double>> parse_ladder(std::string_view text) {

@@ -19,12 +19,18 @@
 
 namespace citykiln {
 
+/// How meshes are packed in .glb files (exporters/compression.h).
+enum class Compress { kNone, kDraco, kMeshopt };
+std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": as the setting is written.
+Result<Compress> parse_compress(std::string_view text);
+
 /// What a run leaves behind in its folder.
 struct Outputs {
   std::string folder;
   bool manifest = true;             ///< scene.kiln
   bool glb = true;                  ///< glb/<x>_<y>_L<n>.glb
   bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
+  Compress compress = Compress::kNone;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
                                kDefaultLadder_m.end()};  ///< Tolerances, rising; level n is the n-th.
 };

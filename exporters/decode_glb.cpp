@@ -6,9 +6,11 @@
 #include <optional>
 #include <string_view>
 
+#include "exporters/compress_glb.h"
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
+#include "exporters/glb_parts.h"
 #include "exporters/png.h"
 #include "exporters/tinygltf_switches.h"
 
@@ -392,13 +394,13 @@ std::uint64_t json_number(const nlohmann::json& object, const char* name, std::o
 }
 
 // tinygltf takes the address of a picture's first byte before anyone can ask whether it is in the buffer.
-void expect_pictures_inside(std::span<const std::byte> json) {
-  const auto* text = reinterpret_cast<const char*>(json.data());
+void expect_pictures_inside(std::span<const std::byte> bytes) {
+  const std::string_view json = json_of_glb(bytes);
   const auto keeps = [](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& key) {
     return depth != 1 || event != nlohmann::json::parse_event_t::key || key == "images" || key == "bufferViews" ||
            key == "buffers";
   };
-  const auto model = nlohmann::json::parse(text, text + json.size(), keeps, false);
+  const auto model = nlohmann::json::parse(json, keeps, false);
   if (!model.is_object() || !model.contains("images")) return;
   const auto buffers = model.value("buffers", nlohmann::json::array()),
              views = model.value("bufferViews", nlohmann::json::array());
@@ -423,13 +425,25 @@ void expect_frame(std::span<const std::byte> bytes) {
   expect(json <= size - begin - kChunkBytes && json + number_at(bytes, begin + json) == size - begin - kChunkBytes,
          "two chunks, JSON and its buffer, that fill the file");
   expect(depth_of(bytes.subspan(begin, json)) <= kDeepest, "JSON that is not nested deeper than glTF ever is");
-  expect_pictures_inside(bytes.subspan(begin, json));
 }
 
 // Pictures are left where they are, for sheet_of.
 bool leave_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
                    void*) {
   return true;
+}
+
+BakedTile tile_of_plain(std::span<const std::byte> bytes) {
+  expect_pictures_inside(bytes);
+  tinygltf::Model model;
+  std::string error, warning;
+  const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+  const auto size = static_cast<unsigned int>(bytes.size());
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(leave_picture, nullptr);
+  if (!loader.LoadBinaryFromMemory(&model, &error, &warning, data, size))
+    throw Wrong{"binary glTF: " + error.substr(0, error.find('\n'))};
+  return tile_of(model);
 }
 
 }  // namespace
@@ -439,15 +453,8 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
     expect(bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0,
            "a binary glTF file, which begins with glTF");
     expect_frame(bytes);
-    tinygltf::Model model;
-    std::string error, warning;
-    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
-    const auto size = static_cast<unsigned int>(bytes.size());
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(leave_picture, nullptr);
-    if (!loader.LoadBinaryFromMemory(&model, &error, &warning, data, size))
-      throw Wrong{"binary glTF: " + error.substr(0, error.find('\n'))};
-    return tile_of(model);
+    const auto plain = decompressed_glb(bytes);
+    return tile_of_plain(plain ? *plain : bytes);
   } catch (const Wrong& wrong) {
     return Error{name, "expected " + wrong.what};
   } catch (const std::exception& thrown) {

@@ -5,10 +5,12 @@
 #include <set>
 #include <sstream>
 
+#include "exporters/compress_glb.h"
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
 #include "exporters/png.h"
+#include "exporters/quantise.h"
 #include "exporters/tangents.h"
 #include "exporters/tinygltf_switches.h"
 
@@ -358,8 +360,7 @@ Value extras_of(const BakedTile& tile, const scene::Header& header) {
                    {"origin_m", vector(tile.origin)},
                    {"tolerance_m", number(tile.tolerance_m)},
                    {"error_m", number(tile.error_m)},
-                   // vertices lie on the 2^-10 m grid and offsets are exact in float32; instances' places are on it too
-                   {"rounding_m", number(0)},
+                   {"rounding_m", number(rounding_m(tile.primitives))},
                    {"plane", Value(plane)}};
   if (const auto& seen = tile.seen_from)
     extras["seen_from"] = Value(Object{{"eye_m", vector(seen->eye)},
@@ -399,6 +400,16 @@ void fill(Filling& f, Instancing instancing) {
   f.model.defaultScene = 0;
 }
 
+std::vector<std::byte> plain_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
+  Filling f{tile, header, {}, {}, {}};
+  fill(f, instancing);
+  std::ostringstream out;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
+  const std::string bytes = std::move(out).str();
+  const auto span = std::as_bytes(std::span(bytes));
+  return {span.begin(), span.end()};
+}
+
 }  // namespace
 
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
@@ -409,19 +420,15 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
   return !key.has_uvs && is_textured ? name + "Plain" : name;
 }
 
-std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  Filling f{tile, header, {}, {}, {}};
-  fill(f, instancing);
-  std::ostringstream out;
-  tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
-  const std::string bytes = std::move(out).str();
-  const auto span = std::as_bytes(std::span(bytes));
-  return {span.begin(), span.end()};
+std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
+                                  Compression compression, int threads) {
+  if (compression == Compression::kNone) return plain_glb(tile, header, instancing);
+  return compressed_glb(plain_glb(quantised(tile), header, instancing), compression, threads);
 }
 
 Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
-                       const std::string& path) {
-  return write_file(path, encode_glb(tile, header, instancing));
+                       const std::string& path, Compression compression, int threads) {
+  return write_file(path, encode_glb(tile, header, instancing, compression, threads));
 }
 
 }  // namespace citykiln::exporters

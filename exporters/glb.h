@@ -8,6 +8,7 @@
 
 #include "compiler/bake/baked.h"
 #include "compiler/contract/result.h"
+#include "exporters/compression.h"
 
 namespace citykiln::exporters {
 
@@ -21,20 +22,23 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 
 /// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
 /// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
-/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance and tile in the root node's extras,
-/// and for which eye it was made, if for one;
-/// attribution in asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of
-/// materials::kTexturePlace_m; the sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform
-/// from there to the picture: its row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same
-/// bytes. Valid by Khronos' validator with 0 errors and 0 warnings.
-std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing);
+/// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance, tile and the worst rounding to
+/// single precision in the root node's extras, and for which eye it was made, if for one; attribution in
+/// asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of materials::kTexturePlace_m; the
+/// sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform from there to the picture: its
+/// row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same bytes. Valid by Khronos'
+/// validator with 0 errors and 0 warnings. Packed, it holds quantised(tile) (quantise.h), whose error it states,
+/// vertices and triangles in another order, and normals of kPackedNormalBits. @param threads  Never changes a byte.
+std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
+                                  Compression compression = Compression::kNone, int threads = 1);
 
-/// A tile back from a .glb that encode_glb made; read(encode(tile)) == tile for either way of instancing.
+/// A tile back from a .glb that encode_glb made, packed or not; read(encode(tile)) == tile for either way of instancing
+/// where it is not packed.
 /// Errors: anything else, never a crash.
 Result<bake::BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string& name);
 
 Result<Done> write_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
-                       const std::string& path);
+                       const std::string& path, Compression compression = Compression::kNone, int threads = 1);
 Result<bake::BakedTile> read_glb(const std::string& path);
 
 }  // namespace citykiln::exporters

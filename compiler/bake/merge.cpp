@@ -1,6 +1,7 @@
 #include "compiler/bake/merge.h"
 
 #include <array>
+#include <bit>
 #include <cassert>
 
 namespace citykiln::bake {
@@ -15,30 +16,48 @@ Float3 single(Vec3 v) {
 
 Float2 single(Vec2 v) { return {static_cast<float>(v.x) + 0.0f, static_cast<float>(v.y) + 0.0f}; }
 
-// The primitive's vertices that one position of the mesh, with its uv, has become: one a normal, linked.
-struct Copies {
+// Of a place in single precision, well mixed in its low bits.
+std::size_t hash_of(const Float3& p) {
+  std::uint64_t h = 0;
+  for (const float c : p) h = (h ^ std::bit_cast<std::uint32_t>(c)) * 0x9e3779b97f4a7c15ull;
+  return static_cast<std::size_t>(h >> 32 ^ h);
+}
+
+// The primitive's vertices of one mesh, found again by what they are.
+struct Vertices {
   const materials::DressedMesh& dressed;
   Primitive& primitive;
   Vec3 origin;
   std::uint32_t feature;
   std::uint32_t base = static_cast<std::uint32_t>(primitive.positions.size());
-  std::vector<std::uint32_t> first = std::vector<std::uint32_t>(dressed.mesh.positions.size(), kNone);  // by position
+  // linked lists, by place
+  std::vector<std::uint32_t> first = std::vector<std::uint32_t>(std::bit_ceil(dressed.mesh.positions.size()), kNone);
   std::vector<std::uint32_t> next{};  // by vertex of the primitive, from `base` on
 
-  std::uint32_t vertex(std::uint32_t position, Float3 normal) {
-    for (std::uint32_t v = first[position]; v != kNone; v = next[v - base])
-      if (primitive.normals[v] == normal) return v;
-    const auto v = static_cast<std::uint32_t>(primitive.positions.size());
-    primitive.positions.push_back(offset_from(origin, dressed.mesh.positions[position]));
+  bool is(std::uint32_t v, const Float3& p, const Float3& normal, materials::Tint tint, const Float2* uv) const {
+    return primitive.positions[v] == p && primitive.normals[v] == normal && primitive.colours[v] == tint &&
+           (uv == nullptr || primitive.uvs[v] == *uv);
+  }
+
+  std::uint32_t vertex(std::uint32_t position, const Float3& normal) {
+    const Float3 p = offset_from(origin, dressed.mesh.positions[position]);
+    const materials::Tint tint = dressed.tints.empty() ? dressed.tint : dressed.tints[position];
+    const Float2 uv = dressed.uvs.empty() ? Float2{} : single(dressed.uvs[position]);
+    const Float2* const shown = dressed.uvs.empty() ? nullptr : &uv;
+    std::uint32_t& head = first[hash_of(p) & (first.size() - 1)];
+    for (std::uint32_t v = head; v != kNone; v = next[v - base])
+      if (is(v, p, normal, tint, shown)) return v;
+    primitive.positions.push_back(p);
     primitive.normals.push_back(normal);
-    primitive.colours.push_back(dressed.tints.empty() ? dressed.tint : dressed.tints[position]);
+    primitive.colours.push_back(tint);
     primitive.features.push_back(feature);
-    if (!dressed.uvs.empty()) primitive.uvs.push_back(single(dressed.uvs[position]));
-    next.push_back(first[position]);
-    first[position] = v;
-    return v;
+    if (shown != nullptr) primitive.uvs.push_back(uv);
+    next.push_back(head);
+    return head = static_cast<std::uint32_t>(primitive.positions.size() - 1);
   }
 };
+
+bool has_two_alike(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
   return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
@@ -56,14 +75,14 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
   const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.coloured};
   Primitive& primitive = merged[key];
   primitive.material = key.material, primitive.coloured = key.coloured;
-  Copies copies{dressed, primitive, origin, feature};
+  Vertices vertices{dressed, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
     if (flat == Vec3{}) continue;
     std::array<std::uint32_t, 3> corners{};
     for (int i = 0; i < 3; ++i)
-      corners[i] = copies.vertex(t[i], single(mesh.normals.empty() ? flat : mesh.normals[t[i]]));
-    primitive.triangles.push_back(corners);
+      corners[i] = vertices.vertex(t[i], single(mesh.normals.empty() ? flat : mesh.normals[t[i]]));
+    if (!has_two_alike(corners)) primitive.triangles.push_back(corners);
   }
 }
 

@@ -13,9 +13,9 @@ namespace citykiln::bake {
 /// The primitive of each key so far.
 using Merged = std::map<PrimitiveKey, Primitive>;
 
-/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; vertices with the same position of
-/// the mesh, which has one uv, and the same normal are shared. Triangles that single precision makes degenerate are
-/// left out. `feature` is the number written for every vertex. A mesh without triangles adds nothing.
+/// Adds a mesh. Flat meshes (without normals) get the normals of their triangles; no two vertices that it adds are
+/// alike: of the same place in single precision, normal, colour and uv. Triangles that single precision makes
+/// degenerate are left out. `feature` is the number written for every vertex. A mesh without triangles adds nothing.
 void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature);
 
 /// Sorted by key.

@@ -15,7 +15,7 @@
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
 #include "compiler/pipeline.h"
-#include "exporters/glb.h"
+#include "exporters/file.h"
 #include "exporters/manifest.h"
 #include "preview/preview.h"
 
@@ -46,10 +46,13 @@ Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
-Result<Done> write_whole(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
-  const auto instancing =
-      request.spec.outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  return exporters::write_glb(tile, header, instancing, request.out_path);
+/// Writes the one file, and returns the error that it states.
+Result<double> write_whole(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
+  const Outputs& outputs = request.spec.outputs;
+  const EncodedTile encoded =
+      encode_tile(tile, header, outputs.instances_as_nodes, outputs.compress, request.spec.threads);
+  if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
+  return encoded.error_m;
 }
 
 Result<Exit> bake_to_file(const Request& request, const Console& console) {
@@ -59,11 +62,12 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<bake::BakedTile> tile =
       bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  if (const Result<Done> done = write_whole(request, scene->header, *tile); !done) return done.error();
+  const Result<double> error_m = write_whole(request, scene->header, *tile);
+  if (!error_m) return error_m.error();
   console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
-                          triangles_of(*tile), tile->error_m));
+                          triangles_of(*tile), *error_m));
   console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
-                             triangles_of(*tile), tile->error_m));
+                             triangles_of(*tile), *error_m));
   return Exit::kDone;
 }
 
@@ -99,12 +103,13 @@ Result<Exit> bake_for_eye(const Request& request, const Console& console) {
   if (!view) return view.error();
   const Result<bake::BakedTile> tile = bake_seen(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  if (const Result<Done> done = write_whole(request, scene->header, *tile); !done) return done.error();
+  const Result<double> error_m = write_whole(request, scene->header, *tile);
+  if (!error_m) return error_m.error();
   console.say(fmt::format("{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m",
                           request.out_path, triangles_of(*tile), tile->seen_from->pixel_error, view->pixel_error,
                           view->finest_m));
   console.answer(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
-                             triangles_of(*tile), tile->error_m, view->focal_px, tile->seen_from->pixel_error));
+                             triangles_of(*tile), *error_m, view->focal_px, tile->seen_from->pixel_error));
   return Exit::kDone;
 }
 

@@ -20,6 +20,7 @@
 #include "compiler/commands/measure_road_faces.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
+#include "compiler/commands/write_tiles.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/expand.h"
 #include "compiler/ground/follow_lines.h"
@@ -310,9 +311,9 @@ Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& wr
 
   Report ignored;
   const bake::BakedTile baked = bake::bake(subject.scene.header, *chunk, written.tolerance_m, 0, ignored);
-  const auto instancing =
-      subject.record.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  findings.forms.test(exporters::encode_glb(baked, subject.scene.header, instancing) == *bytes, written.file.name);
+  const RunRecord& record = subject.record;
+  const EncodedTile encoded = encode_tile(baked, subject.scene.header, record.instances_as_nodes, record.compress, 0);
+  findings.forms.test(encoded.glb == *bytes, written.file.name);
   check_ground(subject, *chunk, *tile, written.file.name, findings);
   check_heights(subject, *chunk, *tile, written.file.name, findings);
   return tile;

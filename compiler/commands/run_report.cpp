@@ -182,6 +182,8 @@ RunRecord record_of(const Json& report) {
                             tile.at("instances")});
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
+  // runs of before there was a choice do not say
+  if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   for (const auto& [name, account] : report.at("ledger").items()) {
     if (!balances(account)) record.unbalanced.push_back(name);
@@ -210,6 +212,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["seed"] = header.seed;
   json["resampling_error_m"] = header.resampling_error_m;
   json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
+  json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
   add_planned_counts(report, json["counts"]);
   json["levels"] = levels_of(written, outputs);

@@ -57,6 +57,7 @@ bool has_objections(const Report& report);
 struct RunRecord {
   std::vector<WrittenTile> tiles;
   bool instances_as_nodes = false;
+  Compress compress = Compress::kNone;
   bool has_manifest = false;
   std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers, added up again, do not balance.
 };

@@ -5,6 +5,7 @@
 #include "compiler/pipeline.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
+#include "exporters/quantise.h"
 
 namespace citykiln::commands {
 namespace {
@@ -15,16 +16,29 @@ Result<WrittenFile> write(const std::string& name, const std::vector<std::byte>&
 }
 
 Result<WrittenTile> write_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
-                              const Outputs& outputs, OutputFolder& folder) {
-  const auto instancing =
-      outputs.instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
-  const Result<WrittenFile> file =
-      write(glb_name(tile.tile, level), exporters::encode_glb(tile, header, instancing), folder);
+                              const Outputs& outputs, int threads, OutputFolder& folder) {
+  const EncodedTile encoded = encode_tile(tile, header, outputs.instances_as_nodes, outputs.compress, threads);
+  const Result<WrittenFile> file = write(glb_name(tile.tile, level), encoded.glb, folder);
   if (!file) return file.error();
-  return WrittenTile{*file, tile.tile, level, tile.tolerance_m, tile.error_m, triangles_of(tile), instances_of(tile)};
+  return WrittenTile{
+      *file, tile.tile, level, tile.tolerance_m, encoded.error_m, triangles_of(tile), instances_of(tile)};
+}
+
+exporters::Compression compression_of(Compress compress) {
+  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
+  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
 }
 
 }  // namespace
+
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, bool instances_as_nodes,
+                        Compress compress, int threads) {
+  using exporters::Instancing;
+  const auto instancing = instances_as_nodes ? Instancing::kNodes : Instancing::kExtension;
+  if (compress == Compress::kNone) return {exporters::encode_glb(tile, header, instancing), tile.error_m};
+  const bake::BakedTile packed = exporters::quantised(tile);
+  return {exporters::encode_glb(packed, header, instancing, compression_of(compress), threads), packed.error_m};
+}
 
 Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder,
                               Report& report, const OnProgress& on_progress) {
@@ -40,7 +54,7 @@ Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs,
   const Result<Done> fired = fire(scene, outputs.ladder_m, threads, report, on_progress,
                                   [&](const bake::BakedTile& tile, std::size_t level) -> Result<Done> {
                                     const Result<WrittenTile> file =
-                                        write_glb(tile, level, scene.header, outputs, folder);
+                                        write_glb(tile, level, scene.header, outputs, threads, folder);
                                     if (!file) return file.error();
                                     written.tiles.push_back(*file);
                                     return Done{};

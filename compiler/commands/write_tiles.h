@@ -1,6 +1,9 @@
 // From a scene to the files of a folder: what compile and bake have in common, so that they cannot differ.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "compiler/bake/baked.h"
 #include "compiler/commands/output_folder.h"
 #include "compiler/commands/run_report.h"
@@ -15,6 +18,14 @@ namespace citykiln::commands {
 /// Writes scene.kiln and glb/<x>_<y>_L<n>.glb, whichever the outputs ask for, one tile at a time.
 Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads, OutputFolder& folder,
                               Report& report, const OnProgress& on_progress);
+
+/// A tile as a .glb holds it, and the error that it states: what packing loses is in it.
+struct EncodedTile {
+  std::vector<std::byte> glb;
+  double error_m = 0;
+};
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, bool instances_as_nodes,
+                        Compress compress, int threads);
 
 /// "glb/3_-2_L0.glb".
 std::string glb_name(scene::TileKey tile, std::size_t level);

@@ -93,6 +93,36 @@ TEST(Merge, SharesVerticesOfOneNormal) {
   EXPECT_EQ(merged({folded})[0].positions.size(), 6u);
 }
 
+/// Two squares side by side, as rules make walls of pieces: each with corners of its own.
+DressedMesh side_by_side() {
+  DressedMesh dressed = square(Material::kPlaster, false);
+  for (const Vec3& p : square(Material::kPlaster).mesh.positions)
+    dressed.mesh.positions.push_back(p + Vec3{2 + 1e-12, 0, 0});
+  dressed.mesh.triangles.push_back({4, 5, 6}), dressed.mesh.triangles.push_back({4, 6, 7});
+  return dressed;
+}
+
+TEST(Merge, NoTwoVerticesOfAMeshAreAlike) {
+  EXPECT_EQ(merged({side_by_side()})[0].positions.size(), 6u);
+  EXPECT_EQ(merged({side_by_side()})[0].triangles.size(), 4u);
+}
+
+TEST(Merge, VerticesOfOtherUvsOrTintsAreNotAlike) {
+  DressedMesh tinted = side_by_side(), placed = side_by_side();
+  for (std::uint8_t v = 0; v < 8; ++v) {
+    tinted.tints.push_back({v, 0, 0, 255});
+    placed.uvs.push_back({v * 0.5, 0});
+  }
+  EXPECT_EQ(merged({tinted})[0].positions.size(), 8u);
+  EXPECT_EQ(merged({placed})[0].positions.size(), 8u);
+}
+
+TEST(Merge, LeavesOutTrianglesThatSinglePrecisionMakesThin) {
+  DressedMesh thin = square(Material::kPlaster, false);
+  thin.mesh.positions[0] = {2 - 1e-12, 0, 5};
+  EXPECT_EQ(merged({thin})[0].triangles.size(), 1u);
+}
+
 TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
   DressedMesh seam = laid_out(Material::kAsphalt, Coloured::kBySheet);
   seam.mesh.positions.push_back(seam.mesh.positions[0]);

@@ -1,0 +1,83 @@
+#include "exporters/glb_parts.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace citykiln::exporters {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
+
+std::uint32_t number_at(std::span<const std::byte> bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint32_t>(bytes[at + i]);
+  return value;
+}
+
+void put_number(std::vector<std::byte>& bytes, std::size_t value) {
+  for (std::size_t i = 0; i < 4; ++i) bytes.push_back(static_cast<std::byte>(value >> 8 * i));
+}
+
+void put(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
+  const auto* first = static_cast<const std::byte*>(from);
+  bytes.insert(bytes.end(), first, first + size);
+}
+
+void put_chunk(std::vector<std::byte>& bytes, const char* type, const void* from, std::size_t size) {
+  put_number(bytes, size), put(bytes, type, 4), put(bytes, from, size);
+}
+
+}  // namespace
+
+std::string_view json_of_glb(std::span<const std::byte> bytes) {
+  const auto json = bytes.subspan(kHeaderBytes + kChunkBytes, number_at(bytes, kHeaderBytes));
+  return {reinterpret_cast<const char*>(json.data()), json.size()};
+}
+
+GlbParts split_glb(std::span<const std::byte> bytes) {
+  const std::string_view json = json_of_glb(bytes);
+  const auto buffer = bytes.subspan(kHeaderBytes + 2 * kChunkBytes + json.size());
+  GlbParts parts{nlohmann::json::parse(json), {}};
+  parts.buffer.resize(buffer.size());
+  if (!buffer.empty()) std::memcpy(parts.buffer.data(), buffer.data(), buffer.size());
+  return parts;
+}
+
+std::vector<std::byte> join_glb(GlbParts parts) {
+  parts.gltf["buffers"][0]["byteLength"] = parts.buffer.size();
+  std::string json = parts.gltf.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  parts.buffer.resize((parts.buffer.size() + 3) / 4 * 4, 0);
+  std::vector<std::byte> bytes;
+  bytes.reserve(kHeaderBytes + 2 * kChunkBytes + json.size() + parts.buffer.size());
+  put(bytes, "glTF\2\0\0\0", 8);
+  put_number(bytes, bytes.capacity());
+  put_chunk(bytes, "JSON", json.data(), json.size());
+  put_chunk(bytes, "BIN\0", parts.buffer.data(), parts.buffer.size());
+  return bytes;
+}
+
+std::size_t append(GlbParts& parts, std::span<const unsigned char> bytes) {
+  parts.buffer.resize((parts.buffer.size() + 7) / 8 * 8, 0);
+  parts.buffer.insert(parts.buffer.end(), bytes.begin(), bytes.end());
+  return parts.buffer.size() - bytes.size();
+}
+
+std::size_t add_view(GlbParts& parts, std::span<const unsigned char> bytes) {
+  nlohmann::json& views = parts.gltf["bufferViews"];
+  views.push_back({{"buffer", 0}, {"byteOffset", append(parts, bytes)}, {"byteLength", bytes.size()}});
+  return views.size() - 1;
+}
+
+std::span<const unsigned char> bytes_of_view(const GlbParts& parts, const nlohmann::json& view) {
+  const auto number = [&](const char* name, std::uint64_t otherwise) -> std::uint64_t {
+    return view.contains(name) ? view.at(name).get<std::uint64_t>() : otherwise;
+  };
+  const std::uint64_t offset = number("byteOffset", 0), size = view.at("byteLength").get<std::uint64_t>();
+  if (number("buffer", 0) != 0 || offset > parts.buffer.size() || size > parts.buffer.size() - offset)
+    throw std::out_of_range("buffer views inside the buffer");
+  return std::span(parts.buffer).subspan(offset, size);
+}
+
+}  // namespace citykiln::exporters
