@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lsystems/rewrite.h"
+#include "lsystems/turtle.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -69,6 +70,23 @@ struct Growth {
     std::swap(now, next);
   }
 
+  // writes into each ?-module what the environment says where it stands
+  void answer() {
+    if (!system.has_queries) return;
+    const ModuleString string{{now.kinds().begin(), now.kinds().end()}, {now.values().begin(), now.values().end()}};
+    // interpretations may move the turtle, and keep the ?-modules and their order
+    const bool moves = !system.interpretation.rules.empty();
+    const std::vector<double> answers =
+        answers_to(system, moves ? interpret(system, string, options).string : string, options.environment);
+    std::size_t value = 0, answer = 0;
+    for (const Kind kind : now.kinds()) {
+      const int arity = system.kinds[kind].arity;
+      if (system.kinds[kind].name[0] == '?')
+        for (int i = 0; i < arity && answer < answers.size(); ++i) now.room.values[value + i] = answers[answer++];
+      value += arity;
+    }
+  }
+
   Derivation finish() {
     now.room.kinds.resize(now.size);
     now.room.values.resize(now.value_count);
@@ -85,6 +103,7 @@ Derivation derive(const LSystem& system, const DeriveOptions& options) {
   Rewriter decomposition = rewriter_of(system, system.decomposition, growth.result.troubles);
   growth.begin(productions);
   growth.decompose(decomposition, 0);
+  growth.answer();
   const int steps = options.steps.value_or(system.steps);
   for (int step = 1; step <= steps && !growth.result.cut; ++step) {
     if (static_cast<std::uint64_t>(step) > options.limits.steps) {
@@ -94,6 +113,7 @@ Derivation derive(const LSystem& system, const DeriveOptions& options) {
     growth.apply(productions, "production", step, 0);
     if (growth.result.cut) break;
     growth.decompose(decomposition, step);
+    growth.answer();
     if (!growth.result.cut) growth.result.steps = step;
   }
   return growth.finish();
@@ -113,6 +133,7 @@ Derivation interpret(const LSystem& system, const ModuleString& string, const De
 
 std::string trouble_line(const LSystem& system, const Trouble& trouble) {
   const std::string times = trouble.times == 1 ? "" : fmt::format(" ({} times)", trouble.times);
+  if (trouble.place.line == 0) return fmt::format("{}: {}{}", system.file, trouble.message, times);
   return fmt::format("{}:{}:{}: {}{}", system.file, trouble.place.line, trouble.place.column, trouble.message, times);
 }
 

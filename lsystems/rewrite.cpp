@@ -139,7 +139,8 @@ Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trou
   rewriter.slots.resize((2 * kArityLimit + 1) * kArityLimit);
   for (const ModuleKind& kind : system.kinds) rewriter.plain.push_back(kind.arity);
   for (const Rule& rule : set.rules) rewriter.plain[rule.predecessor] = kActive;
-  rewriter.plain[system.cut] = kActive;
+  // decomposition and interpretation leave % to the next step, and to the turtle
+  if (&set == &system.productions) rewriter.plain[system.cut] = kActive;
   return rewriter;
 }
 
