@@ -142,9 +142,7 @@ materials::Sheet drawn(std::vector<Patch> patches, int size_px, double least_px)
   const double extent = std::max({high.x - low.x, high.y - low.y, 1e-9});
   const int size = size_px * kFine;
   const double scale = size * 0.94 / extent;
-  Canvas canvas{static_cast<int>(std::ceil(std::max(0.25, (high.x - low.x) / extent) * size_px)) * kFine,
-                static_cast<int>(std::ceil(std::max(0.25, (high.y - low.y) / extent) * size_px)) * kFine,
-                {}};
+  Canvas canvas{size, size, {}};
   canvas.samples.assign(static_cast<std::size_t>(canvas.width) * canvas.height, {250, 249, 245});
   const Vec2 middle = (low + high) * 0.5;
   const auto at = [&](Vec2 p) {
