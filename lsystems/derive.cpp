@@ -37,6 +37,7 @@ struct Growth {
     const Limits& limits = options.limits;
     const std::uint64_t limit = kind == LimitKind::kSymbols   ? std::min(limits.symbols, kMostSymbols)
                                 : kind == LimitKind::kWritten ? limits.written
+                                : kind == LimitKind::kWork    ? limits.work
                                                               : limits.steps;
     result.cut = Cut{kind, limit, step};
   }
@@ -45,8 +46,8 @@ struct Growth {
   bool apply(Rewriter& rewriter, const char* purpose, int step, int pass) {
     const LimitKind limit = nearer_limit();
     const Rewritten became = rewrite(rewriter, now, chance_of(purpose, step, pass), next);
-    if (became == Rewritten::kTooLong) {
-      cut(limit, step);
+    if (became == Rewritten::kTooLong || became == Rewritten::kTooMuchWork) {
+      cut(became == Rewritten::kTooLong ? limit : LimitKind::kWork, step);
       return false;
     }
     // an empty string counts too, so that no derivation is endless
@@ -71,13 +72,16 @@ struct Growth {
   }
 
   // writes into each ?-module what the environment says where it stands
-  void answer() {
-    if (!system.has_queries) return;
+  void answer(int step) {
+    if (!system.has_queries || result.cut) return;
     const ModuleString string{{now.kinds().begin(), now.kinds().end()}, {now.values().begin(), now.values().end()}};
     // interpretations may move the turtle, and keep the ?-modules and their order
-    const bool moves = !system.interpretation.rules.empty();
-    const std::vector<double> answers =
-        answers_to(system, moves ? interpret(system, string, options).string : string, options.environment);
+    DeriveOptions rest = options;
+    rest.limits.written -= std::min(rest.limits.written, result.written);
+    const Derivation seen = interpret(system, string, rest);
+    result.written += now.size + seen.written;
+    if (seen.cut) cut(LimitKind::kWritten, step);
+    const std::vector<double> answers = answers_to(system, seen.string, options.environment);
     std::size_t value = 0, answer = 0;
     for (const Kind kind : now.kinds()) {
       const int arity = system.kinds[kind].arity;
@@ -99,11 +103,11 @@ struct Growth {
 
 Derivation derive(const LSystem& system, const DeriveOptions& options) {
   Growth growth{system, options, {}, {}, {}};
-  Rewriter productions = rewriter_of(system, system.productions, growth.result.troubles);
-  Rewriter decomposition = rewriter_of(system, system.decomposition, growth.result.troubles);
+  Rewriter productions = rewriter_of(system, system.productions, growth.result.troubles, options.limits);
+  Rewriter decomposition = rewriter_of(system, system.decomposition, growth.result.troubles, options.limits);
   growth.begin(productions);
   growth.decompose(decomposition, 0);
-  growth.answer();
+  growth.answer(0);
   const int steps = options.steps.value_or(system.steps);
   for (int step = 1; step <= steps && !growth.result.cut; ++step) {
     if (static_cast<std::uint64_t>(step) > options.limits.steps) {
@@ -113,7 +117,7 @@ Derivation derive(const LSystem& system, const DeriveOptions& options) {
     growth.apply(productions, "production", step, 0);
     if (growth.result.cut) break;
     growth.decompose(decomposition, step);
-    growth.answer();
+    growth.answer(step);
     if (!growth.result.cut) growth.result.steps = step;
   }
   return growth.finish();
@@ -124,7 +128,7 @@ Derivation interpret(const LSystem& system, const ModuleString& string, const De
   growth.now.room = string;
   growth.now.size = string.kinds.size();
   growth.now.value_count = string.values.size();
-  Rewriter rules = rewriter_of(system, system.interpretation, growth.result.troubles);
+  Rewriter rules = rewriter_of(system, system.interpretation, growth.result.troubles, options.limits);
   if (!system.interpretation.rules.empty())
     for (int pass = 0; pass < system.interpretation.most_depth && !growth.result.cut; ++pass)
       if (!growth.apply(rules, "interpretation", 0, pass)) break;
@@ -140,6 +144,8 @@ std::string trouble_line(const LSystem& system, const Trouble& trouble) {
 std::string cut_line(const LSystem& system, const Cut& cut) {
   const std::string start = fmt::format("{}: cut at step {}: ", system.file, cut.step);
   if (cut.kind == LimitKind::kSteps) return start + fmt::format("no more than {} steps are done", cut.limit);
+  if (cut.kind == LimitKind::kWork)
+    return start + fmt::format("more than {} rules and operations would be tried", cut.limit);
   if (cut.kind == LimitKind::kWritten)
     return start + fmt::format("more than {} symbols would be written in all", cut.limit);
   return start + fmt::format("its string would have more than {} symbols", cut.limit);

@@ -21,6 +21,7 @@ struct Limits {
   std::uint64_t symbols = 8'000'000;    ///< Of a string; four times as many numbers. At most 2^27.
   std::uint64_t written = 400'000'000;  ///< Of all strings of a derivation together.
   std::uint64_t steps = 100'000;
+  std::uint64_t work = 4'000'000'000;  ///< Rules tried, and instructions of their conditions and values.
 };
 
 struct DeriveOptions {
@@ -38,7 +39,7 @@ struct Trouble {
   std::uint64_t times = 0;
 };
 
-enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps };
+enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
 /// A derivation that ended early: its string is the last one that was whole.
 struct Cut {

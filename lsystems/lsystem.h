@@ -80,8 +80,9 @@ struct Range {
 
 /// Modules with their numbers: the axiom, or what a rule makes.
 struct Successor {
-  Range kinds;   ///< Into LSystem::successor_kinds.
-  Range values;  ///< Into LSystem::values: those of all modules in turn.
+  Range kinds;             ///< Into LSystem::successor_kinds.
+  Range values;            ///< Into LSystem::values: those of all modules in turn.
+  std::uint32_t code = 0;  ///< Instructions that its values run.
 };
 
 struct Rule {

@@ -97,6 +97,7 @@ double read_number_of(Reader& reader, std::string_view what, double least, doubl
   return reader.failed ? least : number;
 }
 
+constexpr std::size_t kLongNames = 1000;
 constexpr double kLargest = 1e9;  // of lengths and angles: beyond that a plant's metres have lost their digits
 
 void read_steps(Reader& reader, Gathered&) {
@@ -170,6 +171,8 @@ void read_module(Reader& reader, Gathered&) {
   do {
     const std::string name = take_name(reader);
     if (name.empty()) return reader.fail_expected("a module's name");
+    if (reader.long_names.size() == kLongNames)
+      return reader.fail(reader.place(), fmt::format("a file declares at most {} names", kLongNames));
     reader.long_names.push_back(name);
   } while (reader.accept(","));
   std::stable_sort(reader.long_names.begin(), reader.long_names.end(),
@@ -287,6 +290,19 @@ void note_ignored(LSystem& system, const Gathered& gathered) {
   for (ModuleKind& kind : system.kinds) kind.ignored = gathered.ignored.contains(kind.name) != gathered.only_considered;
 }
 
+// a context of what contexts look past would never fit
+void refuse_ignored_contexts(Reader& reader) {
+  const LSystem& system = reader.system;
+  for (const Rule& rule : system.productions.rules)
+    for (const Range range : {rule.left, rule.right})
+      for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+        const ModuleKind& kind = system.kinds[system.contexts[i]];
+        const bool bracket = kind.op == TurtleOp::kPush || kind.op == TurtleOp::kPop;
+        if (kind.ignored && !bracket)
+          reader.fail(rule.place, fmt::format("'{}' is ignored: it cannot be a context", kind.name));
+      }
+}
+
 bool writes_cuts(const LSystem& system) {
   return std::find(system.successor_kinds.begin(), system.successor_kinds.end(), system.cut) !=
          system.successor_kinds.end();
@@ -295,6 +311,7 @@ bool writes_cuts(const LSystem& system) {
 void finish(Reader& reader, const Gathered& gathered) {
   LSystem& system = reader.system;
   note_ignored(system, gathered);
+  refuse_ignored_contexts(reader);
   system.has_cuts = writes_cuts(system);
   for (RuleSet* set : {&system.productions, &system.decomposition, &system.interpretation})
     sort_rules(*set, system.kinds.size());
@@ -329,6 +346,7 @@ Result<LSystem> read_lsystem(std::string_view text, std::string_view file,
   if (reader.failed) return *reader.failed;
   if (!gathered.has_axiom) return Error{name, "expected an axiom, found the end of the file"};
   finish(reader, gathered);
+  if (reader.failed) return *reader.failed;
   return std::move(reader.system);
 }
 

@@ -243,6 +243,7 @@ Successor read_successor(Reader& reader) {
   brackets.close(reader);
   successor.kinds.count = static_cast<std::uint32_t>(system.successor_kinds.size()) - successor.kinds.first;
   successor.values.count = static_cast<std::uint32_t>(system.values.size()) - successor.values.first;
+  for (std::size_t i = successor.values.first; i < system.values.size(); ++i) successor.code += system.values[i].count;
   return successor;
 }
 

@@ -196,7 +196,9 @@ Value with_form(Reader& reader, Value value) {
     value.slot = first->slot;
     value.constant = first->constant;
   }
-  if (is_short) code.resize(value.first);
+  if (!is_short) return value;
+  code.resize(value.first);
+  value.count = 0;
   return value;
 }
 

@@ -22,8 +22,11 @@ struct Step {
   Dice dice;
   const double* slots = nullptr;  // of the rule that was tried last
 
+  void spend(std::uint64_t work) { rewriter.work_left -= std::min(work, rewriter.work_left); }
+
   // contexts and condition; afterwards `slots` and `dice` are the rule's
   bool fits(const Rule& rule, Spot spot) {
+    spend(1 + rule.left.count + rule.right.count + rule.condition.count + rule.probability.count);
     slots = in.room.values.data() + spot.value;
     // die 0 chooses between rules
     dice = {&chance, static_cast<std::uint32_t>(spot.at), 1};
@@ -110,8 +113,10 @@ Rewritten Step::run() {
     const bool cuts = kind == system.cut;
     const Rule* rule = cuts ? nullptr : chosen(rewriter.set.of_kind[kind], spot);
     const Spot next = cuts ? branch_end(spot) : Spot{spot.at + 1, spot.value + system.kinds[kind].arity};
+    if (rewriter.work_left == 0) return Rewritten::kTooMuchWork;
     if (cuts || rule != nullptr) {
       if (!copy(kept, spot)) return Rewritten::kTooLong;
+      if (rule != nullptr) spend(rule->successor.code);
       if (!cuts && !write_successor(rewriter, rule->successor, slots, dice, out)) return Rewritten::kTooLong;
       kept = next;
       changed = true;
@@ -128,14 +133,19 @@ void note(std::vector<Trouble>& troubles, Place place, const char* message) {
   const auto known = std::find_if(troubles.begin(), troubles.end(), [&](const Trouble& trouble) {
     return trouble.place.line == place.line && trouble.place.column == place.column && trouble.message == message;
   });
-  if (known == troubles.end())
-    troubles.push_back({place, message, 1});
-  else
+  if (known != troubles.end()) {
     ++known->times;
+  } else if (troubles.size() < kMostTroubles) {
+    troubles.push_back({place, message, 1});
+  } else if (troubles.size() == kMostTroubles) {
+    troubles.push_back({{}, "more troubles, elsewhere", 1});
+  } else {
+    ++troubles.back().times;
+  }
 }
 
-Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trouble>& troubles) {
-  Rewriter rewriter{system, set, troubles, {}, {}, {}};
+Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trouble>& troubles, const Limits& limits) {
+  Rewriter rewriter{system, set, troubles, {}, {}, {}, limits.work};
   rewriter.slots.resize((2 * kArityLimit + 1) * kArityLimit);
   for (const ModuleKind& kind : system.kinds) rewriter.plain.push_back(kind.arity);
   for (const Rule& rule : set.rules) rewriter.plain[rule.predecessor] = kActive;

@@ -307,6 +307,10 @@ std::vector<double> answers_to(const LSystem& system, const ModuleString& interp
 Plant grow(const LSystem& system, const DeriveOptions& options) {
   Plant plant;
   plant.derivation = derive(system, options);
+  if (system.interpretation.rules.empty()) {
+    plant.skeleton = walk(system, plant.derivation.string);
+    return plant;
+  }
   Derivation interpreted = interpret(system, plant.derivation.string, options);
   plant.skeleton = walk(system, interpreted.string);
   std::move(interpreted.troubles.begin(), interpreted.troubles.end(), std::back_inserter(plant.derivation.troubles));

@@ -54,10 +54,10 @@ void check(const Result<LSystem>& system) {
     return;
   }
   DeriveOptions options;
-  options.limits = {2'000, 30'000, 12};
+  options.limits = {2'000, 30'000, 12, 1'000'000};
   options.environment.shade = [](Vec3 p) { return 1 / p.z; };
   const Plant plant = grow(*system, options);
-  if (plant.derivation.string.kinds.size() > 2'000 || plant.derivation.written > 32'000) std::abort();
+  if (plant.derivation.string.kinds.size() > 2'000 || plant.derivation.written > 34'000) std::abort();
   check_string(*system, plant.derivation.string);
   check_skeleton(plant.skeleton);
   const Derivation again = derive(*system, options);

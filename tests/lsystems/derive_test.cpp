@@ -177,6 +177,15 @@ TEST(Limits, CutWhatWouldNeverEnd) {
   EXPECT_EQ(derivation.string.kinds.size(), 10u);
 }
 
+TEST(Limits, CutTooManyConditions) {
+  // ten thousand rules that never fit, and a string that never grows
+  std::string text = "axiom: AAAAAAAAAA\nn: 100000\n";
+  for (int i = 0; i < 10'000; ++i) text += "A : 1 > 2 -> B\n";
+  DeriveOptions options;
+  options.limits.work = 10'000'000;
+  EXPECT_EQ(derive(system_of(text + "A -> A"), options).cut->kind, LimitKind::kWork);
+}
+
 TEST(Limits, HoldForDecompositionAndNumbers) {
   DeriveOptions options;
   options.limits.symbols = 1'000;
@@ -195,6 +204,14 @@ TEST(Troubles, StandForNumbersWithoutValue) {
   EXPECT_EQ(trouble_line(system, derivation.troubles[0]),
             "x.lsys:2:11: no number comes of this: 0 stands for it (2 times)");
   EXPECT_EQ(derivation.troubles[1].times, 1u);
+}
+
+TEST(Troubles, AreManyAtMost) {
+  std::string text = "axiom: A(0)\nA(x) -> ";
+  for (int i = 0; i < 300; ++i) text += "B(1/x)";
+  const Derivation derivation = derive(system_of(text), {.steps = 1});
+  EXPECT_EQ(derivation.troubles.size(), 101u);
+  EXPECT_EQ(derivation.troubles.back().times, 200u);
 }
 
 TEST(Troubles, InConditionsAreFalse) {

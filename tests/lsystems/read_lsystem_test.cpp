@@ -69,6 +69,7 @@ const Mistake kMistakes[] = {
     {"axiom: F\nF(x) -> F(min(x))", "x.lsys:2:16: expected ',' and another argument of 'min', found ')'"},
     {"axiom: F\nF(x) -> F((x)", "x.lsys:2:14: expected ')' or ',' after a parameter, found the end of the line"},
     {"axiom: F\nF(x) -> F(1/0)", "x.lsys:2:11: expected a number; what is divided or computed here has none"},
+    {"axiom: F\n#ignore: +\n+ < F -> G", "x.lsys:3:1: '+' is ignored: it cannot be a context"},
     {"axiom: F\ndecomposition:\nA < F -> F", "x.lsys:3:1: these rules look at no context"},
     {"axiom: F\ninterpretation:\nF -> ?H(x)", "x.lsys:3:9: nothing defines 'x'"},
     {"axiom: F\ninterpretation:\nF -> ?H(0)", "x.lsys:3:6: an interpretation asks nothing: no ?-modules here"},
