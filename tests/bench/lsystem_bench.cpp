@@ -7,6 +7,7 @@
 
 #include "lsystems/derive.h"
 #include "lsystems/read_lsystem.h"
+#include "lsystems/turtle.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -64,10 +65,31 @@ void derive_system(benchmark::State& state, const char* text) {
   state.counters["symbols/s"] = benchmark::Counter(static_cast<double>(written), benchmark::Counter::kIsRate);
 }
 
+void walk_system(benchmark::State& state, const char* text) {
+  const Result<LSystem> system = read_lsystem(text, "bench.lsys");
+  if (!system) return state.SkipWithError(to_string(system.error()).c_str());
+  DeriveOptions options;
+  options.steps = static_cast<int>(state.range(0));
+  const ModuleString string = derive(*system, options).string;
+  std::uint64_t walked = 0, segments = 0;
+  for (auto _ : state) {
+    segments += walk(*system, string).segments.size();
+    walked += string.kinds.size();
+  }
+  state.counters["symbols/s"] = benchmark::Counter(static_cast<double>(walked), benchmark::Counter::kIsRate);
+  state.counters["segments/s"] = benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
+}
+
+void read_system(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(read_lsystem(kHonda, "bench.lsys"));
+}
+
 BENCHMARK_CAPTURE(derive_system, honda, kHonda)->Arg(10)->Arg(15)->Arg(18)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(derive_system, bush, kBush)->Arg(7)->Arg(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(derive_system, chance, kChance)->Arg(8)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(derive_system, contexts, kContexts)->Arg(30)->Arg(45)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(walk_system, honda, kHonda)->Arg(10)->Arg(15)->Arg(18)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_system);
 
 }  // namespace
 }  // namespace citykiln::lsystems
