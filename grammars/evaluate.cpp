@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/geometry/mathematics.h"
 #include "grammars/builtin.h"
-#include "grammars/mathematics.h"
 #include "grammars/measure.h"
 #include "grammars/text.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/mathematics.h"
+#include "compiler/geometry/mathematics.h"
 
 namespace citykiln::grammars {
 namespace {

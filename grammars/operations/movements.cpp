@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/mathematics.h"
+#include "compiler/geometry/mathematics.h"
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {

@@ -1,11 +1,11 @@
-#include "grammars/mathematics.h"
+#include "compiler/geometry/mathematics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace citykiln::grammars {
+namespace citykiln {
 namespace {
 
 struct Mathematics : testing::Test {
@@ -53,4 +53,4 @@ TEST_F(Mathematics, IsFiniteWhereThereIsNoValue) {
 }
 
 }  // namespace
-}  // namespace citykiln::grammars
+}  // namespace citykiln

@@ -1,10 +1,10 @@
 // Powers, logarithms and angles without libm, whose last bits differ between CPUs.
 #pragma once
 
-namespace citykiln::grammars {
+namespace citykiln {
 
 /// Each is made of + - * / and the square root, so that every CPU gives the same bits; within 1e-14 of the true value,
-/// relative for power and exponential, absolute for the others. Angles are degrees, as in CGA.
+/// relative for power and exponential, absolute for the others. Angles are degrees, as in CGA and L-systems.
 /// Bad input: where there is no value (the logarithm of -1, arcsine of 2) the nearest argument that has one is taken;
 /// overflow is the largest double. Cost: some 50 operations.
 
@@ -22,4 +22,4 @@ double logarithm(double x);
 /// Whole exponents by repeated squaring; else by logarithm, and 0 for a base below zero.
 double power(double base, double exponent);
 
-}  // namespace citykiln::grammars
+}  // namespace citykiln

@@ -1,4 +1,4 @@
-#include "grammars/mathematics.h"
+#include "compiler/geometry/mathematics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "compiler/geometry/trig.h"
 
-namespace citykiln::grammars {
+namespace citykiln {
 namespace {
 
 constexpr double kDegreesInARadian = 57.295779513082320876798154814105;
@@ -99,4 +99,4 @@ double power(double base, double exponent) {
   return exponential(exponent * logarithm(base));
 }
 
-}  // namespace citykiln::grammars
+}  // namespace citykiln

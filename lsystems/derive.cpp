@@ -1,0 +1,154 @@
+#include "lsystems/derive.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "lsystems/rewrite.h"
+#include "lsystems/turtle.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+constexpr std::uint64_t kMostSymbols = 1u << 27;  // so that places and dice are counted in 32 bits
+
+// two strings that take turns, and what became of them so far
+struct Growth {
+  const LSystem& system;
+  const DeriveOptions& options;
+  Derivation result;
+  Stream now, next;
+
+  Draw chance_of(const char* purpose, int step, int pass) const {
+    const StableId of_step = stable_id(options.plant, purpose, static_cast<std::uint64_t>(step));
+    return {options.seed.value_or(system.seed), of_step, pass == 0 ? "pass" : fmt::format("pass {}", pass).c_str()};
+  }
+
+  // what the next string may have: the nearer of two limits
+  LimitKind nearer_limit() {
+    const std::uint64_t symbols = std::min(options.limits.symbols, kMostSymbols);
+    const std::uint64_t left = options.limits.written - std::min(options.limits.written, result.written);
+    next.most = std::min(symbols, left);
+    return symbols <= left ? LimitKind::kSymbols : LimitKind::kWritten;
+  }
+
+  void cut(LimitKind kind, int step) {
+    const Limits& limits = options.limits;
+    const std::uint64_t limit = kind == LimitKind::kSymbols   ? std::min(limits.symbols, kMostSymbols)
+                                : kind == LimitKind::kWritten ? limits.written
+                                : kind == LimitKind::kWork    ? limits.work
+                                                              : limits.steps;
+    result.cut = Cut{kind, limit, step};
+  }
+
+  // false where nothing changed or a limit cut
+  bool apply(Rewriter& rewriter, const char* purpose, int step, int pass) {
+    const LimitKind limit = nearer_limit();
+    const Rewritten became = rewrite(rewriter, now, chance_of(purpose, step, pass), next);
+    if (became == Rewritten::kTooLong || became == Rewritten::kTooMuchWork) {
+      cut(became == Rewritten::kTooLong ? limit : LimitKind::kWork, step);
+      return false;
+    }
+    // an empty string counts too, so that no derivation is endless
+    result.written += next.size + 1;
+    std::swap(now, next);
+    return became == Rewritten::kChanged;
+  }
+
+  void decompose(Rewriter& rewriter, int step) {
+    if (system.decomposition.rules.empty()) return;
+    for (int pass = 0; pass < system.decomposition.most_depth && !result.cut; ++pass)
+      if (!apply(rewriter, "decomposition", step, pass)) return;
+  }
+
+  void begin(Rewriter& rewriter) {
+    next.most = std::min(options.limits.symbols, kMostSymbols);
+    const Draw chance = chance_of("axiom", 0, 0);
+    Dice dice{&chance, 0, 0};
+    if (!write_successor(rewriter, system.axiom, nullptr, dice, next)) cut(LimitKind::kSymbols, 0);
+    result.written += next.size;
+    std::swap(now, next);
+  }
+
+  // writes into each ?-module what the environment says where it stands
+  void answer(int step) {
+    if (!system.has_queries || result.cut) return;
+    const ModuleString string{{now.kinds().begin(), now.kinds().end()}, {now.values().begin(), now.values().end()}};
+    // interpretations may move the turtle, and keep the ?-modules and their order
+    DeriveOptions rest = options;
+    rest.limits.written -= std::min(rest.limits.written, result.written);
+    const Derivation seen = interpret(system, string, rest);
+    result.written += now.size + seen.written;
+    if (seen.cut) cut(LimitKind::kWritten, step);
+    const std::vector<double> answers = answers_to(system, seen.string, options.environment);
+    std::size_t value = 0, answer = 0;
+    for (const Kind kind : now.kinds()) {
+      const int arity = system.kinds[kind].arity;
+      if (system.kinds[kind].name[0] == '?')
+        for (int i = 0; i < arity && answer < answers.size(); ++i) now.room.values[value + i] = answers[answer++];
+      value += arity;
+    }
+  }
+
+  Derivation finish() {
+    now.room.kinds.resize(now.size);
+    now.room.values.resize(now.value_count);
+    result.string = std::move(now.room);
+    return std::move(result);
+  }
+};
+
+}  // namespace
+
+Derivation derive(const LSystem& system, const DeriveOptions& options) {
+  Growth growth{system, options, {}, {}, {}};
+  Rewriter productions = rewriter_of(system, system.productions, growth.result.troubles, options.limits);
+  Rewriter decomposition = rewriter_of(system, system.decomposition, growth.result.troubles, options.limits);
+  growth.begin(productions);
+  growth.decompose(decomposition, 0);
+  growth.answer(0);
+  const int steps = options.steps.value_or(system.steps);
+  for (int step = 1; step <= steps && !growth.result.cut; ++step) {
+    if (static_cast<std::uint64_t>(step) > options.limits.steps) {
+      growth.cut(LimitKind::kSteps, step);
+      break;
+    }
+    growth.apply(productions, "production", step, 0);
+    if (growth.result.cut) break;
+    growth.decompose(decomposition, step);
+    growth.answer(step);
+    if (!growth.result.cut) growth.result.steps = step;
+  }
+  return growth.finish();
+}
+
+Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options) {
+  Growth growth{system, options, {}, {}, {}};
+  growth.now.room = string;
+  growth.now.size = string.kinds.size();
+  growth.now.value_count = string.values.size();
+  Rewriter rules = rewriter_of(system, system.interpretation, growth.result.troubles, options.limits);
+  if (!system.interpretation.rules.empty())
+    for (int pass = 0; pass < system.interpretation.most_depth && !growth.result.cut; ++pass)
+      if (!growth.apply(rules, "interpretation", 0, pass)) break;
+  return growth.finish();
+}
+
+std::string trouble_line(const LSystem& system, const Trouble& trouble) {
+  const std::string times = trouble.times == 1 ? "" : fmt::format(" ({} times)", trouble.times);
+  if (trouble.place.line == 0) return fmt::format("{}: {}{}", system.file, trouble.message, times);
+  return fmt::format("{}:{}:{}: {}{}", system.file, trouble.place.line, trouble.place.column, trouble.message, times);
+}
+
+std::string cut_line(const LSystem& system, const Cut& cut) {
+  const std::string start = fmt::format("{}: cut at step {}: ", system.file, cut.step);
+  if (cut.kind == LimitKind::kSteps) return start + fmt::format("no more than {} steps are done", cut.limit);
+  if (cut.kind == LimitKind::kWork)
+    return start + fmt::format("more than {} rules and operations would be tried", cut.limit);
+  if (cut.kind == LimitKind::kWritten)
+    return start + fmt::format("more than {} symbols would be written in all", cut.limit);
+  return start + fmt::format("its string would have more than {} symbols", cut.limit);
+}
+
+}  // namespace citykiln::lsystems

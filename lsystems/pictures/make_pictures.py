@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Makes the pictures of lsystems/README.md.
+
+make_pictures.py BUILD [NAME …]: all, or those whose names begin so. BUILD holds tests/lsystem_png; oiiotool makes .jpg of .png.
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+MOST_BYTES = 12_000  # of each example; three times as many of a sheet
+
+# sheet: (figures, how many stand in a row, size of each)
+SHEETS = {
+    "book_1": (["1_24a", "1_24b", "1_24c", "1_24d", "1_24e", "1_24f", "1_25", "1_26", "1_27", "1_28"], 5, 190),
+    "book_2": ([f"2_{figure}{letter}" for figure in "678" for letter in "abcd"], 4, 190),
+    "book_5": ([f"5_11{letter}" for letter in "abcde"] + [f"5_12{letter}" for letter in "abc"], 4, 230),
+}
+
+
+def run(*words):
+    subprocess.run([str(w) for w in words], check=True, stdout=subprocess.DEVNULL)
+
+
+def draw(build, png, file, size):
+    run(build / "tests/lsystem_png", png, file, f"size={size}", "line=0.8")
+
+
+def compress(png, name, most):
+    for quality in range(85, 20, -5):
+        jpg = HERE / f"{name}.jpg"
+        run("oiiotool", png, "--ch", "R,G,B", "--compression", f"jpeg:{quality}", "-o", jpg)
+        if jpg.stat().st_size <= most:
+            return
+
+
+def main():
+    build, wanted = Path(sys.argv[1]), sys.argv[2:]
+    is_wanted = lambda name: not wanted or any(name.startswith(w) for w in wanted)
+    examples = re.findall(r"```lsys\n(.*?)```", (HERE.parent / "README.md").read_text(), re.S)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        for i, text in enumerate(examples, 1):
+            if is_wanted(name := f"example_{i:02}"):
+                (folder / "example.lsys").write_text(text)
+                draw(build, folder / "example.png", folder / "example.lsys", 240)
+                compress(folder / "example.png", name, MOST_BYTES)
+        for name, (figures, columns, size) in SHEETS.items():
+            if is_wanted(name):
+                for figure in figures:
+                    draw(build, folder / f"{figure}.png", HERE.parent / f"book/fig_{figure}.lsys", size)
+                rows = -(-len(figures) // columns)
+                run("oiiotool", *[folder / f"{figure}.png" for figure in figures], f"--mosaic:pad=0", f"{columns}x{rows}", "-o", folder / "sheet.png")
+                compress(folder / "sheet.png", name, 3 * MOST_BYTES)
+
+
+if __name__ == "__main__":
+    main()

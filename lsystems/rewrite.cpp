@@ -1,0 +1,180 @@
+#include "lsystems/rewrite.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsystems/evaluate.h"
+#include "lsystems/read_lsystem.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+// a place in the string that is rewritten
+struct Spot {
+  std::size_t at = 0, value = 0;
+};
+
+struct Step {
+  Rewriter& rewriter;
+  const Stream& in;
+  const Draw& chance;
+  Stream& out;
+  Dice dice;
+  const double* slots = nullptr;  // of the rule that was tried last
+
+  void spend(std::uint64_t work) { rewriter.work_left -= std::min(work, rewriter.work_left); }
+
+  // contexts and condition; afterwards `slots` and `dice` are the rule's
+  bool fits(const Rule& rule, Spot spot) {
+    spend(1 + rule.left.count + rule.right.count + rule.condition.count + rule.probability.count);
+    slots = in.room.values.data() + spot.value;
+    // die 0 chooses between rules
+    dice = {&chance, static_cast<std::uint32_t>(spot.at), 1};
+    if (rule.left.count + rule.right.count > 0) {
+      if (!contexts_fit(rewriter.system, rule, in.kinds(), in.values(), rewriter.neighbours,
+                        static_cast<std::uint32_t>(spot.at), rewriter.slots.data()))
+        return false;
+      slots = rewriter.slots.data();
+    }
+    if (!rule.has_condition) return true;
+    const double truth = evaluate(rewriter.system, rule.condition, slots, dice);
+    return truth != 0 && !std::isnan(truth);
+  }
+
+  double weight(const Rule& rule) {
+    const double share = evaluate(rewriter.system, rule.probability, slots, dice);
+    return share > 0 && std::isfinite(share) ? share : 0;
+  }
+
+  // of the rules with a probability that fit, from `first` on
+  const Rule* thrown(const Rule* first, const Rule* end, Spot spot) {
+    double sum = 0;
+    for (const Rule* rule = first; rule != end; ++rule)
+      if (rule->has_probability && fits(*rule, spot)) sum += weight(*rule);
+    double left = sum * chance.unit(static_cast<std::uint32_t>(spot.at) * kDicePerModule);
+    const Rule* last = nullptr;
+    for (const Rule* rule = first; rule != end && sum > 0; ++rule) {
+      if (!rule->has_probability || !fits(*rule, spot)) continue;
+      const double share = weight(*rule);
+      if (share == 0) continue;
+      last = rule;
+      if (left < share) return rule;
+      left -= share;
+    }
+    // rounding may leave a little behind the last one; slots are its own only if it is tried again
+    if (last != nullptr) fits(*last, spot), weight(*last);
+    return last;
+  }
+
+  const Rule* chosen(Range rules, Spot spot) {
+    const Rule* end = rewriter.set.rules.data() + rules.first + rules.count;
+    for (const Rule* rule = end - rules.count; rule != end; ++rule) {
+      if (!fits(*rule, spot)) continue;
+      return rule->has_probability ? thrown(rule, end, spot) : rule;
+    }
+    return nullptr;
+  }
+
+  // the ] that ends the branch, or the string's end
+  Spot branch_end(Spot spot) const {
+    const LSystem& system = rewriter.system;
+    const auto kinds = in.kinds();
+    for (int depth = 0; spot.at < kinds.size(); ++spot.at) {
+      if (kinds[spot.at] == system.push) ++depth;
+      if (kinds[spot.at] == system.pop && depth-- == 0) break;
+      spot.value += system.kinds[kinds[spot.at]].arity;
+    }
+    return spot;
+  }
+
+  bool copy(Spot from, Spot to) {
+    if (!out.make_room(to.at - from.at, to.value - from.value)) return false;
+    out.append(in.kinds().subspan(from.at, to.at - from.at), in.values().subspan(from.value, to.value - from.value));
+    return true;
+  }
+
+  Rewritten run();
+};
+
+Rewritten Step::run() {
+  const LSystem& system = rewriter.system;
+  const std::uint8_t* plain = rewriter.plain.data();
+  const Kind* kinds = in.room.kinds.data();
+  bool changed = false;
+  // what stays is copied in runs, from `kept` to where a rule is applied
+  Spot kept, spot;
+  while (spot.at < in.size) {
+    const Kind kind = kinds[spot.at];
+    if (plain[kind] != kActive) {
+      spot.value += plain[kind];
+      ++spot.at;
+      continue;
+    }
+    const bool cuts = kind == system.cut;
+    const Rule* rule = cuts ? nullptr : chosen(rewriter.set.of_kind[kind], spot);
+    const Spot next = cuts ? branch_end(spot) : Spot{spot.at + 1, spot.value + system.kinds[kind].arity};
+    if (rewriter.work_left == 0) return Rewritten::kTooMuchWork;
+    if (cuts || rule != nullptr) {
+      if (!copy(kept, spot)) return Rewritten::kTooLong;
+      if (rule != nullptr) spend(rule->successor.code);
+      if (!cuts && !write_successor(rewriter, rule->successor, slots, dice, out)) return Rewritten::kTooLong;
+      kept = next;
+      changed = true;
+    }
+    spot = next;
+  }
+  if (!copy(kept, spot)) return Rewritten::kTooLong;
+  return changed ? Rewritten::kChanged : Rewritten::kSame;
+}
+
+}  // namespace
+
+void note(std::vector<Trouble>& troubles, Place place, const char* message) {
+  const auto known = std::find_if(troubles.begin(), troubles.end(), [&](const Trouble& trouble) {
+    return trouble.place.line == place.line && trouble.place.column == place.column && trouble.message == message;
+  });
+  if (known != troubles.end()) {
+    ++known->times;
+  } else if (troubles.size() < kMostTroubles) {
+    troubles.push_back({place, message, 1});
+  } else if (troubles.size() == kMostTroubles) {
+    troubles.push_back({{}, "more troubles, elsewhere", 1});
+  } else {
+    ++troubles.back().times;
+  }
+}
+
+Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trouble>& troubles, const Limits& limits) {
+  Rewriter rewriter{system, set, troubles, {}, {}, {}, limits.work};
+  rewriter.slots.resize((2 * kArityLimit + 1) * kArityLimit);
+  for (const ModuleKind& kind : system.kinds) rewriter.plain.push_back(kind.arity);
+  for (const Rule& rule : set.rules) rewriter.plain[rule.predecessor] = kActive;
+  // decomposition and interpretation leave % to the next step, and to the turtle
+  if (&set == &system.productions) rewriter.plain[system.cut] = kActive;
+  return rewriter;
+}
+
+bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, Dice& dice, Stream& out) {
+  const LSystem& system = rewriter.system;
+  if (!out.make_room(successor.kinds.count, successor.values.count)) return false;
+  out.append(std::span(system.successor_kinds).subspan(successor.kinds.first, successor.kinds.count), {});
+  const Value* value = system.values.data() + successor.values.first;
+  double* to = out.room.values.data() + out.value_count;
+  for (std::uint32_t i = 0; i < successor.values.count; ++i) {
+    to[i] = evaluate(system, value[i], slots, dice);
+    if (std::isfinite(to[i])) continue;
+    to[i] = 0;
+    note(rewriter.troubles, value[i].place, "no number comes of this: 0 stands for it");
+  }
+  out.value_count += successor.values.count;
+  return true;
+}
+
+Rewritten rewrite(Rewriter& rewriter, const Stream& in, const Draw& chance, Stream& out) {
+  out.size = out.value_count = 0;
+  if (rewriter.set.has_contexts) find_neighbours(rewriter.system, in.kinds(), rewriter.neighbours);
+  Step step{rewriter, in, chance, out, {}};
+  return step.run();
+}
+
+}  // namespace citykiln::lsystems

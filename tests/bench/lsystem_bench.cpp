@@ -1,0 +1,95 @@
+// Plants from their rules to strings and skeletons: Honda's tree at n = 15 is to be derived at 40 million symbols a
+// second and core; RPForest writes 12 to 17.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "lsystems/derive.h"
+#include "lsystems/read_lsystem.h"
+#include "lsystems/turtle.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+// the book's figure 2.6 a
+constexpr const char* kHonda = R"(
+#define r1 0.9
+#define r2 0.6
+#define a0 45
+#define a2 45
+#define d 137.5
+#define wr 0.707
+axiom: A(1,10)
+p1: A(l,w) : * -> !(w)F(l)[&(a0)B(l*r2,w*wr)]/(d)A(l*r1,w*wr)
+p2: B(l,w) : * -> !(w)F(l)[-(a2)$C(l*r2,w*wr)]C(l*r1,w*wr)
+p3: C(l,w) : * -> !(w)F(l)[+(a2)$B(l*r2,w*wr)]B(l*r1,w*wr)
+)";
+
+// figure 1.24 e: no numbers, all F double
+constexpr const char* kBush = "axiom: X\nX -> F[+X][-X]FX\nF -> FF\n";
+
+// figure 1.27: dice
+constexpr const char* kChance = "axiom: F\nF -> (0.33) F[+F]F[-F]F\nF -> (0.33) F[+F]F\nF -> (0.34) F[-F]F\n";
+
+// Hogeweg and Hesper's a (figure 1.31): contexts on both sides
+constexpr const char* kContexts = R"(
+#ignore: +-F
+axiom: F1F1F1
+0 < 0 > 0 -> 0
+0 < 0 > 1 -> 1[+F1F1]
+0 < 1 > 0 -> 1
+0 < 1 > 1 -> 1
+1 < 0 > 0 -> 0
+1 < 0 > 1 -> 1F1
+1 < 1 > 0 -> 0
+1 < 1 > 1 -> 0
++ -> -
+- -> +
+)";
+
+void derive_system(benchmark::State& state, const char* text) {
+  const Result<LSystem> system = read_lsystem(text, "bench.lsys");
+  if (!system) return state.SkipWithError(to_string(system.error()).c_str());
+  DeriveOptions options;
+  options.steps = static_cast<int>(state.range(0));
+  std::uint64_t written = 0, symbols = 0, rounds = 0;
+  for (auto _ : state) {
+    const Derivation derivation = derive(*system, options);
+    if (derivation.cut) return state.SkipWithError(cut_line(*system, *derivation.cut).c_str());
+    written += derivation.written;
+    symbols = derivation.string.kinds.size();
+    ++rounds;
+  }
+  state.counters["symbols"] = static_cast<double>(symbols);
+  state.counters["symbols/s"] = benchmark::Counter(static_cast<double>(written), benchmark::Counter::kIsRate);
+}
+
+void walk_system(benchmark::State& state, const char* text) {
+  const Result<LSystem> system = read_lsystem(text, "bench.lsys");
+  if (!system) return state.SkipWithError(to_string(system.error()).c_str());
+  DeriveOptions options;
+  options.steps = static_cast<int>(state.range(0));
+  const ModuleString string = derive(*system, options).string;
+  std::uint64_t walked = 0, segments = 0;
+  for (auto _ : state) {
+    segments += walk(*system, string).segments.size();
+    walked += string.kinds.size();
+  }
+  state.counters["symbols/s"] = benchmark::Counter(static_cast<double>(walked), benchmark::Counter::kIsRate);
+  state.counters["segments/s"] = benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
+}
+
+void read_system(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(read_lsystem(kHonda, "bench.lsys"));
+}
+
+BENCHMARK_CAPTURE(derive_system, honda, kHonda)->Arg(10)->Arg(15)->Arg(18)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(derive_system, bush, kBush)->Arg(7)->Arg(9)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(derive_system, chance, kChance)->Arg(8)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(derive_system, contexts, kContexts)->Arg(30)->Arg(45)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(walk_system, honda, kHonda)->Arg(10)->Arg(15)->Arg(18)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_system);
+
+}  // namespace
+}  // namespace citykiln::lsystems

@@ -1,0 +1,88 @@
+// L-systems: whatever the text, a system or one line; whatever the system, a string and a skeleton within the limits,
+// finite, with balanced brackets, and the same again. RPForest's notation too.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "lsystems/read_lsystem.h"
+#include "lsystems/read_rpforest.h"
+#include "lsystems/turtle.h"
+
+namespace {
+
+using namespace citykiln;
+using namespace citykiln::lsystems;
+
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_sound(const Frame& f) {
+  return is_finite(f.at) && std::abs(length(f.heading) - 1) < 1e-9 && std::abs(dot(f.heading, f.left)) < 1e-9 &&
+         length(cross(f.heading, f.left) - f.up) < 1e-9;
+}
+
+void check_string(const LSystem& system, const ModuleString& string) {
+  int depth = 0;
+  std::size_t values = 0;
+  for (const Kind kind : string.kinds) {
+    depth += kind == system.push ? 1 : (kind == system.pop ? -1 : 0);
+    values += system.kinds.at(kind).arity;
+    if (depth < 0) std::abort();
+  }
+  if (depth != 0 || values != string.values.size()) std::abort();
+  for (const double value : string.values)
+    if (!std::isfinite(value)) std::abort();
+}
+
+void check_skeleton(const Skeleton& skeleton) {
+  for (std::size_t i = 0; i < skeleton.segments.size(); ++i) {
+    const Segment& segment = skeleton.segments[i];
+    if (!is_sound(segment.start) || !is_finite(segment.end().at) || segment.parent >= static_cast<std::int32_t>(i))
+      std::abort();
+    if (!(segment.start_radius >= 0) || !(segment.end_radius >= 0) || segment.order < 0) std::abort();
+  }
+  for (const FlatPolygon& polygon : skeleton.polygons)
+    if (polygon.count < 3 || polygon.first + polygon.count > skeleton.vertices.size()) std::abort();
+  for (const Vec3 vertex : skeleton.vertices)
+    if (!is_finite(vertex)) std::abort();
+  for (const Instance& instance : skeleton.instances)
+    if (!is_sound(instance.frame)) std::abort();
+}
+
+void check(const Result<LSystem>& system) {
+  if (!system) {
+    if (to_string(system.error()).find('\n') != std::string::npos) std::abort();
+    return;
+  }
+  DeriveOptions options;
+  options.limits = {2'000, 30'000, 12, 1'000'000};
+  options.environment.shade = [](Vec3 p) { return 1 / p.z; };
+  const Plant plant = grow(*system, options);
+  if (plant.derivation.string.kinds.size() > 2'000 || plant.derivation.written > 34'000) std::abort();
+  check_string(*system, plant.derivation.string);
+  check_skeleton(plant.skeleton);
+  const Derivation again = derive(*system, options);
+  if (again.string.kinds != plant.derivation.string.kinds || again.string.values != plant.derivation.string.values)
+    std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  // the first byte says which notation
+  const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  switch (data[0] % 8) {
+    case 0:
+      check(read_rpforest(text, "fuzz.lsys"));
+      break;
+    case 1:
+      check(read_rpforest(text, "fuzz.honda"));
+      break;
+    case 2:
+      check(read_rpforest(text, "fuzz.family"));
+      break;
+    default:
+      check(read_lsystem(text, "fuzz.lsys", {{"r1", 0.5}}));
+  }
+  return 0;
+}

@@ -1,0 +1,47 @@
+// Systems in a line, and what they grow into, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "lsystems/derive.h"
+#include "lsystems/read_lsystem.h"
+
+namespace citykiln::lsystems {
+
+inline LSystem system_of(const std::string& text) {
+  Result<LSystem> system = read_lsystem(text, "x.lsys");
+  EXPECT_TRUE(system) << to_string(system.error()) << "\n" << text;
+  return system ? *system : LSystem{};
+}
+
+/// The string after so many steps.
+inline std::string grown(const std::string& text, int steps, std::uint64_t seed = 0) {
+  const LSystem system = system_of(text);
+  DeriveOptions options;
+  options.steps = steps;
+  options.seed = seed;
+  return text_of(system, derive(system, options).string);
+}
+
+/// @param path  From the root of the tree.
+inline std::string text_of_tree(const std::string& path) {
+  std::ifstream in(std::string(CITYKILN_SOURCE) + "/" + path);
+  EXPECT_TRUE(in) << path;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// How many modules have each name.
+inline std::map<std::string, std::uint64_t> counts_of(const LSystem& system, const ModuleString& string) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const Kind kind : string.kinds) ++counts[system.kinds[kind].name];
+  return counts;
+}
+
+}  // namespace citykiln::lsystems

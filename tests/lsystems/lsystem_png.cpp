@@ -1,0 +1,220 @@
+// Looks at systems: draws their plants as lines and flat polygons, seen from the south without perspective.
+//   lsystem_png OUT.png FILE [key=value …]
+// Keys: size (pixels, 320), yaw and pitch (degrees: where the eye stands, from the south, and how high), steps, seed,
+// columns (so many plants beside each other, each with dice of its own), line (pixels: the least width, 1); others take
+// the place of #define's values.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "compiler/geometry/mathematics.h"
+#include "exporters/png.h"
+#include "lsystems/read_lsystem.h"
+#include "lsystems/read_rpforest.h"
+#include "lsystems/turtle.h"
+
+namespace {
+
+using namespace citykiln;
+using namespace citykiln::lsystems;
+
+constexpr int kFine = 4;  // samples across a pixel
+
+/// A filled outline in the plane of the picture; `depth` is how far behind.
+struct Patch {
+  std::vector<Vec2> ring;
+  std::vector<Vec2> line;  ///< Or two points, as wide as `width`.
+  double width = 0, depth = 0;
+  materials::Sheet::Texel colour{};
+};
+
+struct View {
+  double cos_yaw = 1, sin_yaw = 0, cos_pitch = 1, sin_pitch = 0;
+
+  Vec3 seen(Vec3 p) const {
+    const double x = p.x * cos_yaw + p.y * sin_yaw, y = p.y * cos_yaw - p.x * sin_yaw;
+    return {x, p.z * cos_pitch + y * sin_pitch, y * cos_pitch - p.z * sin_pitch};
+  }
+};
+
+materials::Sheet::Texel wood(std::int32_t order, std::int32_t colour) {
+  const int lighter = std::min(order, 4) * 14 + std::clamp(colour, 0, 6) * 10;
+  return {static_cast<std::uint8_t>(std::clamp(86 - lighter / 2, 0, 255)),
+          static_cast<std::uint8_t>(std::clamp(62 + lighter, 0, 255)), static_cast<std::uint8_t>(44)};
+}
+
+materials::Sheet::Texel leaf(std::int32_t colour) {
+  constexpr materials::Sheet::Texel kGreens[] = {
+      {88, 138, 60}, {104, 150, 66}, {78, 128, 58}, {120, 160, 76}, {96, 142, 52}};
+  return kGreens[static_cast<std::size_t>(std::abs(colour)) % 5];
+}
+
+std::vector<Patch> patches_of(const Skeleton& skeleton, const View& view, Vec3 at) {
+  std::vector<Patch> patches;
+  for (const Segment& segment : skeleton.segments) {
+    const Vec3 a = view.seen(at + segment.start.at), b = view.seen(at + segment.end().at);
+    patches.push_back({{},
+                       {{a.x, a.y}, {b.x, b.y}},
+                       segment.start_radius + segment.end_radius,
+                       (a.z + b.z) / 2,
+                       wood(segment.order, segment.colour)});
+  }
+  for (const FlatPolygon& polygon : skeleton.polygons) {
+    Patch patch;
+    for (std::uint32_t i = 0; i < polygon.count; ++i) {
+      const Vec3 p = view.seen(at + skeleton.vertices[polygon.first + i]);
+      patch.ring.push_back({p.x, p.y});
+      patch.depth += p.z / polygon.count;
+    }
+    patch.colour = leaf(polygon.colour);
+    patches.push_back(patch);
+  }
+  for (const Instance& instance : skeleton.instances) {
+    const Frame& f = instance.frame;
+    Patch patch;
+    for (const Vec2 corner : {Vec2{0, 0}, {0.3, 0.4}, {0, 1}, {-0.3, 0.4}}) {
+      const Vec3 p = view.seen(at + f.at + (f.left * corner.x + f.heading * corner.y) * instance.size);
+      patch.ring.push_back({p.x, p.y});
+      patch.depth = p.z;
+    }
+    patch.colour = leaf(instance.colour);
+    patches.push_back(patch);
+  }
+  return patches;
+}
+
+struct Canvas {
+  int width = 0, height = 0;  // samples
+  std::vector<materials::Sheet::Texel> samples;
+
+  // even-odd, a sample at a time
+  void fill(const std::vector<Vec2>& ring, materials::Sheet::Texel colour) {
+    double low = ring[0].y, high = ring[0].y;
+    for (const Vec2 p : ring) low = std::min(low, p.y), high = std::max(high, p.y);
+    std::vector<double> crossings;
+    for (int y = std::max(0, static_cast<int>(low - 0.5)); y < std::min<double>(height, high + 0.5); ++y) {
+      crossings.clear();
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+        if ((a.y <= y + 0.5) != (b.y <= y + 0.5))
+          crossings.push_back(a.x + (b.x - a.x) * (y + 0.5 - a.y) / (b.y - a.y));
+      }
+      std::sort(crossings.begin(), crossings.end());
+      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        for (int x = std::max(0, static_cast<int>(crossings[i] + 0.5));
+             x < std::min<double>(width, crossings[i + 1] - 0.5 + 1e-9) + 0; ++x)
+          samples[static_cast<std::size_t>(y) * width + x] = colour;
+    }
+  }
+};
+
+materials::Sheet pixels_of(const Canvas& canvas) {
+  materials::Sheet sheet;
+  sheet.columns = static_cast<std::uint32_t>(canvas.width / kFine);
+  sheet.rows = static_cast<std::uint32_t>(canvas.height / kFine);
+  for (std::uint32_t y = 0; y < sheet.rows; ++y)
+    for (std::uint32_t x = 0; x < sheet.columns; ++x) {
+      int sum[3] = {0, 0, 0};
+      for (int i = 0; i < kFine * kFine; ++i)
+        for (int c = 0; c < 3; ++c)
+          sum[c] +=
+              canvas.samples[static_cast<std::size_t>(y * kFine + i / kFine) * canvas.width + x * kFine + i % kFine][c];
+      const auto mean = [&](int c) { return static_cast<std::uint8_t>(sum[c] / (kFine * kFine)); };
+      sheet.texels.push_back({mean(0), mean(1), mean(2)});
+    }
+  return sheet;
+}
+
+materials::Sheet drawn(std::vector<Patch> patches, int size_px, double least_px) {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const Patch& patch : patches)
+    for (const auto* points : {&patch.ring, &patch.line})
+      for (const Vec2 p : *points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+  const double extent = std::max({high.x - low.x, high.y - low.y, 1e-9});
+  const int size = size_px * kFine;
+  const double scale = size * 0.94 / extent;
+  Canvas canvas{size, size, {}};
+  canvas.samples.assign(static_cast<std::size_t>(canvas.width) * canvas.height, {250, 249, 245});
+  const Vec2 middle = (low + high) * 0.5;
+  const auto at = [&](Vec2 p) {
+    return Vec2{(p.x - middle.x) * scale + canvas.width / 2.0, canvas.height / 2.0 - (p.y - middle.y) * scale};
+  };
+  std::stable_sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) { return a.depth > b.depth; });
+  for (const Patch& patch : patches) {
+    std::vector<Vec2> ring;
+    for (const Vec2 p : patch.ring) ring.push_back(at(p));
+    if (patch.line.size() == 2) {
+      const Vec2 a = at(patch.line[0]), b = at(patch.line[1]);
+      const double half = std::max(least_px * kFine, patch.width * scale) / 2;
+      const Vec2 along = unit(b - a) * std::min(half, 1.0 * kFine), side = left_of(unit(b - a)) * half;
+      ring = {a - along * 0.3 + side, a - along * 0.3 - side, b + along * 0.3 - side, b + along * 0.3 + side};
+    }
+    if (ring.size() >= 3) canvas.fill(ring, patch.colour);
+  }
+  return pixels_of(canvas);
+}
+
+double number_of(std::map<std::string, double, std::less<>>& words, const char* key, double otherwise) {
+  const auto found = words.extract(key);
+  return found.empty() ? otherwise : found.mapped();
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count < 3) return std::puts("lsystem_png OUT.png FILE [key=value …]"), 2;
+  std::map<std::string, double, std::less<>> given;
+  for (int i = 3; i < count; ++i) {
+    const std::string word = words[i];
+    given[word.substr(0, word.find('='))] = std::stod(word.substr(word.find('=') + 1));
+  }
+  const double yaw = number_of(given, "yaw", 0), pitch = number_of(given, "pitch", 0),
+               columns = number_of(given, "columns", 1);
+  const double size = number_of(given, "size", 320), line = number_of(given, "line", 1);
+  const double steps = number_of(given, "steps", -1), seed = number_of(given, "seed", 0);
+  std::ifstream in(words[2]);
+  std::ostringstream text;
+  text << in.rdbuf();
+  const Result<LSystem> system = is_rpforest(text.str(), words[2]) ? read_rpforest(text.str(), words[2])
+                                                                   : read_lsystem(text.str(), words[2], given);
+  if (!system) return std::puts(to_string(system.error()).c_str()), 1;
+  const View view{cosine(yaw), sine(yaw), cosine(pitch), sine(pitch)};
+  std::vector<Patch> patches;
+  Vec3 at;
+  for (int i = 0; i < columns; ++i) {
+    DeriveOptions options;
+    if (steps >= 0) options.steps = static_cast<int>(steps);
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.plant = StableId{static_cast<std::uint64_t>(i)};
+    const Plant plant = grow(*system, options);
+    double west = 0, east = 0;
+    for (const Segment& s : plant.skeleton.segments) {
+      west = std::min({west, s.start.at.x, s.end().at.x});
+      east = std::max({east, s.start.at.x, s.end().at.x});
+    }
+    if (i > 0) at.x -= west * 1.1;
+    const std::vector<Patch> more = patches_of(plant.skeleton, view, at);
+    patches.insert(patches.end(), more.begin(), more.end());
+    at.x += east * 1.1;
+    for (const Trouble& trouble : plant.derivation.troubles) std::puts(trouble_line(*system, trouble).c_str());
+    for (const Trouble& trouble : plant.skeleton.troubles) std::puts(trouble_line(*system, trouble).c_str());
+    if (plant.derivation.cut) std::puts(cut_line(*system, *plant.derivation.cut).c_str());
+    std::puts(fmt::format("{} modules, {} segments, {} polygons, {} instances", plant.derivation.string.kinds.size(),
+                          plant.skeleton.segments.size(), plant.skeleton.polygons.size(),
+                          plant.skeleton.instances.size())
+                  .c_str());
+  }
+  if (patches.empty()) return std::puts("nothing to draw"), 1;
+  const std::vector<std::byte> bytes = exporters::encode_png(drawn(std::move(patches), static_cast<int>(size), line));
+  std::ofstream(words[1], std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}

@@ -1,0 +1,57 @@
+// What the README shows is what the room does.
+#include <gtest/gtest.h>
+
+#include "lsystems/turtle.h"
+#include "tests/lsystems/grown.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+std::string readme() { return text_of_tree("lsystems/README.md"); }
+
+std::vector<std::string> examples() {
+  std::vector<std::string> found;
+  const std::string text = readme(), fence = "```lsys\n";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+    at += fence.size();
+    found.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return found;
+}
+
+TEST(Readme, ItsTwelveExamplesGrowWithoutTrouble) {
+  EXPECT_EQ(examples().size(), 12u);
+  for (const std::string& text : examples()) {
+    const LSystem system = system_of(text);
+    const Plant plant = grow(system);
+    EXPECT_FALSE(plant.derivation.cut) << text;
+    EXPECT_FALSE(plant.skeleton.segments.empty() && plant.skeleton.polygons.empty()) << text;
+    for (const auto* troubles : {&plant.derivation.troubles, &plant.skeleton.troubles})
+      for (const Trouble& trouble : *troubles) ADD_FAILURE() << trouble_line(system, trouble) << "\n" << text;
+  }
+}
+
+TEST(Readme, NamesEveryFunctionAndSymbol) {
+  const std::string text = readme();
+  for (const char* name : {
+#define OPERATOR(name, priority, text, code)
+#define FUNCTION(name, arity, op, code) name,
+#include "lsystems/operations.inc"
+#undef FUNCTION
+#undef OPERATOR
+#define SYMBOL(name, op, text) name,
+#include "lsystems/turtle_symbols.inc"
+#undef SYMBOL
+       })
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+}
+
+TEST(Readme, SaysTheLimitsThatHold) {
+  EXPECT_EQ(Limits{}.symbols, 8'000'000u);
+  EXPECT_EQ(Limits{}.written, 400'000'000u);
+  EXPECT_EQ(Limits{}.steps, 100'000u);
+  EXPECT_EQ(kTextLimit, 4u << 20);
+}
+
+}  // namespace
+}  // namespace citykiln::lsystems
