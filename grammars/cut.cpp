@@ -32,11 +32,12 @@ struct Chains {
 Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const double> heights,
                  const CutPlane& plane) {
   const std::size_t n = ring.size();
+  const auto before = [n](std::size_t i) { return i == 0 ? n - 1 : i - 1; };
   Ring3 chain;
-  if (heights[first] > 0) chain.push_back(crossing(ring[(first + n - 1) % n], ring[first], plane));
+  if (heights[first] > 0) chain.push_back(crossing(ring[before(first)], ring[first], plane));
   std::size_t i = first;
-  for (; heights[i] >= 0; i = (i + 1) % n) chain.push_back(ring[i]);
-  const std::size_t last = (i + n - 1) % n;
+  for (; heights[i] >= 0; i = i + 1 == n ? 0 : i + 1) chain.push_back(ring[i]);
+  const std::size_t last = before(i);
   if (heights[last] > 0) chain.push_back(crossing(ring[last], ring[i], plane));
   return chain;
 }
@@ -87,7 +88,14 @@ std::vector<Ring3> joined(const std::vector<Ring3>& chains, Vec3 along) {
   return rings;
 }
 
-Ring3 without_twins(const Ring3& ring) {
+bool has_twins(const Ring3& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (ring[i] == ring[i == 0 ? ring.size() - 1 : i - 1]) return ring.size() > 1;
+  return false;
+}
+
+Ring3 without_twins(Ring3 ring) {
+  if (!has_twins(ring)) return ring;
   Ring3 kept;
   for (const Vec3 p : ring)
     if (kept.empty() || !(p == kept.back())) kept.push_back(p);
@@ -217,6 +225,14 @@ struct Course {
   std::size_t rises = 0, first = 0;  ///< `first`: the last point behind which it has come up.
 };
 
+void find_rises(Course& course, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (course.heights[i] < 0 || course.heights[i == 0 ? count - 1 : i - 1] >= 0) continue;
+    ++course.rises;
+    course.first = i;
+  }
+}
+
 Course course_of(const Ring3& ring, const CutPlane& plane) {
   const std::size_t n = ring.size();
   Course course;
@@ -225,26 +241,38 @@ Course course_of(const Ring3& ring, const CutPlane& plane) {
     course.below |= course.heights[i] < 0;
     course.above |= course.heights[i] > 0;
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (course.heights[i] < 0 || course.heights[(i + n - 1) % n] >= 0) continue;
-    ++course.rises;
-    course.first = i;
-  }
+  find_rises(course, n);
   return course;
+}
+
+bool is_simple(const Face& face) { return face.holes.empty() && face.outer.size() <= kFew && face.outer.size() >= 3; }
+
+bool has_area(const Ring3& ring) { return ring.size() >= 3 && length(area_vector_m2(ring)) >= kNoArea_m2; }
+
+Course upside_down(const Course& course, std::size_t count) {
+  Course turned;
+  turned.below = course.above, turned.above = course.below;
+  for (std::size_t i = 0; i < count; ++i) turned.heights[i] = -course.heights[i];
+  find_rises(turned, count);
+  return turned;
+}
+
+Ring3 chain_of(const Face& face, const Course& course, const CutPlane& plane) {
+  return without_twins(chain_from(face.outer, course.first, course.heights, plane));
 }
 
 // a ring without holes that comes up through the plane once: the chain is the part
 std::optional<std::vector<Face>> part_of_simple(const Face& face, const CutPlane& plane) {
-  if (!face.holes.empty() || face.outer.size() > kFew || face.outer.size() < 3) return std::nullopt;
+  if (!is_simple(face)) return std::nullopt;
   const Course course = course_of(face.outer, plane);
   if (course.above && !course.below) return std::vector<Face>{face};
   if (!course.above && course.below) return std::vector<Face>{};
   if (course.rises != 1) return std::nullopt;
   std::vector<Face> parts(1);
   Face& part = parts.front();
-  part.outer = without_twins(chain_from(face.outer, course.first, course.heights, plane));
+  part.outer = chain_of(face, course, plane);
   part.tag = face.tag, part.street = face.street;
-  if (part.outer.size() < 3 || length(area_vector_m2(part.outer)) < kNoArea_m2) parts.clear();
+  if (!has_area(part.outer)) parts.clear();
   return parts;
 }
 
@@ -264,6 +292,20 @@ std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
   std::vector<Face> parts = nested(rings, normal);
   for (Face& part : parts) part.tag = face.tag, part.street = face.street;
   return parts;
+}
+
+bool cut_in_two(Face& face, const CutPlane& plane, Face& below) {
+  if (!is_simple(face)) return false;
+  // seen from below every height changes its sign, and no crossing moves
+  const Course up = course_of(face.outer, plane), down = upside_down(up, face.outer.size());
+  if (up.rises != 1 || down.rises != 1 || !up.above || !up.below) return false;
+  Ring3 above = chain_of(face, up, plane);
+  below.outer = chain_of(face, down, plane);
+  if (!has_area(above) || !has_area(below.outer)) return false;
+  below.tag = face.tag, below.street = face.street;
+  face.outer = std::move(above);
+  face.street_edges.clear();
+  return true;
 }
 
 bool is_closed(std::span<const Face> faces) {

@@ -24,6 +24,11 @@ using Edge3 = std::pair<Vec3, Vec3>;
 /// crosses itself is cut by the even-odd rule. O(n log n).
 std::vector<Face> part_above(const Face& face, const CutPlane& plane);
 
+/// Cuts a face that the plane divides in one part on either side: `face` becomes that above, `below` the other, as
+/// part_above() makes them. False, and nothing is done, for faces with holes or many points, and for those that come
+/// up through the plane not just once.
+bool cut_in_two(Face& face, const CutPlane& plane, Face& below);
+
 /// True if every edge of the faces runs once each way: the surface of a solid. O(n log n).
 bool is_closed(std::span<const Face> faces);
 

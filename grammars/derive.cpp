@@ -120,6 +120,8 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.out.paths.push_back({0, ""});
   run.paths_below.emplace_back();
   run.memo.bodies.resize(program.bodies);
+  run.reaches.found.resize(program.bodies);
+  run.reaches.divides.resize(program.bodies);
   run.out.shapes = 1;
   begin(run);
   sort_troubles(run);

@@ -1,8 +1,8 @@
 #include "grammars/pattern.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
 
 #include "grammars/run.h"
 
@@ -40,22 +40,52 @@ Anchored anchored(Vec3 p, const Shape& shape) {
   return {nearest, along_axes(shape.scope, p - ring[nearest])};
 }
 
+/// Points, each known by its place: open addressing, twice as many slots as points.
+struct PointTable {
+  std::vector<Vec3> points = {};
+  std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(64);  ///< 1 + the point's index; 0: free.
+
+  /// Where the point is, or its slot's place to put it.
+  std::uint32_t& slot_of(Vec3 p) {
+    // + 0.0: both zeros are one place
+    std::uint64_t hash = 0;
+    for (const double v : {p.x + 0.0, p.y + 0.0, p.z + 0.0})
+      hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32;
+    std::size_t at = hash & (slots.size() - 1);
+    while (slots[at] != 0 && !(points[slots[at] - 1] == p)) at = (at + 1) & (slots.size() - 1);
+    return slots[at];
+  }
+  /// True if it is new; then it is the last.
+  bool add(Vec3 p, std::uint32_t& index) {
+    if (2 * points.size() >= slots.size()) grow();
+    std::uint32_t& slot = slot_of(p);
+    const bool is_new = slot == 0;
+    if (is_new) points.push_back(p), slot = static_cast<std::uint32_t>(points.size());
+    index = slot - 1;
+    return is_new;
+  }
+  void grow() {
+    slots.assign(2 * slots.size(), 0);
+    for (std::uint32_t i = 0; i < points.size(); ++i) slot_of(points[i]) = i + 1;
+  }
+};
+
 /// A pattern in the making.
 struct Maker {
   const Run& run;
   const Shape& shape;
   const Made& made;
   Pattern pattern = {};
-  std::map<Vec3, std::uint32_t> point_of = {};
-  std::map<std::uint32_t, std::uint32_t> texture_of = {};
-  std::map<std::uint32_t, std::uint32_t> birth_of = {};
+  PointTable points = {};
+  std::vector<std::uint32_t> textures = {};  ///< In the run, of Pattern::textures.
+  /// By birth, from the first that the node bore: where Pattern::births has it, 0 for nowhere yet.
+  std::vector<std::uint32_t> birth_of = std::vector<std::uint32_t>(made.births.end - made.births.first);
 };
 
 std::uint32_t add_point(Maker& maker, Vec3 p) {
-  const auto next = static_cast<std::uint32_t>(maker.pattern.points.size());
-  const auto [found, is_new] = maker.point_of.emplace(p, next);
-  if (is_new) maker.pattern.points.push_back(anchored(p, maker.shape));
-  return found->second;
+  std::uint32_t index = 0;
+  if (maker.points.add(p, index)) maker.pattern.points.push_back(anchored(p, maker.shape));
+  return index;
 }
 
 bool is_vertex(const Maker& maker, Vec3 p) {
@@ -66,36 +96,38 @@ bool is_vertex(const Maker& maker, Vec3 p) {
 // 0 is the shape itself, and parents come before their children
 std::uint32_t add_birth(Maker& maker, std::uint32_t birth) {
   if (birth == maker.shape.birth) return 0;
-  const auto found = maker.birth_of.find(birth);
-  if (found != maker.birth_of.end()) return found->second;
+  const std::size_t place = birth - maker.made.births.first;
+  if (maker.birth_of[place] != 0) return maker.birth_of[place];
   Birth descent = maker.run.births[birth];
   descent.parent = add_birth(maker, descent.parent);
   maker.pattern.births.push_back(descent);
-  return maker.birth_of[birth] = static_cast<std::uint32_t>(maker.pattern.births.size());
+  return maker.birth_of[place] = static_cast<std::uint32_t>(maker.pattern.births.size());
 }
 
-/// Descents seen from one shape.
+/// Descents seen from one shape: of the few that throw.
 struct Descent {
   const Run& run;
   std::uint32_t birth;
   Throws throws = {};
-  std::map<std::uint32_t, std::uint32_t> place_of = {};
+  std::vector<std::uint32_t> births = {};  ///< In the run, of `throws.births`.
 
   std::uint32_t add(std::uint32_t other) {
     if (other == birth) return 0;
-    const auto found = place_of.find(other);
-    if (found != place_of.end()) return found->second;
+    const auto found = std::find(births.begin(), births.end(), other);
+    if (found != births.end()) return static_cast<std::uint32_t>(found - births.begin()) + 1;
     Birth descent = run.births[other];
     descent.parent = add(descent.parent);
     throws.births.push_back(descent);
-    return place_of[other] = static_cast<std::uint32_t>(throws.births.size());
+    births.push_back(other);
+    return static_cast<std::uint32_t>(births.size());
   }
 };
 
 std::uint32_t add_texture(Maker& maker, std::uint32_t texture) {
-  const auto next = static_cast<std::uint32_t>(maker.pattern.textures.size());
-  const auto [found, is_new] = maker.texture_of.emplace(texture, next);
-  if (!is_new) return found->second;
+  const auto found = std::find(maker.textures.begin(), maker.textures.end(), texture);
+  const auto next = static_cast<std::uint32_t>(found - maker.textures.begin());
+  if (found != maker.textures.end()) return next;
+  maker.textures.push_back(texture);
   const TextureFrame& frame = maker.run.tables.textures[texture];
   const Scope& scope = maker.shape.scope;
   maker.pattern.textures.push_back(
@@ -195,6 +227,7 @@ void copy_terminal(Run& run, const PatternTerminal& from, const Copy& copy) {
 }  // namespace
 
 Throws throws_of(const Run& run, std::uint32_t birth, IndexRange throws) {
+  if (throws.first == throws.end) return {};
   Descent descent{run, birth};
   for (std::size_t i = throws.first; i < throws.end; ++i) {
     Throw thrown = run.throws[i];

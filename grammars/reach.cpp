@@ -16,8 +16,6 @@ constexpr std::uint32_t kMostLooks =
 constexpr int kDeepest = 40;           // bodies in each other
 constexpr double kOfTheGrid_m = 2e-4;  // what a setback's overlay bends, generously
 
-using NumberRanges = std::vector<NumberRange>;
-
 /// What is looked at.
 struct Outlook {
   Execution& execution;
@@ -120,7 +118,7 @@ double largest_m(NumberRange interval) { return std::max(std::abs(interval.low),
 // ---- bodies
 // -----------------------------------------------------------------------------------------------------------
 
-Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame);
+Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame);
 
 /// What is known of the current shape.
 enum class Form : std::uint8_t {
@@ -281,7 +279,7 @@ void look_at_successor(Course& course, const Statement& statement) {
   for (const Expression& argument : statement.arguments)
     arguments.push_back(range_of(course.outlook, argument, course.frame));
   const Rule& rule = course.outlook.execution.run.program.rules[statement.index];
-  add_group(course, reach_of_body(course.outlook, rule.body, std::move(arguments)), 0);
+  add_group(course, reach_of_body(course.outlook, rule.body, arguments), 0);
 }
 
 void look_at_pop(Course& course) {
@@ -322,17 +320,8 @@ Reach reach_of_branches(Outlook outlook, const Body& body, const NumberRanges& f
   return worst;
 }
 
-std::vector<double> ends_of(const NumberRanges& frame) {
-  std::vector<double> ends;
-  for (const NumberRange& interval : frame) ends.insert(ends.end(), {interval.low, interval.high});
-  return ends;
-}
-
-Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame) {
+Reach found_reach(Outlook outlook, const Body& body, NumberRanges frame) {
   ReachTable& table = outlook.execution.run.reaches;
-  // what is under way is unbounded: a rule that comes to itself again
-  const auto [found, is_new] = table.found.try_emplace({body.number, ends_of(frame)});
-  if (!is_new) return found->second;
   if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
   for (const Local& local : body.locals) {
     const NumberRange value = range_of(outlook, local.value, frame);
@@ -340,8 +329,17 @@ Reach reach_of_body(Outlook outlook, const Body& body, NumberRanges frame) {
     frame[local.slot] = value;
   }
   const bool chooses = body.kind != BodyKind::kStatements;
-  const Reach reach = chooses ? reach_of_branches(outlook, body, frame) : reach_of_statements(outlook, body, frame);
-  return found->second = reach;
+  return chooses ? reach_of_branches(outlook, body, frame) : reach_of_statements(outlook, body, std::move(frame));
+}
+
+Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame) {
+  ReachTable& table = outlook.execution.run.reaches;
+  for (const KnownReach& known : table.found[body.number])
+    if (known.arguments == frame) return known.reach;
+  // what is under way is unbounded: a rule that comes to itself again
+  const std::size_t place = table.found[body.number].size();
+  table.found[body.number].push_back({frame, {}});
+  return table.found[body.number][place].reach = found_reach(outlook, body, frame);
 }
 
 bool divides(const Body& body) {
@@ -352,9 +350,9 @@ bool divides(const Body& body) {
 }
 
 bool divides_at_all(ReachTable& table, const Body& body) {
-  const auto [found, is_new] = table.divides.try_emplace(body.number);
-  if (is_new) found->second = divides(body);
-  return found->second;
+  std::optional<bool>& known = table.divides[body.number];
+  if (!known) known = divides(body);
+  return *known;
 }
 
 }  // namespace
@@ -368,8 +366,9 @@ bool is_flat(const Shape& shape) {
 
 Reach reach_of(Execution& execution, const Body& body) {
   NumberRanges frame;
+  frame.reserve(execution.frame.size());
   for (const Value& value : execution.frame) frame.push_back(range_of_value(value));
-  return reach_of_body({execution}, body, std::move(frame));
+  return reach_of_body({execution}, body, frame);
 }
 
 std::optional<Displacement> known_ahead(Execution& execution, const Body& body) {

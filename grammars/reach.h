@@ -6,9 +6,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "grammars/displacement.h"
@@ -23,7 +21,11 @@ struct Execution;
 /// A number that lies somewhere between two; infinite where nothing is known.
 struct NumberRange {
   double low = -kUnbounded_m, high = kUnbounded_m;
+  bool operator==(const NumberRange&) const = default;
 };
+
+/// By slot.
+using NumberRanges = std::vector<NumberRange>;
 
 struct Reach {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
@@ -31,11 +33,17 @@ struct Reach {
   bool keeps_look = false;  ///< All that comes of it looks as the shape does.
 };
 
-/// Reaches found so far, by body and arguments.
+/// What a body may move that is given these arguments.
+struct KnownReach {
+  NumberRanges arguments;
+  Reach reach;
+};
+
+/// What has been found so far; vectors are by Body::number.
 struct ReachTable {
-  std::map<std::pair<std::uint32_t, std::vector<double>>, Reach> found;
-  std::map<std::uint32_t, bool> divides;  ///< By body: whether it divides a surface itself.
-  std::uint32_t looks = 0;                ///< Bodies and values looked at; after so many, everything is unbounded.
+  std::vector<std::vector<KnownReach>> found;
+  std::vector<std::optional<bool>> divides;  ///< Whether the body divides a surface itself.
+  std::uint32_t looks = 0;                   ///< Bodies and values looked at; after so many, everything is unbounded.
 };
 
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are

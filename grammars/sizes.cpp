@@ -73,6 +73,7 @@ Plan plan_of(std::span<const SizeItem> items, double length_m, double whole_m) {
   const double room_m = (length_m - all.length_m()) / std::max(repeats, 1.0);
   const bool others_float = all.floating_m > 0 || repeats > 1;
   Plan plan;
+  plan.times.reserve(items.size());
   for (const SizeItem& item : items) {
     const Natural pattern = natural_of(item.nested, whole_m);
     plan.times.push_back(is_repeat(item) ? times_fitting(pattern, room_m, others_float) : 1);
@@ -123,6 +124,7 @@ void divide(Divider& divider, std::span<const SizeItem> items, double from_m, do
 
 std::optional<std::vector<Interval>> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most) {
   Divider divider{length_m, most, {}, 0, false};
+  divider.made.reserve(items.size());
   divide(divider, items, 0, std::max(length_m, 0.0));
   if (divider.too_many) return std::nullopt;
   return std::move(divider.made);

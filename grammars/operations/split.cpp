@@ -18,6 +18,7 @@ SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
   SizeItem item;
   item.kind = selector.size;
   if (selector.size == SizeKind::kRepeat) {
+    item.nested.reserve(selector.nested.size());
     for (const Selector& nested : selector.nested) item.nested.push_back(item_of(nested, context, leaves));
     return item;
   }
@@ -30,12 +31,14 @@ SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
 
 std::vector<SizeItem> items_of(const Statement& statement, Context& context, Leaves& leaves) {
   std::vector<SizeItem> items;
+  items.reserve(statement.selectors.size());
+  leaves.selectors.reserve(statement.selectors.size());
   for (const Selector& selector : statement.selectors) items.push_back(item_of(selector, context, leaves));
   if (!statement.repeated) return items;
-  SizeItem all;
-  all.kind = SizeKind::kRepeat;
-  all.nested = std::move(items);
-  return {std::move(all)};
+  std::vector<SizeItem> all(1);
+  all.front().kind = SizeKind::kRepeat;
+  all.front().nested = std::move(items);
+  return all;
 }
 
 Scope slice_of(const Scope& scope, int axis, double from_m, double to_m) {
@@ -54,6 +57,10 @@ struct Saw {
   /// Takes off what lies before at_m.
   std::vector<Face> cut(double at_m) {
     const CutPlane above{along, start_m + at_m}, below{along * -1.0, -(start_m + at_m)};
+    if (!closed && rest.size() == 1) {
+      std::vector<Face> one(1);
+      if (cut_in_two(rest.front(), above, one.front())) return one;
+    }
     std::vector<Face> piece = solid_above(rest, below, closed);
     rest = solid_above(rest, above, closed);
     return piece;

@@ -112,8 +112,10 @@ bool may_widen(const Run& run, const Shape& shape) {
 }
 
 Division widened(Execution& execution, Division division, std::span<const Selector* const> selectors) {
-  Reaches reaches{execution, selectors};
   const double tolerance_m = execution.run.options.tolerance_m;
+  const auto is_narrow = [&](const Slice& slice) { return width_m(slice) <= tolerance_m; };
+  if (std::none_of(division.slices.begin(), division.slices.end(), is_narrow)) return division;
+  Reaches reaches{execution, selectors};
   const auto takers = takers_of(division.slices, tolerance_m, reaches, division.error_m);
   division.slices = without_taken(division.slices, takers);
   return division;
