@@ -50,8 +50,7 @@ struct Growth {
       cut(became == Rewritten::kTooLong ? limit : LimitKind::kWork, step);
       return false;
     }
-    // an empty string counts too, so that no derivation is endless
-    result.written += next.size + 1;
+    result.written += next.size;
     std::swap(now, next);
     return became == Rewritten::kChanged;
   }

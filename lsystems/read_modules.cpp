@@ -92,6 +92,28 @@ struct Brackets {
   }
 };
 
+// a word of three small letters or more that no `module` declares, between here and the line's end
+bool has_prose(const Reader& reader) {
+  // no further than a comment's first words, so that many // cost no more
+  const std::size_t line = std::min({reader.text.find('\n', reader.at), reader.end, reader.at + 100});
+  for (std::size_t at = reader.at; at < line; ++at) {
+    std::size_t to = at;
+    while (to < line && reader.text[to] >= 'a' && reader.text[to] <= 'z') ++to;
+    const std::string_view word = reader.text.substr(at, to - at);
+    const bool declared = std::any_of(reader.long_names.begin(), reader.long_names.end(),
+                                      [&](const std::string& name) { return word.starts_with(name); });
+    if (word.size() >= 3 && !declared) return true;
+    at = std::max(at, to);
+  }
+  return false;
+}
+
+// who means a comment would get letters as modules, and never know
+void refuse_comment(Reader& reader, Place place) {
+  if (!reader.starts_with("// ") || !has_prose(reader)) return;
+  reader.fail(place, "// is two modules here: comments among modules are /* */");
+}
+
 void check_arity(Reader& reader, const std::string& name, std::size_t arity, Place place) {
   const int answers = answers_of(op_of(name));
   if (is_unary(name) && arity > 0) reader.fail(place, fmt::format("'{}' has no parameters", name));
@@ -233,6 +255,7 @@ Successor read_successor(Reader& reader) {
   while (!reader.failed) {
     reader.skip_space();
     const Place place = reader.place();
+    refuse_comment(reader, place);
     const std::string name = take_module_name(reader);
     if (name.empty()) break;
     const std::size_t arity = read_list(reader, [&] { system.values.push_back(read_value(reader)); });

@@ -70,6 +70,8 @@ TEST(Contexts, TryEachBranch) {
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [C]D -> x", 1), "x[B][C]D");
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [B][C] -> x", 1), "x[B][C]D");
   EXPECT_EQ(grown("axiom: A[B][C]D\nA > [C][B] -> x", 1), "A[B][C]D");
+  // what branches off behind the next module is not a branch here
+  EXPECT_EQ(grown("axiom: AB[C]D\nA > [C] -> x", 1), "AB[C]D");
 }
 
 TEST(Contexts, EndWhereTheBranchEnds) {

@@ -40,6 +40,7 @@ const Mistake kMistakes[] = {
     {"module 3", "x.lsys:1:8: expected a module's name, found '3'"},
     {"decomposition:\nmaximum depth: 100", "x.lsys:2:16: expected a depth, 1 to 64, found 100"},
     // modules
+    {"axiom: F\nF -> FF  // a branch", "x.lsys:2:10: // is two modules here: comments among modules are /* */"},
     {"axiom: F(1", "x.lsys:1:11: expected ')' or ',' after a parameter, found the end of the line"},
     {"axiom: F()", "x.lsys:1:10: expected a value, found ')'"},
     {"axiom: F = G", "x.lsys:1:10: expected the end of the line, found '='"},
@@ -141,6 +142,13 @@ TEST(ReadLsystem, TakesGivenValuesInThePlaceOfConstants) {
   ASSERT_TRUE(system);
   EXPECT_EQ(text_of(*system, derive(*system).string), "F(10,20)");
 }
+
+TEST(ReadLsystem, TellsRollsFromComments) {
+  EXPECT_EQ(grown("module leaf\naxiom: F\nF -> //F [ // & & leaf ] // ff", 1), "//F[//&& leaf ]//ff");
+  EXPECT_EQ(grown("// a comment\naxiom: F\nn: 2 // and one\nF -> F//fff", 1), "F//fff");
+}
+
+TEST(ReadLsystem, EndsLinesAsAnySystemDoes) { EXPECT_EQ(grown("axiom: F\r\nF -> F\r\n  [+F]\r\n", 1), "F[+F]"); }
 
 TEST(ReadLsystem, KnowsLongNamesFromLettersInARow) {
   EXPECT_EQ(grown("module seg, segment\naxiom: segseg sg segment", 0), "seg seg sg segment");

@@ -67,7 +67,7 @@ TEST(Turtle, TellsParentsAndOrders) {
 }
 
 TEST(Turtle, TapersAlongAnAxisAndNotIntoABranch) {
-  const Skeleton skeleton = skeleton_of("axiom: !(4)F[!(1)F]!(2)F!FfF");
+  const Skeleton skeleton = skeleton_of("axiom: !(4)F[!(1)F]!(2)F!FfF!(8)F");
   const auto& s = skeleton.segments;
   EXPECT_EQ(s[0].start_radius, 2);
   EXPECT_EQ(s[1].start_radius, 0.5);
@@ -75,6 +75,7 @@ TEST(Turtle, TapersAlongAnAxisAndNotIntoABranch) {
   EXPECT_EQ(s[2].end_radius, 1);
   EXPECT_DOUBLE_EQ(s[3].end_radius, kRoot);
   EXPECT_EQ(s[4].start_radius, s[4].end_radius);
+  EXPECT_EQ(s[5].start_radius, s[4].end_radius);
 }
 
 TEST(Turtle, CountsColours) {
