@@ -11,8 +11,7 @@
 namespace citykiln::exporters {
 
 /// @param plain  As encode_glb writes one: an accessor, and it a buffer view, for each attribute. Its places and uvs
-/// are
-///               on the grids of packed meshes (quantise.h), or stay unpacked numbers.
+///               lie on the grids of packed meshes (quantise.h), or stay unpacked numbers.
 /// Meshes are packed on their own, on at most `threads` threads; pictures, tables and instances stay as they are. Same
 /// input, same bytes, for any number of threads.
 std::vector<std::byte> compressed_glb(std::span<const std::byte> plain, Compression compression, int threads);
