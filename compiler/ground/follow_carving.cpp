@@ -16,6 +16,12 @@ constexpr double kShortest_m = 1;
 // No point comes nearer to a vertex, nor to an edge that may not be cut.
 constexpr double kNearest_m = 0.5;
 
+// Roads are looked at most, and are smooth.
+double follow_m(HeightLayer layer) {
+  const bool is_road = layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
+  return is_road ? kFollow_m / 4 : kFollow_m;
+}
+
 struct Following {
   Delaunay triangulation;
   std::vector<std::uint32_t> face_surface;
@@ -104,7 +110,7 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
   if (!may_stray(all, f)) return {};
   const Stray worst = stray_of(all, f, all.height_of(f).layer);
   all.is_seen[f] = true;
-  if (worst.off_m <= kFollow_m) return {};
+  if (worst.off_m <= follow_m(all.height_of(f).layer)) return {};
   const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
   if (split == kNoFace || is_crowded(all, split, worst.at)) return {};
   const std::uint32_t surface = all.face_surface[split];
