@@ -4,7 +4,7 @@ import unittest
 
 from citykiln_program import TOWN, ProgramTest, bytes_of_outputs, report_of, run
 
-ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "0.5,2.5"]
+ARGUMENTS = ["--spec", TOWN / "spec.json", "--lods", "2.5,12.5"]
 
 # half a step of the grid in each direction, for copies at twice their size at most, and single precision
 MOST_M = 2 * 0.75**0.5 / 1024 + 0.0001
@@ -23,7 +23,7 @@ class Packed:
         many = self.packed("t7", "--threads", 7)
         self.assertEqual(one, bytes_of_outputs(many))
         baked = self.folder / "baked"
-        done = run("bake", many / "scene.kiln", "--lods", "0.5,2.5", "--compress", self.COMPRESS, "-o", baked)
+        done = run("bake", many / "scene.kiln", "--lods", "2.5,12.5", "--compress", self.COMPRESS, "-o", baked)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(one, bytes_of_outputs(baked))
 
