@@ -20,9 +20,18 @@ constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
 /// What pictures are compared with.
 constexpr double kFinest_m = 0.01;
 constexpr std::size_t kHouses = 4;
-/// A picture's size, and its focal length: that of 1,080 lines at 45 degrees. Larger houses are seen in part.
-constexpr int kPixels = 256, kSamples = 12;
+/// What a picture shows of a wall, the same at each tolerance: with more sky around it, an error would seem less. Its
+/// pixels are as large as the tolerance, but for the finest.
+constexpr double kWindow_m = 12.8;
+constexpr int kFewestPixels = 5, kMostPixels = 256;
+/// Samples of all pixels together, so that small pictures are no noisier.
+constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 24;
+/// Focal length: that of 1,080 lines at 45 degrees.
 constexpr double kFocal_px = 1304;
+
+int pixels_at(double tolerance_m) {
+  return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestPixels, kMostPixels);
+}
 
 /// A house on a tile of its own, as small as tiles get; what stands around it would hide it.
 struct House {
@@ -64,7 +73,7 @@ bake::BakedTile fired(const House& house, double tolerance_m, int threads) {
 }
 
 /// Before the longest wall at a street, or the first, a little above the ground.
-preview::Camera camera_before(const buildings::Building& building, double away_m) {
+preview::Camera camera_before(const buildings::Building& building, double away_m, int pixels) {
   const Ring& ring = building.footprint.outer;
   std::size_t front = 0;
   for (std::size_t i = 0; i < building.fronts.size(); ++i)
@@ -75,14 +84,15 @@ preview::Camera camera_before(const buildings::Building& building, double away_m
   // a little from the side, so that depths show
   const Vec2 eye = middle + out * away_m + unit(to - from) * (0.2 * away_m);
   constexpr double kDegrees = 57.29577951308232;
-  return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(kPixels / 2 / kFocal_px)};
+  return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(pixels / 2.0 / kFocal_px)};
 }
 
-preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera,
+preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera, int pixels,
                        std::uint64_t seed) {
   preview::Options options;
-  options.width = options.height = kPixels;
-  options.samples = kSamples, options.bounces = 2, options.seed = seed;
+  options.width = options.height = pixels;
+  options.samples = std::max(kFewestSamples, kSamples / (pixels * pixels));
+  options.bounces = 2, options.seed = seed;
   return preview::render(std::span(&tile, 1), sky, camera, options);
 }
 
@@ -123,10 +133,11 @@ void add_costs(const House& house, double tolerance_m, int threads, Costs& costs
 void add_picture_error(const House& house, const bake::BakedTile& finest, double tolerance_m, int threads,
                        Costs& costs) {
   const sky::Sky& sky = house.header.sky;
-  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m);
-  const preview::Image truth = picture(finest, sky, camera, 1);
-  costs.noise += difference(truth, picture(finest, sky, camera, 2));
-  costs.error += difference(truth, picture(fired(house, tolerance_m, threads), sky, camera, 2));
+  const int pixels = pixels_at(tolerance_m);
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m, pixels);
+  const preview::Image truth = picture(finest, sky, camera, pixels, 1);
+  costs.noise += difference(truth, picture(finest, sky, camera, pixels, 2));
+  costs.error += difference(truth, picture(fired(house, tolerance_m, threads), sky, camera, pixels, 2));
 }
 
 std::vector<Chart> empty_charts(std::size_t houses) {
