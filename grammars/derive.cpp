@@ -50,6 +50,7 @@ void Run::threw(const Throw& thrown) {
 
 void Run::trouble(Place place, const std::string& message) {
   asked_of(0);
+  ++troubles_told;
   const std::string key = place_name(program.files[place.file], place);
   const auto found = troubles.find({key, message});
   if (found != troubles.end()) return void(++found->second.times);
@@ -117,6 +118,7 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   Run run{program, options, initial};
   run.attributes.resize(program.attributes.size());
   run.attribute_under_way.resize(program.attributes.size());
+  run.constants.resize(program.functions.size());
   run.out.paths.push_back({0, ""});
   run.paths_below.emplace_back();
   run.memo.bodies.resize(program.bodies);

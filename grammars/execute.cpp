@@ -100,6 +100,7 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
 // `last`: nothing asks for the current shape any more
 [[gnu::noinline]] void run_successor(Execution& execution, const Statement& statement, bool last) {
   Frame arguments;
+  arguments.reserve(statement.arguments.size());
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
   if (!last) remember_start(execution);
@@ -117,6 +118,7 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
 
 std::vector<Argument> arguments_of(const Statement& statement, Context& context) {
   std::vector<Argument> arguments;
+  arguments.reserve(statement.arguments.size());
   for (const Expression& expression : statement.arguments) {
     Argument& argument = arguments.emplace_back();
     argument.relative = is_share(expression);
@@ -254,13 +256,23 @@ double length_around_m(std::span<const Vec3> ring) {
   return sum_m;
 }
 
+double extent_m(std::span<const Vec3> ring, Vec3 axis) {
+  double low_m = kUnbounded_m, high_m = -kUnbounded_m;
+  for (const Vec3 p : ring) low_m = std::min(low_m, dot(axis, p)), high_m = std::max(high_m, dot(axis, p));
+  const double size_m = high_m - low_m;
+  return size_m < kOnPlane_m ? 0 : size_m;
+}
+
+double narrower_side_m(std::span<const Vec3> ring, const std::array<Vec3, 3>& axis) {
+  return ring.empty() ? 0 : std::min(extent_m(ring, axis[0]), extent_m(ring, axis[1]));
+}
+
 // the shorter side of its box; of a frame around a hole, the frame's own width
 double width_m(const Face& face) {
-  const auto size_m = scope_around({&face, 1}, axes_of(face), {}).size_m;
+  if (face.holes.empty()) return narrower_side_m(face.outer, axes_of(face));
   double border_m = length_around_m(face.outer);
   for (const Ring3& hole : face.holes) border_m += length_around_m(hole);
-  const bool is_frame = !face.holes.empty() && border_m > 0;
-  return is_frame ? 2 * area_m2(face) / border_m : std::min(size_m[0], size_m[1]);
+  return border_m > 0 ? 2 * area_m2(face) / border_m : narrower_side_m(face.outer, axes_of(face));
 }
 
 double width_m(const Terminal& terminal) {
@@ -398,6 +410,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   const std::uint32_t group = execution.groups++;
   const Displacement before = execution.moved + moved;
   run.out.shapes += pieces.size();
+  if (measures(execution)) execution.children.reserve(execution.children.size() + pieces.size());
   for (Piece& piece : pieces) {
     execution.born += piece.left_out;
     christen(piece.shape, bear(execution, "piece"));

@@ -31,6 +31,12 @@ struct KnownPath {
   std::uint32_t path;
 };
 
+/// What a function of attributes alone is worth, and the steps to find that out.
+struct ConstantValue {
+  Value value;
+  std::uint64_t steps = 0;
+};
+
 struct Run {
   const Program& program;
   const DeriveOptions& options;
@@ -43,9 +49,11 @@ struct Run {
   std::vector<std::uint32_t> report_births = {};      ///< By report: whose it is.
   std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, each made when first asked for.
   std::vector<bool> attribute_under_way = {};
+  std::vector<std::optional<ConstantValue>> constants = {};  ///< By function; each made when first asked for.
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::vector<std::vector<KnownPath>> paths_below = {};                  ///< By path.
+  std::uint64_t troubles_told = 0;
+  std::vector<std::vector<KnownPath>> paths_below = {};  ///< By path.
   Memo memo = {};
   std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
   ReachTable reaches = {};
