@@ -25,10 +25,16 @@ struct Outcomes {
   double low = -kEver, high = kEver;
 };
 
+double thrown(Context& context, std::uint32_t index) {
+  const Dice& dice = context.dice;
+  const StableId id = dice.of_shape ? context.run.id_of(dice.birth) : context.run.initial.id;
+  return Draw(context.run.options.seed, id, dice.purpose).unit(index);
+}
+
 Drawn draw(Context& context, double scale) {
   Dice& dice = context.dice;
   const std::uint32_t index = dice.next++;
-  return {Draw(context.run.options.seed, dice.id, dice.purpose).unit(index) * scale, scale, index};
+  return {thrown(context, index) * scale, scale, index};
 }
 
 // any throw within these bounds would have led to the same
@@ -319,7 +325,7 @@ Value initial_value(std::uint32_t index, Context& context) {
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
   const std::string purpose = "attr " + attribute.name;
-  Dice dice{run.initial.id, purpose.c_str(), 0, false};
+  Dice dice{purpose.c_str(), 0, false};
   Frame frame;
   Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
@@ -347,7 +353,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
 
 double draw_unit(Context& context) {
   if (context.dice.of_shape) context.run.asked_of(0);
-  return Draw(context.run.options.seed, context.dice.id, context.dice.purpose).unit(context.dice.next++);
+  return thrown(context, context.dice.next++);
 }
 
 namespace {

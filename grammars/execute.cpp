@@ -54,26 +54,18 @@ void remember_start(Execution& execution) {
 
 Outcome nothing() { return {}; }
 
-/// A child's name for itself.
-struct Newborn {
-  StableId id;
-  std::uint32_t birth;
-};
-
-// `name` has to live in the program
-Newborn bear(Execution& execution, const char* name) {
+// the child's number; `name` has to live in the program
+std::uint32_t bear(Execution& execution, const char* name) {
   Run& run = execution.run;
-  const auto birth = static_cast<std::uint32_t>(run.births.size());
-  const std::uint64_t ordinal = execution.born++;
-  run.births.push_back({execution.shape.birth, name, ordinal});
-  return {stable_id(execution.shape.id, name, ordinal), birth};
+  run.births.push_back({execution.shape.birth, name, execution.born++});
+  return static_cast<std::uint32_t>(run.births.size() - 1);
 }
 
-void christen(Shape& shape, Newborn newborn) {
-  shape.id = newborn.id, shape.birth = newborn.birth;
+void christen(Shape& shape, std::uint32_t birth) {
+  shape.birth = birth;
   // what it was given just now is its own, what came earlier it has inherited
-  shape.in_split.since = std::min(shape.in_split.since, newborn.birth);
-  shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
+  shape.in_split.since = std::min(shape.in_split.since, birth);
+  shape.in_comp.since = std::min(shape.in_comp.since, birth);
 }
 
 Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments, int depth) {
@@ -90,7 +82,6 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   Run& run = execution.run;
   const auto birth = static_cast<std::uint32_t>(run.births.size());
   run.births.push_back({shape.birth, successor.name.c_str(), 0});
-  shape.id = stable_id(shape.id, successor.name.c_str(), 0);
   ++run.out.shapes;
   shape.birth = birth;
   return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
@@ -106,7 +97,7 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   if (!last) remember_start(execution);
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  const Newborn newborn = bear(execution, statement.name.c_str());
+  const std::uint32_t newborn = bear(execution, statement.name.c_str());
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   christen(child, newborn);
@@ -306,7 +297,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
   forget_terminals(run.memo, first);
   terminals.resize(first);
   run.notes.resize(first);
-  terminals.push_back({start.id,
+  terminals.push_back({{},
                        execution.name,
                        execution.path,
                        removed.look,
@@ -361,7 +352,7 @@ bool only_names_successor(const Body& body) {
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
   if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
-  const Dice dice{shape.id, "rule", 0, true, shape.birth};
+  const Dice dice{"rule", 0, true, shape.birth};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
@@ -371,8 +362,16 @@ Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
 Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
   run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
-  run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
-                               run.tables.texture_at(shape.texture), std::move(shape.asset), shape.scope, false, 0});
+  run.out.terminals.push_back({{},
+                               name,
+                               path,
+                               run.look_index(shape.look),
+                               std::move(shape.faces),
+                               run.tables.texture_at(shape.texture),
+                               std::move(shape.asset),
+                               shape.scope,
+                               false,
+                               0});
   return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }
 
@@ -400,7 +399,7 @@ Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int d
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice{shape.id, "rule", 0, true, shape.birth};
+  const Dice dice{"rule", 0, true, shape.birth};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }
