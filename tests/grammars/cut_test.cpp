@@ -57,7 +57,8 @@ struct Cut : testing::Test {
 TEST_F(Cut, InTwoGivesTheSamePartsAsEitherSideAlone) {
   int cut = 0;
   for (int round = 0; round < 20'000; ++round) {
-    const Face face = star();
+    Face face = star();
+    face.tag = FaceTag::kTop, face.street = true;
     const CutPlane plane = plane_for(face);
     Face above = face, below;
     if (!cut_in_two(above, plane, below)) {
