@@ -16,8 +16,7 @@ std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(Place place) {
 
 Shape first_shape(Run& run) {
   Shape shape = run.initial;
-  // an id of its own, so that the start's dice are not the attributes'
-  shape.id = stable_id(run.initial.id, "start", 0);
+  // a birth of its own, so that the start's dice are not the attributes'
   run.births.push_back({0, "start", 0});
   shape.in_split.since = shape.in_comp.since = 0;
   return shape;
@@ -32,6 +31,11 @@ Outcome begin(Run& run) {
   return apply_rule(run, first_shape(run), first, Frame(first.parameters.size(), Value(0.0)), 1, 0);
 }
 
+void tell_ids(Run& run) {
+  for (std::size_t i = 0; i < run.notes.size(); ++i) run.out.terminals[i].id = run.id_of(run.notes[i].birth);
+  for (std::size_t i = 0; i < run.report_births.size(); ++i) run.out.reports[i].shape = run.id_of(run.report_births[i]);
+}
+
 void sort_troubles(Run& run) {
   for (auto& [key, trouble] : run.troubles) run.out.troubles.push_back(std::move(trouble));
   std::stable_sort(run.out.troubles.begin(), run.out.troubles.end(),
@@ -39,6 +43,14 @@ void sort_troubles(Run& run) {
 }
 
 }  // namespace
+
+StableId Run::id_of(std::uint32_t birth) {
+  if (ids.size() < births.size()) ids.resize(births.size());
+  if (ids[birth] != StableId{}) return ids[birth];
+  const Birth& born = births[birth];
+  const StableId parent = birth == 0 ? initial.id : id_of(born.parent);
+  return ids[birth] = stable_id(parent, born.name, born.ordinal);
+}
 
 void Run::asked_of(std::uint32_t since) {
   for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
@@ -50,6 +62,7 @@ void Run::threw(const Throw& thrown) {
 
 void Run::trouble(Place place, const std::string& message) {
   asked_of(0);
+  ++troubles_told;
   const std::string key = place_name(program.files[place.file], place);
   const auto found = troubles.find({key, message});
   if (found != troubles.end()) return void(++found->second.times);
@@ -117,6 +130,7 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   Run run{program, options, initial};
   run.attributes.resize(program.attributes.size());
   run.attribute_under_way.resize(program.attributes.size());
+  run.constants.resize(program.functions.size());
   run.out.paths.push_back({0, ""});
   run.paths_below.emplace_back();
   run.memo.bodies.resize(program.bodies);
@@ -125,6 +139,7 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.out.shapes = 1;
   begin(run);
   sort_troubles(run);
+  if (options.ids) tell_ids(run);
   for (const Terminal& terminal : run.out.terminals) run.out.error_m = std::max(run.out.error_m, terminal.error_m);
   return std::move(run.out);
 }

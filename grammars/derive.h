@@ -33,6 +33,7 @@ struct DeriveOptions {
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
   bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
+  bool ids = true;          ///< Terminals and reports have theirs; without, they have none, and that is quicker.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
   /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
   /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where all that comes of it

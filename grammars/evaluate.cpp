@@ -25,10 +25,16 @@ struct Outcomes {
   double low = -kEver, high = kEver;
 };
 
+double thrown(Context& context, std::uint32_t index) {
+  const Dice& dice = context.dice;
+  const StableId id = dice.of_shape ? context.run.id_of(dice.birth) : context.run.initial.id;
+  return Draw(context.run.options.seed, id, dice.purpose).unit(index);
+}
+
 Drawn draw(Context& context, double scale) {
   Dice& dice = context.dice;
   const std::uint32_t index = dice.next++;
-  return {Draw(context.run.options.seed, dice.id, dice.purpose).unit(index) * scale, scale, index};
+  return {thrown(context, index) * scale, scale, index};
 }
 
 // any throw within these bounds would have led to the same
@@ -44,7 +50,20 @@ Value finite(double number, Place place, Context& context) {
   return std::isnan(number) ? 0.0 : std::clamp(number, -kLargest, kLargest);
 }
 
+// one that needs no work, and so makes no copy
+const double* plain_number(const Expression& expression, const Context& context) {
+  if (expression.kind == ExpressionKind::kLiteral) return std::get_if<double>(&expression.value);
+  if (expression.kind != ExpressionKind::kName) return nullptr;
+  if (expression.target == Target::kLocal && expression.index < context.frame.size())
+    return std::get_if<double>(&context.frame[expression.index]);
+  const bool is_attribute = expression.target == Target::kAttribute && context.shape.attributes == 0;
+  if (!is_attribute || !context.run.attributes[expression.index]) return nullptr;
+  return std::get_if<double>(&*context.run.attributes[expression.index]);
+}
+
 double number_at(const Expression& expression, Context& context) {
+  const double* plain = context.depth < kMostDepth ? plain_number(expression, context) : nullptr;
+  if (plain != nullptr) return context.run.spend(1) ? *plain : 0.0;
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<double>(value))
     context.run.trouble(expression.place, std::string("expected a float, found a ") + kind_name(value));
@@ -107,9 +126,25 @@ Value evaluate_builtin(const Expression& call, Context& context) {
   return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
 }
 
+// what is worth the same for all shapes is evaluated once, if nothing is to be told of it; its steps count each time
+Value constant_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  std::optional<ConstantValue>& known = run.constants[index];
+  if (known) return run.spend(known->steps) ? known->value : Value(0.0);
+  const auto steps = [&] { return run.out.steps - run.attribute_steps; };
+  const std::uint64_t before = steps(), told = run.troubles_told;
+  Frame none;
+  Context inner{run, context.shape, none, context.dice, context.depth};
+  Value value = evaluate(run.program.functions[index].value, inner);
+  if (run.troubles_told == told && run.spend(0)) run.constants[index] = {value, steps() - before};
+  return value;
+}
+
 [[gnu::noinline]] Value evaluate_function(const Expression& call, Context& context) {
   const Function& function = context.run.program.functions[call.index];
+  if (function.is_constant) return constant_value(call.index, context);
   Frame frame;
+  frame.reserve(call.operands.size());
   for (const Expression& operand : call.operands) frame.push_back(evaluate(operand, context));
   Context inner{context.run, context.shape, frame, context.dice, context.depth};
   return evaluate(function.value, inner);
@@ -290,7 +325,7 @@ Value initial_value(std::uint32_t index, Context& context) {
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
   const std::string purpose = "attr " + attribute.name;
-  Dice dice{run.initial.id, purpose.c_str(), 0, false};
+  Dice dice{purpose.c_str(), 0, false};
   Frame frame;
   Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
@@ -318,7 +353,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
 
 double draw_unit(Context& context) {
   if (context.dice.of_shape) context.run.asked_of(0);
-  return Draw(context.run.options.seed, context.dice.id, context.dice.purpose).unit(context.dice.next++);
+  return thrown(context, context.dice.next++);
 }
 
 namespace {

@@ -54,26 +54,18 @@ void remember_start(Execution& execution) {
 
 Outcome nothing() { return {}; }
 
-/// A child's name for itself.
-struct Newborn {
-  StableId id;
-  std::uint32_t birth;
-};
-
-// `name` has to live in the program
-Newborn bear(Execution& execution, const char* name) {
+// the child's number; `name` has to live in the program
+std::uint32_t bear(Execution& execution, const char* name) {
   Run& run = execution.run;
-  const auto birth = static_cast<std::uint32_t>(run.births.size());
-  const std::uint64_t ordinal = execution.born++;
-  run.births.push_back({execution.shape.birth, name, ordinal});
-  return {stable_id(execution.shape.id, name, ordinal), birth};
+  run.births.push_back({execution.shape.birth, name, execution.born++});
+  return static_cast<std::uint32_t>(run.births.size() - 1);
 }
 
-void christen(Shape& shape, Newborn newborn) {
-  shape.id = newborn.id, shape.birth = newborn.birth;
+void christen(Shape& shape, std::uint32_t birth) {
+  shape.birth = birth;
   // what it was given just now is its own, what came earlier it has inherited
-  shape.in_split.since = std::min(shape.in_split.since, newborn.birth);
-  shape.in_comp.since = std::min(shape.in_comp.since, newborn.birth);
+  shape.in_split.since = std::min(shape.in_split.since, birth);
+  shape.in_comp.since = std::min(shape.in_comp.since, birth);
 }
 
 Outcome derive_successor(Execution& execution, const Statement& statement, Shape&& child, Frame arguments, int depth) {
@@ -90,7 +82,6 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   Run& run = execution.run;
   const auto birth = static_cast<std::uint32_t>(run.births.size());
   run.births.push_back({shape.birth, successor.name.c_str(), 0});
-  shape.id = stable_id(shape.id, successor.name.c_str(), 0);
   ++run.out.shapes;
   shape.birth = birth;
   return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
@@ -100,12 +91,13 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
 // `last`: nothing asks for the current shape any more
 [[gnu::noinline]] void run_successor(Execution& execution, const Statement& statement, bool last) {
   Frame arguments;
+  arguments.reserve(statement.arguments.size());
   Context context = context_of(execution);
   for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
   if (!last) remember_start(execution);
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  const Newborn newborn = bear(execution, statement.name.c_str());
+  const std::uint32_t newborn = bear(execution, statement.name.c_str());
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
   christen(child, newborn);
@@ -117,6 +109,7 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
 
 std::vector<Argument> arguments_of(const Statement& statement, Context& context) {
   std::vector<Argument> arguments;
+  arguments.reserve(statement.arguments.size());
   for (const Expression& expression : statement.arguments) {
     Argument& argument = arguments.emplace_back();
     argument.relative = is_share(expression);
@@ -254,13 +247,23 @@ double length_around_m(std::span<const Vec3> ring) {
   return sum_m;
 }
 
+double extent_m(std::span<const Vec3> ring, Vec3 axis) {
+  double low_m = kUnbounded_m, high_m = -kUnbounded_m;
+  for (const Vec3 p : ring) low_m = std::min(low_m, dot(axis, p)), high_m = std::max(high_m, dot(axis, p));
+  const double size_m = high_m - low_m;
+  return size_m < kOnPlane_m ? 0 : size_m;
+}
+
+double narrower_side_m(std::span<const Vec3> ring, const std::array<Vec3, 3>& axis) {
+  return ring.empty() ? 0 : std::min(extent_m(ring, axis[0]), extent_m(ring, axis[1]));
+}
+
 // the shorter side of its box; of a frame around a hole, the frame's own width
 double width_m(const Face& face) {
-  const auto size_m = scope_around({&face, 1}, axes_of(face), {}).size_m;
+  if (face.holes.empty()) return narrower_side_m(face.outer, axes_of(face));
   double border_m = length_around_m(face.outer);
   for (const Ring3& hole : face.holes) border_m += length_around_m(hole);
-  const bool is_frame = !face.holes.empty() && border_m > 0;
-  return is_frame ? 2 * area_m2(face) / border_m : std::min(size_m[0], size_m[1]);
+  return border_m > 0 ? 2 * area_m2(face) / border_m : narrower_side_m(face.outer, axes_of(face));
 }
 
 double width_m(const Terminal& terminal) {
@@ -294,7 +297,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
   forget_terminals(run.memo, first);
   terminals.resize(first);
   run.notes.resize(first);
-  terminals.push_back({start.id,
+  terminals.push_back({{},
                        execution.name,
                        execution.path,
                        removed.look,
@@ -349,7 +352,7 @@ bool only_names_successor(const Body& body) {
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
   if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
-  const Dice dice{shape.id, "rule", 0, true, shape.birth};
+  const Dice dice{"rule", 0, true, shape.birth};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
@@ -359,8 +362,16 @@ Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
 Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
   run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
-  run.out.terminals.push_back({shape.id, name, path, run.look_index(shape.look), std::move(shape.faces),
-                               run.tables.texture_at(shape.texture), std::move(shape.asset), shape.scope, false, 0});
+  run.out.terminals.push_back({{},
+                               name,
+                               path,
+                               run.look_index(shape.look),
+                               std::move(shape.faces),
+                               run.tables.texture_at(shape.texture),
+                               std::move(shape.asset),
+                               shape.scope,
+                               false,
+                               0});
   return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }
 
@@ -388,7 +399,7 @@ Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int d
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice{shape.id, "rule", 0, true, shape.birth};
+  const Dice dice{"rule", 0, true, shape.birth};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }
@@ -398,6 +409,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   const std::uint32_t group = execution.groups++;
   const Displacement before = execution.moved + moved;
   run.out.shapes += pieces.size();
+  if (measures(execution)) execution.children.reserve(execution.children.size() + pieces.size());
   for (Piece& piece : pieces) {
     execution.born += piece.left_out;
     christen(piece.shape, bear(execution, "piece"));

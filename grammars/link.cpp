@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grammars/constant.h"
 #include "grammars/lexer.h"
 #include "grammars/parse.h"
 #include "grammars/resolve.h"
@@ -63,6 +64,7 @@ Result<Program> read_rules(const std::string& file, const Loader& load) {
   Linker linker{load, {}, {}};
   if (auto error = add_file(linker, file, "")) return *error;
   if (auto error = resolve(linker.program)) return *error;
+  mark_constants(linker.program);
   return std::move(linker.program);
 }
 

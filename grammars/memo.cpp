@@ -129,9 +129,9 @@ Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
 }
 
 // of those that are derived, whichever's dice fell as this shape's will
-MemoEntry* variant_of(const Run& run, const Shape& shape, const MemoVariants& variants) {
+MemoEntry* variant_of(Run& run, const Shape& shape, const MemoVariants& variants) {
   for (const std::unique_ptr<MemoEntry>& entry : variants)
-    if (would_throw(run, shape.id, entry->throws)) return entry.get();
+    if (would_throw(run, shape.birth, entry->throws)) return entry.get();
   return nullptr;
 }
 

@@ -172,7 +172,6 @@ void add_terminal(Maker& maker, std::size_t index) {
 struct Copy {
   const Shape& shape;
   std::vector<Vec3> points = {};
-  std::vector<StableId> ids = {};
   std::size_t first_birth = 0, first_texture = 0;
 
   std::uint32_t birth(std::uint32_t in_pattern) const {
@@ -188,13 +187,8 @@ void place_points(const Pattern& pattern, Copy& copy) {
 }
 
 void bear_all(Run& run, const Pattern& pattern, Copy& copy) {
-  copy.ids.reserve(pattern.births.size() + 1);
-  copy.ids.push_back(copy.shape.id);
   copy.first_birth = run.births.size();
-  for (const Birth& birth : pattern.births) {
-    copy.ids.push_back(stable_id(copy.ids[birth.parent], birth.name, birth.ordinal));
-    run.births.push_back({copy.birth(birth.parent), birth.name, birth.ordinal});
-  }
+  for (const Birth& birth : pattern.births) run.births.push_back({copy.birth(birth.parent), birth.name, birth.ordinal});
 }
 
 void lay_textures(Run& run, const Pattern& pattern, Copy& copy) {
@@ -215,7 +209,6 @@ void copy_terminal(Run& run, const PatternTerminal& from, const Copy& copy) {
   TerminalNote& note = run.notes.emplace_back(from.note);
   const std::uint32_t* point = from.points.data();
   for (Face& face : terminal.faces) each_vertex(face, [&](Vec3& p) { p = copy.points[*point++]; });
-  terminal.id = copy.ids[from.note.birth];
   terminal.scope.origin = copy.points[from.origin];
   for (Vec3& axis : terminal.scope.axis) axis = in_space(copy.shape.scope, axis);
   note.birth = copy.birth(from.note.birth);
@@ -237,9 +230,9 @@ Throws throws_of(const Run& run, std::uint32_t birth, IndexRange throws) {
   return std::move(descent.throws);
 }
 
-bool would_throw(const Run& run, StableId shape, const Throws& throws) {
+bool would_throw(Run& run, std::uint32_t birth, const Throws& throws) {
   if (throws.thrown.empty()) return true;
-  std::vector<StableId> ids = {shape};
+  std::vector<StableId> ids = {run.id_of(birth)};
   ids.reserve(throws.births.size() + 1);
   for (const Birth& birth : throws.births) ids.push_back(stable_id(ids[birth.parent], birth.name, birth.ordinal));
   return std::all_of(throws.thrown.begin(), throws.thrown.end(), [&](const Throw& thrown) {
@@ -269,7 +262,7 @@ void copy_pattern(Run& run, const Pattern& pattern, const Shape& shape) {
   lay_textures(run, pattern, copy);
   for (const PatternTerminal& terminal : pattern.terminals) copy_terminal(run, terminal, copy);
   for (const PatternReport& report : pattern.reports) {
-    run.out.reports.push_back({report.reported.name, report.reported.value, copy.ids[report.birth]});
+    run.out.reports.push_back({report.reported.name, report.reported.value, {}});
     run.report_births.push_back(copy.birth(report.birth));
   }
   for (Throw thrown : pattern.throws) {

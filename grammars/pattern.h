@@ -95,8 +95,8 @@ struct Pattern {
 /// The throws of a node that began with the shape born as `birth`.
 Throws throws_of(const Run& run, std::uint32_t birth, IndexRange throws);
 
-/// True if the dice of this shape's descendants would fall as those did. O(births).
-bool would_throw(const Run& run, StableId shape, const Throws& throws);
+/// True if the dice of the descendants of the shape born as `birth` would fall as those did. O(births).
+bool would_throw(Run& run, std::uint32_t birth, const Throws& throws);
 
 /// The pattern of what `shape`, one face without holes, was made to. std::nullopt if something divides the shape's
 /// surface at its border, where neighbours would have to be divided at the same points, bit for bit.

@@ -14,12 +14,12 @@
 
 namespace citykiln::grammars {
 
-/// Chance for one purpose of one shape: the index counts what the shape itself has drawn.
+/// Chance for one purpose: of one shape, where the index counts what the shape itself has drawn, or of an attribute,
+/// which is the building's.
 struct Dice {
-  StableId id;
   const char* purpose = "rule";
   std::uint32_t next = 0;
-  bool of_shape = true;     ///< Not an attribute's, which are the building's.
+  bool of_shape = true;
   std::uint32_t birth = 0;  ///< Of the shape.
 };
 
@@ -31,6 +31,12 @@ struct KnownPath {
   std::uint32_t path;
 };
 
+/// What a function of attributes alone is worth, and the steps to find that out.
+struct ConstantValue {
+  Value value;
+  std::uint64_t steps = 0;
+};
+
 struct Run {
   const Program& program;
   const DeriveOptions& options;
@@ -39,17 +45,22 @@ struct Run {
   Tables tables = {};
   std::vector<TerminalNote> notes = {};               ///< By terminal.
   std::vector<Birth> births = {};                     ///< By shape; the start's first.
+  std::vector<StableId> ids = {};                     ///< By birth; 0 where nobody has asked for it yet.
   std::vector<std::uint32_t> looks_in_out = {};       ///< By look: 1 + where Derivation::looks has it; 0 for nowhere.
   std::vector<std::uint32_t> report_births = {};      ///< By report: whose it is.
   std::vector<std::optional<Value>> attributes = {};  ///< Values at the start, each made when first asked for.
   std::vector<bool> attribute_under_way = {};
+  std::vector<std::optional<ConstantValue>> constants = {};  ///< By function; each made when first asked for.
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
-  std::vector<std::vector<KnownPath>> paths_below = {};                  ///< By path.
+  std::uint64_t troubles_told = 0;
+  std::vector<std::vector<KnownPath>> paths_below = {};  ///< By path.
   Memo memo = {};
   std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
   ReachTable reaches = {};
 
+  /// Most shapes are never asked for theirs, so ids are made when they are.
+  StableId id_of(std::uint32_t birth);
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
   void asked_of(std::uint32_t since);

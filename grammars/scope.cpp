@@ -35,14 +35,18 @@ Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis,
   return scope;
 }
 
-std::array<Vec3, 3> axes_of(const Face& face) {
-  const FaceFrame frame = frame_of(face);
+std::array<Vec3, 3> axes_of(const Face& face) { return axes_of(face, normal_of(face)); }
+
+std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal) {
   // the sine of the angle to the vertical under which a face counts as level: half a degree
   constexpr double kLevel = 0.0087;
-  const Vec3 foot = cross(Vec3{0, 0, 1}, frame.z);
-  if (length(foot) < kLevel) return {frame.x, frame.y, frame.z};
+  const Vec3 foot = cross(Vec3{0, 0, 1}, normal);
+  if (length(foot) < kLevel) {
+    const FaceFrame frame = frame_of(face);
+    return {frame.x, frame.y, frame.z};
+  }
   const Vec3 x = unit(foot);
-  return {x, cross(frame.z, x), frame.z};
+  return {x, cross(normal, x), normal};
 }
 
 NearestAxis nearest_axis(const Scope& scope, Vec3 direction) {

@@ -29,6 +29,8 @@ Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis,
 /// Axes of a face: z its normal; x level, along the face's foot as seen from outside; y up in the face. Of a face that
 /// lies level, x runs along its first edge.
 std::array<Vec3, 3> axes_of(const Face& face);
+/// The same, of a face with this normal.
+std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal);
 
 /// Of the scope's axes, the one nearest to this direction, and whether it points against it.
 struct NearestAxis {

@@ -40,7 +40,7 @@ struct Position {
 using AttributeSet = std::map<std::uint32_t, Value>;
 
 struct Shape {
-  StableId id{};
+  StableId id{};  ///< Of what a derivation begins with; of others Run::id_of() tells.
   Scope scope;
   std::vector<Face> faces;
   Scope parent_scope;  ///< For center().

@@ -110,6 +110,7 @@ struct Function {
   std::string name;
   std::vector<Local> parameters;
   Expression value;
+  bool is_constant = false;  ///< Worth the same for every shape of a building (constant.h).
 };
 
 /// attr (the caller and set() may change it) or const.

@@ -42,10 +42,10 @@ void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
 }
 
 // Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
-void add_places(const Face& face, materials::DressedMesh& dressed) {
+void add_places(const Face& face, Vec3 normal, materials::DressedMesh& dressed) {
   if (dressed.uvs.size() == dressed.mesh.positions.size()) return;
   constexpr double kPeriod_m = materials::kTexturePeriod_m, kStep_m = materials::kTexturePlace_m;
-  const std::array<Vec3, 3> axis = grammars::axes_of(face);
+  const std::array<Vec3, 3> axis = grammars::axes_of(face, normal);
   const auto period = [&](std::size_t i) {
     return std::floor(dot(axis[i], face.outer.front()) / kPeriod_m) * kPeriod_m;
   };
@@ -74,15 +74,30 @@ void add_triangulated(const Face& face, Mesh& mesh) {
   for (const Triangle& t : plane.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-}  // namespace
-
-void add_face(const Face& face, Mesh& mesh) {
-  const Vec3 normal = normal_of(face);
+void add_face(const Face& face, Vec3 normal, Mesh& mesh) {
   if (area_m2(face) < kLeast_m2) return;
   const bool is_simple = face.holes.empty() && face.outer.size() <= 4 && is_convex(face.outer, normal);
   if (is_simple) return add_fan(face.outer, mesh);
   add_triangulated(face, mesh);
 }
+
+// Room for all points, so that no mesh is moved as it grows.
+void reserve_points(const grammars::Derivation& derivation, std::span<materials::DressedMesh* const> mesh_of_look) {
+  std::vector<std::size_t> points(mesh_of_look.size());
+  for (const grammars::Terminal& terminal : derivation.terminals)
+    points[terminal.look] += grammars::vertex_count(terminal.faces);
+  for (std::size_t look = 0; look < points.size(); ++look) {
+    materials::DressedMesh& dressed = *mesh_of_look[look];
+    const std::size_t all = dressed.mesh.positions.capacity() + points[look];
+    dressed.mesh.positions.reserve(all);
+    dressed.mesh.triangles.reserve(all / 2);
+    if (materials::has_texture(dressed.material, 0)) dressed.uvs.reserve(all);
+  }
+}
+
+}  // namespace
+
+void add_face(const Face& face, Mesh& mesh) { add_face(face, normal_of(face), mesh); }
 
 SurfaceDress dress_of(const grammars::Look& look) {
   const Material material = materials::material_named(look.name).value_or(Material::kPlaster);
@@ -95,8 +110,9 @@ SurfaceDress dress_of(const grammars::Look& look) {
 }
 
 void add_face(const Face& face, materials::DressedMesh& dressed) {
-  add_face(face, dressed.mesh);
-  if (materials::has_texture(dressed.material, 0)) add_places(face, dressed);
+  const Vec3 normal = normal_of(face);
+  add_face(face, normal, dressed.mesh);
+  if (materials::has_texture(dressed.material, 0)) add_places(face, normal, dressed);
 }
 
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature) {
@@ -104,8 +120,11 @@ std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& deriva
   for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
   std::map<SurfaceDress, materials::DressedMesh> mesh_of;
   for (const SurfaceDress& each : dress) mesh_of[each] = {{}, each.material, each.tint, feature};
+  std::vector<materials::DressedMesh*> mesh_of_look;
+  for (const SurfaceDress& each : dress) mesh_of_look.push_back(&mesh_of[each]);
+  reserve_points(derivation, mesh_of_look);
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) add_face(face, mesh_of[dress[terminal.look]]);
+    for (const Face& face : terminal.faces) add_face(face, *mesh_of_look[terminal.look]);
   std::vector<materials::DressedMesh> meshes;
   for (auto& [key, dressed] : mesh_of)
     if (!dressed.mesh.triangles.empty()) meshes.push_back(std::move(dressed));

@@ -70,7 +70,7 @@ grammars::Derivation derive_on(const Building& building, const Mass& mass, const
   options.attributes = rule_values_of(building, mass.roof.form);
   options.seed = seed;
   options.tolerance_m = tolerance_m;
-  options.keep_start = true;
+  options.keep_start = true, options.ids = false;
   // where pictures show what is left out, looks are theirs; what moves little is known ahead
   options.keep_looks = keep_looks, options.ahead = true;
   // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies

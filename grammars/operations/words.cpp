@@ -7,7 +7,7 @@ void op_report(Execution& execution, const Statement&, Arguments arguments) {
   Run& run = execution.run;
   // as many as shapes at most
   if (run.out.reports.size() > run.options.limits.shapes) return;
-  run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, execution.shape.id});
+  run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, {}});
   run.report_births.push_back(execution.shape.birth);
 }
 

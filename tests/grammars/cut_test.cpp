@@ -54,6 +54,24 @@ struct Cut : testing::Test {
   }
 };
 
+TEST_F(Cut, InTwoGivesTheSamePartsAsEitherSideAlone) {
+  int cut = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    Face face = star();
+    face.tag = FaceTag::kTop, face.street = true;
+    const CutPlane plane = plane_for(face);
+    Face above = face, below;
+    if (!cut_in_two(above, plane, below)) {
+      ASSERT_EQ(above, face);
+      continue;
+    }
+    ++cut;
+    ASSERT_EQ(std::vector{above}, part_above(face, plane));
+    ASSERT_EQ(std::vector{below}, part_above(face, opposite(plane)));
+  }
+  EXPECT_GT(cut, 2'000);
+}
+
 TEST_F(Cut, PartsHaveTheAreaOfTheFace) {
   for (int round = 0; round < 20'000; ++round) {
     const Face face = star();

@@ -70,6 +70,24 @@ TEST(Identity, TheSameArgumentsGiveTheSameBytes) {
   EXPECT_EQ(a.looks, b.looks);
 }
 
+TEST(Identity, AsksForNothingElse) {
+  const std::string text =
+      "Lot --> extrude(rand(3, 6)) comp(f) { all : split(x) { { ~2 : report(\"n\", 1) Tile }* } }\n"
+      "Tile --> 50% : A. else : B.";
+  DeriveOptions without;
+  without.ids = false;
+  Derivation a = derived(text), b = derived(text, 10, 8, without);
+  ASSERT_EQ(a.terminals.size(), b.terminals.size());
+  EXPECT_EQ(a.steps, b.steps);
+  for (std::size_t i = 0; i < a.terminals.size(); ++i) {
+    EXPECT_EQ(a.terminals[i].name, b.terminals[i].name);
+    EXPECT_EQ(a.terminals[i].faces, b.terminals[i].faces);
+    EXPECT_NE(a.terminals[i].id, StableId{});
+    EXPECT_EQ(b.terminals[i].id, StableId{});
+  }
+  for (const Reported& reported : a.reports) EXPECT_NE(reported.shape, StableId{});
+}
+
 TEST(Chance, OfAShapeDoesNotDependOnItsSiblings) {
   // the second program draws and derives more before it comes to the same pieces, in another order
   const char* const kTiles = "Tile --> t(0, 0, rand) A\nOther --> 50% : t(0, 0, rand) C else : D D D\n";
