@@ -1,0 +1,101 @@
+#include "compiler/bake/fire_placed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/bake/merge.h"
+
+namespace citykiln::bake {
+namespace {
+
+// Shared meshes and where they stand. Nothing is left of them below the tolerance.
+void fire_instances(Firing& firing, const std::string& name, const std::vector<DressedMesh>& meshes,
+                    const std::vector<Placement>& placements) {
+  if (meshes.empty() || placements.empty()) return;
+  Merged merged;
+  for (const DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+  Instanced instanced{name, primitives_of(std::move(merged)), {}, {}, {}, {}};
+  for (Primitive& primitive : instanced.primitives) primitive.features.clear();
+  for (const Placement& p : placements) {
+    instanced.translations.push_back(offset_from(firing.tile.origin, p.at));
+    // half of the turn about z, from cos and sin of the whole
+    const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
+    instanced.rotations.push_back(
+        {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
+    instanced.scales.push_back(static_cast<float>(p.scale));
+    instanced.features.push_back(number_of(firing.tile, p.feature));
+  }
+  firing.tile.instanced.push_back(std::move(instanced));
+}
+
+double tallest(const std::vector<Placement>& placements) {
+  double tallest_m = 0;
+  for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
+  return tallest_m;
+}
+
+// What stands of one kind; false where the tolerance leaves nothing of it.
+bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carving, props::LampKind kind) {
+  constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
+  std::vector<Placement> placements;
+  for (const props::StreetLamp& lamp : lamps.standing)
+    if (lamp.kind == kind) placements.push_back(props::place(lamp, carving));
+  const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
+  for (const Placement& p : placements) firing.certify(lamp.error_m, bounds_of(p));
+  fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
+  return !lamp.meshes.empty();
+}
+
+}  // namespace
+
+Placed placed_in(const Firing& firing, const Common& common) {
+  Placed placed{common.trees, common.lamps};
+  if (!firing.part) return placed;
+  for (auto& placements : placed.trees)
+    std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
+  placed.lamps = {};
+  for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = common.lamps.standing[i];
+    if (!firing.holds(bounds_of(props::place(lamp, common.carving)))) continue;
+    placed.lamps.standing.push_back(lamp);
+    if (i < common.lamps.mapped) ++placed.lamps.mapped;
+  }
+  return placed;
+}
+
+void name_placed(Firing& firing, const Placed& placed) {
+  for (const auto& placements : placed.trees)
+    for (const Placement& p : placements) firing.features.insert(p.feature);
+  for (const props::StreetLamp& lamp : placed.lamps.standing) firing.features.insert(lamp.feature);
+}
+
+void fire_trees(Firing& firing, const plants::Placed& placed) {
+  constexpr const char* kNames[] = {"BroadLeaved", "NeedleLeaved"};
+  for (std::size_t a = 0; a < placed.size(); ++a) {
+    const double height_m = std::max(tallest(placed[a]), plants::kTallestTree_m);
+    const auto archetype = plants::archetype_mesh(static_cast<plants::Archetype>(a), height_m, firing.tolerance_m);
+    for (const Placement& p : placed[a]) firing.certify(archetype.error_per_m * p.scale, bounds_of(p));
+    fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
+  }
+}
+
+void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report) {
+  const bool is_left[] = {fire_kind(firing, lamps, carving, props::LampKind::kPostTop),
+                          fire_kind(firing, lamps, carving, props::LampKind::kArm)};
+  Account mapped, derived;
+  for (std::size_t i = 0; i < lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = lamps.standing[i];
+    Account& account = i < lamps.mapped ? mapped : derived;
+    ++account.in;
+    if (is_left[static_cast<std::size_t>(lamp.kind)])
+      ++account.out;
+    else if (i < lamps.mapped)
+      report.drop(account, Code::kBelowTolerance, lamp.feature, lamp.height_m);
+    else
+      ++account.dropped[Code::kBelowTolerance];
+  }
+  report.account("bake", "lamp") = mapped;
+  report.account("bake", "derived lamp") = derived;
+}
+
+}  // namespace citykiln::bake

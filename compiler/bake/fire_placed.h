@@ -1,0 +1,25 @@
+// Trees and lamps: one mesh of a kind, and where it stands.
+#pragma once
+
+#include "compiler/bake/firing.h"
+#include "compiler/bake/levels.h"
+
+namespace citykiln::bake {
+
+/// What of the trees and lamps the firing holds.
+struct Placed {
+  plants::Placed trees;
+  Lamps lamps;
+};
+
+Placed placed_in(const Firing& firing, const Common& common);
+
+/// What is placed is named before features are numbered, and fired after.
+void name_placed(Firing& firing, const Placed& placed);
+
+void fire_trees(Firing& firing, const plants::Placed& placed);
+
+/// Accounts "bake/lamp", "bake/derived lamp". Only what somebody mapped is named where the tolerance drops it.
+void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report);
+
+}  // namespace citykiln::bake
