@@ -1,0 +1,4 @@
+#include "lsystems/tubes.h"
+
+#include <gtest/gtest.h>
+TEST(Tubes,Nothing){}
