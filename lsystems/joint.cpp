@@ -8,8 +8,6 @@
 namespace citykiln::lsystems {
 namespace {
 
-// the box's corners, in radii: the limit curve of four such points is the circle
-constexpr double kCornerReach = 1 / 0.6574;
 // between a ring and the box's edge, in radii of the ring; less makes a crease, more a dent
 constexpr double kCollar = 0.7;
 // below this stems run beside each other for so long that they part where there is room
@@ -108,7 +106,7 @@ double reach_of(const Joint& joint) {
   for (const Vec3 corner : joint.box) reach = std::max(reach, length(corner - middle));
   for (std::size_t i = 0; i < joint.stems; ++i) {
     const Ring& ring = joint.rings[i];
-    reach = std::max(reach, length(ring.at - middle) + ring.radius * kRingReach);
+    reach = std::max(reach, length(ring.at - middle) + ring.radius * kCornerReach);
   }
   return reach;
 }

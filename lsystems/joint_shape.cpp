@@ -18,10 +18,6 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 
-constexpr int kMostPoints = 8 + 6 * kRingPoints;
-// a ring of four points whose limit curve lies about the same circle: 1 / 0.6574 of the radius
-constexpr double kFourReach = 0.9019 / 0.6574;
-
 // a point as a sum of the cage's points; what OpenSubdiv adds up
 struct Row {
   std::array<double, kMostPoints> weights{};
@@ -130,11 +126,8 @@ std::vector<OnRing> rings_of(const Far::TopologyRefiner& refiner, int level) {
 std::vector<Row> cage_rows(const Cage& cage) {
   std::vector<Row> rows(cage.points);
   for (int i = 0; i < 8; ++i) rows[i].weights[i] = 1;
-  for (int i = 8; i < cage.points; ++i) {
-    const int first = 8 + (i - 8) / 4 * kRingPoints;
-    for (int k = 0; k < kRingPoints; ++k) rows[i].weights[first + k] = (1 - kFourReach) / kRingPoints;
-    rows[i].weights[first + i % 4 * 2] += kFourReach;
-  }
+  // the four of a ring come behind its eight
+  for (int i = 8; i < cage.points; ++i) rows[i].weights[8 + (i - 8) / 4 * kRingPoints + 8 + i % 4] = 1;
   return rows;
 }
 

@@ -11,12 +11,15 @@ namespace citykiln::lsystems {
 
 /// The cage of a joint is a box whose open faces lead to stems: below to the parent, above to the one that goes on, and
 /// at the sides to the others. Points: the box's lower four corners, its upper four; then for each stem, lower, upper,
-/// sides 0 to 3, eight on its ring. Side k lies between corners k and k + 1; first points of rings lie at corner 0,
-/// those of side k at its lower corner k.
-inline constexpr int kRingPoints = 8;
+/// sides 0 to 3, eight about its ring, and four farther out, at the same angles as every other one. Side k lies between
+/// corners k and k + 1; first points of rings lie at corner 0, those of side k at its lower corner k.
+inline constexpr int kRingPoints = 12;
+inline constexpr int kMostPoints = 8 + 6 * kRingPoints;
 
 /// So far outside of the circle lie a ring's eight points that the limit curve is the circle, within kRoundness radii.
-inline constexpr double kRingReach = 1.0 / 0.9019;
+inline constexpr double kRingReach = 1 / 0.9019;
+/// And four points, as on the box, within 0.014 radii.
+inline constexpr double kCornerReach = 1 / 0.6574;
 inline constexpr double kRoundness = 0.0006;
 
 struct JointShape {
