@@ -217,7 +217,7 @@ Drawn Mesher::draw_foot(const Segment& root) {
   const double height = foot_height(root), radius = root.start_radius;
   const double more = options.flare * height / 3;
   const double error_m = options.tolerance_m / 4;
-  const int pieces = error_m > 0 ? std::clamp(static_cast<int>(std::sqrt(more / (4 * error_m))) + 1, 1, 8) : 8;
+  const int pieces = error_m > 0 ? std::clamp(static_cast<int>(std::sqrt(more / (4 * error_m))) + 1, 1, 64) : 64;
   Drawn foot;
   for (int i = 0; i <= pieces; ++i) {
     const double up = static_cast<double>(i) / pieces, rest = 1 - up;
@@ -263,7 +263,9 @@ void Mesher::go_on(std::size_t i, const Drawn& begin) {
 
 // the cage's points; each coordinate twice, so that a pair of weights takes it at once
 void Mesher::spread_points(const Joint& joint) {
-  const auto put = [&](std::size_t i, Vec3 p) { points[i] = {{p.x, p.x}, {p.y, p.y}, {p.z, p.z}, {p.x, p.y}, p.z}; };
+  const auto put = [&](std::size_t i, Vec3 p) {
+    points[i] = Spread{Pair{p.x, p.x}, Pair{p.y, p.y}, Pair{p.z, p.z}, Pair{p.x, p.y}, p.z};
+  };
   for (std::size_t i = 0; i < joint.box.size(); ++i) put(i, joint.box[i]);
   for (std::size_t s = 0; s < joint.stems; ++s) {
     const Ring& ring = joint.rings[s];
