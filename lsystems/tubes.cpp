@@ -236,7 +236,8 @@ Drawn Mesher::draw_foot(const Segment& root) {
 Drawn Mesher::begin_alone(std::size_t i) {
   ++out.unjoined;
   if (has_foot(segment(i), options.flare)) return draw_foot(segment(i));
-  const Ring ring = ring_on(segment(i), segment(i).start_radius, options.tolerance_m);
+  Ring ring = ring_on(segment(i), segment(i).start_radius, options.tolerance_m);
+  ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
   cap(ring, ring.axis * -1.0);
   return {ring, draw_ring(ring, 0, 0)};
 }
@@ -244,6 +245,7 @@ Drawn Mesher::begin_alone(std::size_t i) {
 void Mesher::end_in_tip(std::size_t i, const Drawn& begin) {
   Ring ring = ring_on(segment(i), segment(i).end_radius, options.tolerance_m);
   ring.at = segment(i).end().at;
+  ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
   cap(draw_tube(begin, ring, false).ring, ring.axis);
 }
 
@@ -256,7 +258,8 @@ void Mesher::go_on(std::size_t i, const Drawn& begin) {
   if (length(both) > 1e-3) ring.axis = unit(both);
   ring.sides = 4;
   const double bent = kTau / 4 * dot(bend, bend);
-  while (ring.sides < kMostSides && ring.radius * (sagitta(ring.sides) + bent / ring.sides) > options.tolerance_m)
+  const double radius = std::max(thickest(segment(i)), thickest(segment(child)));
+  while (ring.sides < kMostSides && radius * (sagitta(ring.sides) + bent / ring.sides) > options.tolerance_m)
     ring.sides *= 2;
   begins[child] = draw_tube(begin, ring, false);
 }
@@ -347,9 +350,8 @@ std::vector<Stem>& sort_stems(std::vector<Stem>& stems, Vec3 arriving) {
   return stems;
 }
 
-int joint_sides(const Joint& joint, double tolerance_m) {
-  double radius = 0;
-  for (std::size_t s = 0; s < joint.stems; ++s) radius = std::max(radius, joint.rings[s].radius);
+// @param radius  The thickest of its stems, anywhere.
+int joint_sides(const Joint& joint, double radius, double tolerance_m) {
   int level = 0;
   while (level + 1 < kLevels && kJointBend[level] * joint.reach + kRoundness * radius > tolerance_m) ++level;
   return std::max(4 << level, sides_of(radius, tolerance_m));
@@ -363,7 +365,9 @@ void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
   sort_stems(stems, parent.direction);
   const std::size_t joined = std::min(stems.size(), kMostSideStems + 1);
   Joint joint = place_joint(segment(i).end().at, parent, stems[0], std::span(stems).subspan(1, joined - 1));
-  const int sides = joint_sides(joint, options.tolerance_m);
+  double radius = thickest(segment(i));
+  for (std::size_t s = 1; s < joint.stems; ++s) radius = std::max(radius, thickest(segment(joint.names[s])));
+  const int sides = joint_sides(joint, radius, options.tolerance_m);
   for (Ring& ring : joint.rings) ring.sides = sides;
   const Drawn end = draw_tube(begin, joint.rings[0], true);
   const double low_m = end.ring.along_m;
@@ -374,7 +378,7 @@ void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
   for (std::size_t s = 1; s < joint.stems; ++s) begins[joint.names[s]].ring = joint.rings[s];
   for (std::size_t s = joined; s < stems.size(); ++s) branching.attached[stems[s].name] = false;
   const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
-  bound(kJointBend[level] * joint.reach + kRoundness * std::max(parent.radius, stems[0].radius));
+  bound(kJointBend[level] * joint.reach + kRoundness * radius);
   ++out.joints;
 }
 
