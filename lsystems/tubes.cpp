@@ -414,13 +414,33 @@ void Mesher::draw_bark() {
   }
 }
 
+// but for its memory
+void clear(PlantMesh& mesh) {
+  for (PartMesh* part : {&mesh.bark, &mesh.leaf}) {
+    part->positions.clear();
+    part->normals.clear();
+    part->uvs.clear();
+    part->triangles.clear();
+  }
+  mesh.error_m = 0;
+  mesh.joints = mesh.unjoined = mesh.left_out = 0;
+}
+
 }  // namespace
 
-PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options) {
+void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh) {
   Mesher mesher(skeleton, options);
+  clear(mesh);
+  mesher.out = std::move(mesh);
   mesher.draw_bark();
   mesh_leaves(skeleton, options, mesher.out);
-  return std::move(mesher.out);
+  mesh = std::move(mesher.out);
+}
+
+PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options) {
+  PlantMesh mesh;
+  mesh_plant(skeleton, options, mesh);
+  return mesh;
 }
 
 }  // namespace citykiln::lsystems

@@ -45,6 +45,8 @@ inline constexpr int kMostSides = 64;
 /// give no triangles. O(n), n = segments and corners; polygons of c corners, not convex, cost c³ at worst, and beyond
 /// kMostClipped corners are fans.
 PlantMesh mesh_plant(const Skeleton& skeleton, const TubeOptions& options = {});
+/// The same into what held another plant, whose memory is used again: new pages cost as much as the triangles on them.
+void mesh_plant(const Skeleton& skeleton, const TubeOptions& options, PlantMesh& mesh);
 
 inline constexpr std::size_t kMostClipped = 256;
 
