@@ -333,8 +333,11 @@ void Mesher::draw_joint(const Joint& joint, double u) {
   for (const Triangle& t : shape.triangles) out.bark.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-Stem stem_of(const Segment& segment, double radius, std::uint32_t name) {
-  return {direction(segment), radius, slope(segment), 0.45 * std::abs(segment.length), static_cast<std::int32_t>(name)};
+// Joints take more of what leaves them, where stems still touch, than of what arrives; together less than the whole.
+constexpr double kRoomLeaving = 0.62, kRoomArriving = 0.3;
+
+Stem stem_of(const Segment& segment, double radius, double room, std::uint32_t name) {
+  return {direction(segment), radius, slope(segment), room * std::abs(segment.length), static_cast<std::int32_t>(name)};
 }
 
 // the stem that goes on comes first, then the thickest
@@ -360,8 +363,8 @@ int joint_sides(const Joint& joint, double radius, double tolerance_m) {
 void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
   std::vector<Stem> stems;
   for (const std::uint32_t child : children_of(i))
-    stems.push_back(stem_of(segment(child), segment(child).start_radius, child));
-  const Stem parent = stem_of(segment(i), segment(i).end_radius, static_cast<std::uint32_t>(i));
+    stems.push_back(stem_of(segment(child), segment(child).start_radius, kRoomLeaving, child));
+  const Stem parent = stem_of(segment(i), segment(i).end_radius, kRoomArriving, static_cast<std::uint32_t>(i));
   sort_stems(stems, parent.direction);
   const std::size_t joined = std::min(stems.size(), kMostSideStems + 1);
   Joint joint = place_joint(segment(i).end().at, parent, stems[0], std::span(stems).subspan(1, joined - 1));
