@@ -110,15 +110,20 @@ double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
 
 // the largest distance from corners and middles of every `stride`th triangle to another mesh
 double farthest(const PartMesh& from, const PartMesh& to, std::size_t stride) {
+  std::vector<double> extents;
+  for (const Triangle& t : to.triangles)
+    extents.push_back(
+        std::max(length(to.positions[t[1]] - to.positions[t[0]]), length(to.positions[t[2]] - to.positions[t[0]])));
   double most = 0;
   for (std::size_t i = 0; i < from.triangles.size(); i += stride) {
     const Triangle& t = from.triangles[i];
     const Vec3 a = from.positions[t[0]], b = from.positions[t[1]], c = from.positions[t[2]];
     for (const Vec3 p : {a, (a + b + c) * (1 / 3.0), (a + b) * 0.5}) {
       double least = 1e300;
-      for (const Triangle& other : to.triangles) {
-        least = std::min(least, distance_to(p, to.positions[other[0]], to.positions[other[1]], to.positions[other[2]]));
-        if (least <= most) break;
+      for (std::size_t j = 0; j < to.triangles.size() && least > most; ++j) {
+        const Vec3 d = to.positions[to.triangles[j][0]], e = to.positions[to.triangles[j][1]];
+        if (length(p - d) - extents[j] < least)
+          least = std::min(least, distance_to(p, d, e, to.positions[to.triangles[j][2]]));
       }
       most = std::max(most, least);
     }
