@@ -19,6 +19,12 @@ SHEETS = {
     "book_5": ([f"5_11{letter}" for letter in "abcde"] + [f"5_12{letter}" for letter in "abc"], 4, 230),
 }
 
+# the same of meshes: (figure, tolerance, zoom, height of what is zoomed to) each
+MESHES = {
+    "tubes_book": ([(f"2_{name}", 1 if name[0] == "8" else 0.002, 1, 0.5) for name in ("6a", "6b", "6c", "6d", "7b", "7d", "8a", "8b")], 4, 230),
+    "tubes_joints": ([("2_6a", 0.002, 5, 0.33), ("2_7b", 0.002, 6, 0.3), ("2_8b", 0.5, 6, 0.45)], 3, 300),
+}
+
 
 def run(*words):
     subprocess.run([str(w) for w in words], check=True, stdout=subprocess.DEVNULL)
@@ -53,6 +59,15 @@ def main():
                     draw(build, folder / f"{figure}.png", HERE.parent / f"book/fig_{figure}.lsys", size)
                 rows = -(-len(figures) // columns)
                 run("oiiotool", *[folder / f"{figure}.png" for figure in figures], f"--mosaic:pad=0", f"{columns}x{rows}", "-o", folder / "sheet.png")
+                compress(folder / "sheet.png", name, 3 * MOST_BYTES)
+        for name, (figures, columns, size) in MESHES.items():
+            if is_wanted(name):
+                pictures = []
+                for i, (figure, tolerance, zoom, up) in enumerate(figures):
+                    pictures.append(folder / f"mesh_{i}.png")
+                    run(build / "tests/lsystem_png", pictures[-1], HERE.parent / f"book/fig_{figure}.lsys", f"size={size}",
+                        f"tolerance={tolerance}", f"zoom={zoom}", f"up={up}", f"pitch={10 if zoom == 1 else 0}")
+                run("oiiotool", *pictures, f"--mosaic:pad=0", f"{columns}x{-(-len(figures) // columns)}", "-o", folder / "sheet.png")
                 compress(folder / "sheet.png", name, 3 * MOST_BYTES)
 
 

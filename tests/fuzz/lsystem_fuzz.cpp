@@ -1,12 +1,15 @@
 // L-systems: whatever the text, a system or one line; whatever the system, a string and a skeleton within the limits,
-// finite, with balanced brackets, and the same again. RPForest's notation too.
+// finite, with balanced brackets, and the same again; and a mesh that is finite and closed. RPForest's notation too.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "lsystems/read_lsystem.h"
 #include "lsystems/read_rpforest.h"
+#include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
 
 namespace {
@@ -48,6 +51,46 @@ void check_skeleton(const Skeleton& skeleton) {
     if (!is_sound(instance.frame)) std::abort();
 }
 
+void check_part(const PartMesh& mesh) {
+  if (mesh.normals.size() != mesh.positions.size() || mesh.uvs.size() != mesh.positions.size()) std::abort();
+  for (const Vec3 position : mesh.positions)
+    if (!is_finite(position)) std::abort();
+  for (const Vec3 normal : mesh.normals)
+    if (!(std::abs(length(normal) - 1) < 1e-9)) std::abort();
+  for (const Vec2 uv : mesh.uvs)
+    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) std::abort();
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t corner : t)
+      if (corner >= mesh.positions.size()) std::abort();
+}
+
+// each edge as often one way as the other, points in one place being one
+void check_closed(const PartMesh& mesh) {
+  std::map<Vec3, int> places;
+  std::map<std::pair<int, int>, int> passes;
+  const auto place = [&](std::uint32_t corner) {
+    return places.try_emplace(mesh.positions[corner], static_cast<int>(places.size())).first->second;
+  };
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const int a = place(t[i]), b = place(t[(i + 1) % 3]);
+      if (a != b) passes[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  for (const auto& [edge, sum] : passes)
+    if (sum != 0) std::abort();
+}
+
+void check_mesh(const Skeleton& skeleton) {
+  TubeOptions options;
+  // no more than some 10,000 triangles
+  options.tolerance_m = 0.05;
+  const PlantMesh mesh = mesh_plant(skeleton, options);
+  check_part(mesh.bark);
+  check_part(mesh.leaf);
+  if (!std::isfinite(mesh.error_m)) std::abort();
+  if (mesh.bark.triangles.size() < 20'000) check_closed(mesh.bark);
+}
+
 void check(const Result<LSystem>& system) {
   if (!system) {
     if (to_string(system.error()).find('\n') != std::string::npos) std::abort();
@@ -60,6 +103,7 @@ void check(const Result<LSystem>& system) {
   if (plant.derivation.string.kinds.size() > 2'000 || plant.derivation.written > 34'000) std::abort();
   check_string(*system, plant.derivation.string);
   check_skeleton(plant.skeleton);
+  if (plant.skeleton.segments.size() < 200) check_mesh(plant.skeleton);
   const Derivation again = derive(*system, options);
   if (again.string.kinds != plant.derivation.string.kinds || again.string.values != plant.derivation.string.values)
     std::abort();

@@ -1,8 +1,9 @@
 // Looks at systems: draws their plants as lines and flat polygons, seen from the south without perspective.
 //   lsystem_png OUT.png FILE [key=value …]
 // Keys: size (pixels, 320), yaw and pitch (degrees: where the eye stands, from the south, and how high), steps, seed,
-// columns (so many plants beside each other, each with dice of its own), line (pixels: the least width, 1); others take
-// the place of #define's values.
+// columns (so many plants beside each other, each with dice of its own), line (pixels: the least width, 1), tolerance
+// (metres: draws the shaded mesh instead), zoom (1) and up (of the picture's height: where the middle of what is zoomed
+// to lies, 0.5); others take the place of #define's values.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "exporters/png.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/read_rpforest.h"
+#include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
 
 namespace {
@@ -163,6 +165,70 @@ materials::Sheet drawn(std::vector<Patch> patches, int size_px, double least_px)
   return pixels_of(canvas);
 }
 
+/// Triangles of a mesh, lit from the upper left, behind the eye.
+struct Shaded {
+  Canvas canvas;
+  std::vector<double> depths;
+
+  void fill(const std::array<Vec3, 3>& p, const std::array<double, 3>& light, materials::Sheet::Texel colour) {
+    const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+    if (area == 0) return;
+    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+    for (int y = std::max(0, static_cast<int>(low)); y < std::min<double>(canvas.height, high + 1); ++y)
+      for (int x = std::max(0, static_cast<int>(left)); x < std::min<double>(canvas.width, right + 1); ++x) {
+        const double b = ((x + 0.5 - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (y + 0.5 - p[0].y)) / area;
+        const double c = ((p[1].x - p[0].x) * (y + 0.5 - p[0].y) - (x + 0.5 - p[0].x) * (p[1].y - p[0].y)) / area;
+        if (b < 0 || c < 0 || b + c > 1) continue;
+        const std::size_t at = static_cast<std::size_t>(y) * canvas.width + x;
+        const double depth = p[0].z * (1 - b - c) + p[1].z * b + p[2].z * c;
+        if (depth >= depths[at]) continue;
+        depths[at] = depth;
+        const double lit = light[0] * (1 - b - c) + light[1] * b + light[2] * c;
+        for (int i = 0; i < 3; ++i)
+          canvas.samples[at][i] = static_cast<std::uint8_t>(std::clamp(colour[i] * lit, 0.0, 255.0));
+      }
+  }
+};
+
+// what is seen of it and where: kFine samples a pixel
+materials::Sheet shaded(const PlantMesh& mesh, const View& view, int size_px, double zoom, double up) {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+  for (const PartMesh* part : {&mesh.bark, &mesh.leaf})
+    for (const Vec3 position : part->positions) {
+      const Vec3 p = view.seen(position);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  const int size = size_px * kFine;
+  const double scale = size * 0.94 / std::max({high.x - low.x, high.y - low.y, 1e-9}) * zoom;
+  const double middle_x = zoom > 1 ? 0 : (low.x + high.x) / 2, middle_y = low.y + (high.y - low.y) * up;
+  Shaded picture{{size, size, {}}, {}};
+  picture.canvas.samples.assign(static_cast<std::size_t>(size) * size, {250, 249, 245});
+  picture.depths.assign(picture.canvas.samples.size(), 1e300);
+  const Vec3 sun = unit(Vec3{-0.6, 0.7, -0.7});
+  for (const PartMesh* part : {&mesh.bark, &mesh.leaf})
+    for (const Triangle& t : part->triangles) {
+      std::array<Vec3, 3> p;
+      std::array<double, 3> light;
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 seen = view.seen(part->positions[t[i]]);
+        p[i] = {(seen.x - middle_x) * scale + size / 2.0, size / 2.0 - (seen.y - middle_y) * scale, seen.z};
+        const double facing = dot(view.seen(part->normals[t[i]]), sun);
+        light[i] = part == &mesh.leaf ? 0.6 + 0.5 * std::abs(facing) : 0.35 + 0.95 * std::max(0.0, facing);
+      }
+      picture.fill(p, light,
+                   part == &mesh.leaf ? materials::Sheet::Texel{104, 150, 66} : materials::Sheet::Texel{168, 142, 116});
+    }
+  return pixels_of(picture.canvas);
+}
+
+void write_png(const char* path, const materials::Sheet& sheet) {
+  const std::vector<std::byte> bytes = exporters::encode_png(sheet);
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
 double number_of(std::map<std::string, double, std::less<>>& words, const char* key, double otherwise) {
   const auto found = words.extract(key);
   return found.empty() ? otherwise : found.mapped();
@@ -181,6 +247,8 @@ int main(int count, char** words) {
                columns = number_of(given, "columns", 1);
   const double size = number_of(given, "size", 320), line = number_of(given, "line", 1);
   const double steps = number_of(given, "steps", -1), seed = number_of(given, "seed", 0);
+  const double tolerance = number_of(given, "tolerance", -1), zoom = number_of(given, "zoom", 1),
+               up = number_of(given, "up", 0.5);
   std::ifstream in(words[2]);
   std::ostringstream text;
   text << in.rdbuf();
@@ -196,6 +264,18 @@ int main(int count, char** words) {
     options.seed = static_cast<std::uint64_t>(seed);
     options.plant = StableId{static_cast<std::uint64_t>(i)};
     const Plant plant = grow(*system, options);
+    if (tolerance >= 0) {
+      TubeOptions tubes;
+      tubes.tolerance_m = tolerance;
+      const PlantMesh mesh = mesh_plant(plant.skeleton, tubes);
+      std::puts(fmt::format(
+                    "{} segments, {} triangles of bark, {} of leaves, {} joints, {} unjoined, {} left out, error {} m",
+                    plant.skeleton.segments.size(), mesh.bark.triangles.size(), mesh.leaf.triangles.size(), mesh.joints,
+                    mesh.unjoined, mesh.left_out, mesh.error_m)
+                    .c_str());
+      write_png(words[1], shaded(mesh, view, static_cast<int>(size), zoom, up));
+      return 0;
+    }
     double west = 0, east = 0;
     for (const Segment& s : plant.skeleton.segments) {
       west = std::min({west, s.start.at.x, s.end().at.x});
@@ -214,7 +294,5 @@ int main(int count, char** words) {
                   .c_str());
   }
   if (patches.empty()) return std::puts("nothing to draw"), 1;
-  const std::vector<std::byte> bytes = exporters::encode_png(drawn(std::move(patches), static_cast<int>(size), line));
-  std::ofstream(words[1], std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  write_png(words[1], drawn(std::move(patches), static_cast<int>(size), line));
 }

@@ -1,0 +1,145 @@
+#include "lsystems/joint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lsystems/joint_shape.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+// between a ring and the box's edge, in radii of the ring; less makes a crease, more a dent
+constexpr double kCollar = 0.7;
+// below this stems run beside each other for so long that they part where there is room
+constexpr double kLeastSine = 0.15;
+
+// where two stems of one node no longer touch, along both
+double parting(const Stem& a, const Stem& b) {
+  const double half_sine = length(a.direction - b.direction) / 2;
+  return (a.radius + b.radius) * 0.55 / std::max(half_sine, kLeastSine);
+}
+
+// of a side stem: where its axis leaves the tube, along the box's axis and along its own
+struct Leaving {
+  double height = 0, distance = 0;
+};
+
+Leaving leaving(const Stem& stem, Vec3 axis, double radius) {
+  const double cosine = dot(stem.direction, axis);
+  const double sine = std::max(std::sqrt(std::max(0.0, 1 - cosine * cosine)), kLeastSine);
+  return {radius * cosine / sine, radius / sine};
+}
+
+struct Heights {
+  double low = 0, high = 0;  // of the box, from the node
+  double lower_ring = 0, upper_ring = 0;
+};
+
+Heights heights_of(const Stem& parent, const Stem& upper, std::span<const Stem> sides, Vec3 axis) {
+  const double radius = std::max(parent.radius, upper.radius);
+  double low = 1e300, high = -1e300, part = 0;
+  for (const Stem& side : sides) {
+    const double middle = leaving(side, axis, radius).height;
+    const double half = std::min(side.radius, radius) * kCornerReach * std::sqrt(0.5);
+    low = std::min(low, middle - half);
+    high = std::max(high, middle + half);
+    part = std::max(part, parting(side, upper));
+  }
+  Heights heights;
+  heights.upper_ring = std::min(std::max(part, high + kCollar * upper.radius), upper.room_m);
+  heights.lower_ring = std::clamp(low - kCollar * parent.radius, -parent.room_m, 0.0);
+  // the box keeps inside of its rings, also where there is little room
+  const double span = heights.upper_ring - heights.lower_ring;
+  heights.low = std::clamp(low, heights.lower_ring + span * 0.2, heights.lower_ring + span * 0.5);
+  heights.high = std::clamp(high, heights.lower_ring + span * 0.6, heights.lower_ring + span * 0.85);
+  return heights;
+}
+
+Ring ring_of(const Stem& stem, Vec3 node, double distance, Vec3 first) {
+  Ring ring;
+  ring.at = node + stem.direction * distance;
+  ring.axis = stem.direction;
+  ring.x = square_to(stem.direction, first);
+  ring.radius = std::max(0.0, stem.radius - stem.slope * distance);
+  ring.slope = stem.slope;
+  return ring;
+}
+
+double side_distance(const Stem& stem, const Stem& upper, std::span<const Stem> sides, Vec3 axis, double radius) {
+  double distance = std::max(leaving(stem, axis, radius).distance + kCollar * stem.radius, parting(stem, upper));
+  for (const Stem& other : sides)
+    if (other.name != stem.name) distance = std::max(distance, parting(stem, other));
+  return std::min(distance, stem.room_m);
+}
+
+// towards the middle of side k, and from its corner k to the next
+struct Compass {
+  Vec3 axis, x, y;
+  Vec3 towards(int side) const { return (side & 1 ? y : x) * (side & 2 ? -1.0 : 1.0); }
+};
+
+// each stem takes the free side that it leans to most
+std::array<const Stem*, 4> sides_taken(std::span<const Stem> sides, const Compass& compass) {
+  std::array<const Stem*, 4> taken{};
+  for (const Stem& stem : sides) {
+    int best = -1;
+    for (int k = 0; k < 4; ++k)
+      if (taken[k] == nullptr &&
+          (best < 0 || dot(stem.direction, compass.towards(k)) > dot(stem.direction, compass.towards(best)) + 1e-9))
+        best = k;
+    taken[best] = &stem;
+  }
+  return taken;
+}
+
+// below on the ring of a side stem, as its corner lies on the box
+Vec3 first_of_side(Vec3 direction, const Compass& compass, int side) {
+  const Vec3 along = compass.axis - direction * dot(direction, compass.axis);
+  const Vec3 up = length(along) > 1e-6 ? unit(along) : compass.towards(side) * -dot(direction, compass.axis);
+  return (cross(up, direction) + up) * -1.0;
+}
+
+double reach_of(const Joint& joint) {
+  Vec3 middle;
+  for (const Vec3 corner : joint.box) middle = middle + corner * 0.125;
+  double reach = 0;
+  for (const Vec3 corner : joint.box) reach = std::max(reach, length(corner - middle));
+  for (std::size_t i = 0; i < joint.stems; ++i) {
+    const Ring& ring = joint.rings[i];
+    reach = std::max(reach, length(ring.at - middle) + ring.radius * kCornerReach);
+  }
+  return reach;
+}
+
+}  // namespace
+
+Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<const Stem> sides) {
+  const Vec3 both = parent.direction + upper.direction;
+  const Vec3 axis = length(both) > 1e-3 ? unit(both) : parent.direction;
+  const Vec3 x = square_to(axis, sides[0].direction);
+  const Compass compass{axis, x, cross(axis, x)};
+  const Heights heights = heights_of(parent, upper, sides, axis);
+  const Vec3 corner = (compass.x - compass.y) * std::sqrt(0.5);
+  Joint joint;
+  joint.rings[0] = ring_of(parent, node, heights.lower_ring, corner);
+  joint.rings[1] = ring_of(upper, node, heights.upper_ring, corner);
+  joint.names = {parent.name, upper.name};
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 out = (compass.towards(k) - compass.towards((k + 1) % 4)) * std::sqrt(0.5) * kCornerReach;
+    joint.box[k] = node + axis * heights.low + out * parent.radius;
+    joint.box[4 + k] = node + axis * heights.high + out * std::max(upper.radius, parent.radius * 0.8);
+  }
+  const std::array<const Stem*, 4> taken = sides_taken(sides, compass);
+  for (int k = 0; k < 4; ++k) {
+    if (taken[k] == nullptr) continue;
+    const Stem& stem = *taken[k];
+    const double distance = side_distance(stem, upper, sides, axis, std::max(parent.radius, upper.radius));
+    joint.open |= 1U << k;
+    joint.names[joint.stems] = stem.name;
+    joint.rings[joint.stems++] = ring_of(stem, node, distance, first_of_side(stem.direction, compass, k));
+  }
+  joint.reach = reach_of(joint);
+  return joint;
+}
+
+}  // namespace citykiln::lsystems
