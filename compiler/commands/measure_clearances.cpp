@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/crossings.h"
@@ -103,8 +104,7 @@ Network network_of(const scene::Scene& scene) {
   std::ranges::sort(network.edges, {},
                     [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off, e.length_m); });
   // what is in several chunks is one
-  const auto repeated = std::ranges::unique(network.edges, {}, key);
-  network.edges.erase(repeated.begin(), repeated.end());
+  erase_repeated(network.edges, key);
   // what ends on nothing ends on the ground
   for (std::size_t i = 0; i < network.edges.size(); ++i) {
     const std::size_t place = network.edges[i].from;

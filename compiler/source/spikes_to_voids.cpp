@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "compiler/contract/erase_repeated.h"
+
 namespace citykiln::source {
 namespace {
 
@@ -206,8 +208,7 @@ std::vector<Spike> find_spikes(const Raster& raster) {
   }
   std::ranges::sort(found,
                     [](const Spike& a, const Spike& b) { return a.at != b.at ? a.at < b.at : a.size_m > b.size_m; });
-  const auto [first, last] = std::ranges::unique(found, {}, &Spike::at);
-  found.erase(first, last);
+  erase_repeated(found, &Spike::at);
   return found;
 }
 

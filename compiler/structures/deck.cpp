@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/road_field.h"
 #include "compiler/roads/lane_strips.h"
 #include "compiler/roads/markings.h"
@@ -121,8 +122,7 @@ std::vector<Rib> with_openings(const Span& bridge, std::span<const Rib> ribs) {
       for (const double at_m : {o.from_m, o.to_m})
         if (ribs.front().along_m < at_m && at_m < ribs.back().along_m) all.push_back(rib_at(ribs, at_m));
   std::ranges::stable_sort(all, {}, &Rib::along_m);
-  const auto repeated = std::ranges::unique(all, {}, &Rib::along_m);
-  all.erase(repeated.begin(), repeated.end());
+  erase_repeated(all, &Rib::along_m);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/surface_map.h"
@@ -216,8 +217,7 @@ std::vector<Span> place_piers(std::vector<Span> bridges, const ground::Carving& 
             2 * (placing.ribs.back().along_m - placing.ribs.front().along_m) / static_cast<double>(wanted.size() + 1),
             account, report);
     std::ranges::sort(bridge.piers, {}, &Pier::at_m);
-    const auto repeated = std::ranges::unique(bridge.piers, {}, &Pier::at_m);
-    bridge.piers.erase(repeated.begin(), repeated.end());
+    erase_repeated(bridge.piers, &Pier::at_m);
   }
   report.account("structures", "pier") = account;
   return bridges;

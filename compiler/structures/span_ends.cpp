@@ -44,8 +44,8 @@ struct EndFinder {
   Vec2 direction(const Leaving& l) const { return unit(beyond(l) - track_of(l).axis[l.vertex]); }
 
   std::span<const Leaving> at_node(std::int64_t node) const {
-    const auto found = std::ranges::equal_range(leaving, node, {}, &Leaving::node);
-    return {found.begin(), found.end()};
+    return {std::ranges::lower_bound(leaving, node, {}, &Leaving::node),
+            std::ranges::upper_bound(leaving, node, {}, &Leaving::node)};
   }
   // All others of the end's family there, on the ground or not.
   std::vector<Leaving> others(const Leaving& end, bool on_ground) const {
