@@ -25,6 +25,8 @@ MESHES = {
     "tubes_joints": ([("2_6a", 0.002, 5, 0.33), ("2_7b", 0.002, 6, 0.3), ("2_8b", 0.5, 6, 0.45)], 3, 300),
 }
 
+SPECIES = "oak beech plane maple lime birch poplar willow apple bush spruce fir pine cypress palm".split()  # broad leaves first
+
 
 def run(*words):
     subprocess.run([str(w) for w in words], check=True, stdout=subprocess.DEVNULL)
@@ -69,6 +71,12 @@ def main():
                         f"tolerance={tolerance}", f"zoom={zoom}", f"up={up}", f"pitch={10 if zoom == 1 else 0}")
                 run("oiiotool", *pictures, f"--mosaic:pad=0", f"{columns}x{-(-len(figures) // columns)}", "-o", folder / "sheet.png")
                 compress(folder / "sheet.png", name, 3 * MOST_BYTES)
+        if is_wanted("species"):
+            for species in SPECIES:
+                run(build / "tests/lsystem_png", folder / f"{species}.png", HERE.parent / f"species/{species}.lsys", "size=230",
+                    "tolerance=0.02", "pitch=4", "seed=6")
+            run("oiiotool", *[folder / f"{species}.png" for species in SPECIES], "--mosaic:pad=0", "5x3", "-o", folder / "sheet.png")
+            compress(folder / "sheet.png", "species", 5 * MOST_BYTES)
 
 
 if __name__ == "__main__":

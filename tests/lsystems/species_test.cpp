@@ -1,0 +1,190 @@
+// The species we ship grow into what their head comments say: "15 to 25 m high, crown 12 to 24 m wide, trunk 0.6 to 1.2
+// m thick".
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+#include "lsystems/tubes.h"
+#include "lsystems/turtle.h"
+#include "tests/lsystems/grown.h"
+
+namespace citykiln::lsystems {
+namespace {
+
+constexpr std::uint64_t kSeeds = 8;
+
+struct Bounds {
+  double low = 0, high = 0;
+
+  bool hold(double value) const { return low <= value && value <= high; }
+};
+
+/// A file, and what its first comment says.
+struct Species {
+  std::string name, text;
+  Bounds height_m, crown_m, trunk_m;
+};
+
+Bounds bounds_of(const std::smatch& match, int first) { return {std::stod(match[first]), std::stod(match[first + 1])}; }
+
+Species read_species(const std::string& name) {
+  Species species{name, text_of_tree("lsystems/species/" + name + ".lsys"), {}, {}, {}};
+  static const std::regex kHead(
+      R"(([\d.]+) to ([\d.]+) m high, crown ([\d.]+) to ([\d.]+) m wide, (?:trunk|stems) ([\d.]+) to ([\d.]+) m thick)");
+  std::smatch match;
+  EXPECT_TRUE(std::regex_search(species.text, match, kHead)) << name;
+  if (match.empty()) return species;
+  species.height_m = bounds_of(match, 1);
+  species.crown_m = bounds_of(match, 3);
+  species.trunk_m = bounds_of(match, 5);
+  return species;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(CITYKILN_SOURCE) + "/lsystems/species"))
+    if (entry.path().extension() == ".lsys") found.push_back(entry.path().stem().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using Given = std::map<std::string, double, std::less<>>;
+
+Plant grown_plant(const Species& species, std::uint64_t seed, const Given& given = {}) {
+  const Result<LSystem> system = read_lsystem(species.text, species.name + ".lsys", given);
+  EXPECT_TRUE(system) << to_string(system.error());
+  if (!system) return {};
+  DeriveOptions options;
+  options.seed = seed;
+  Plant plant = grow(*system, options);
+  EXPECT_FALSE(plant.derivation.cut) << species.name;
+  for (const auto* troubles : {&plant.derivation.troubles, &plant.skeleton.troubles})
+    for (const Trouble& trouble : *troubles) ADD_FAILURE() << trouble_line(*system, trouble);
+  return plant;
+}
+
+/// Bark's axes, polygons' corners, instances' roots and tips.
+std::vector<Vec3> points_of(const Skeleton& skeleton) {
+  std::vector<Vec3> points = skeleton.vertices;
+  for (const Segment& segment : skeleton.segments) {
+    points.push_back(segment.start.at);
+    points.push_back(segment.end().at);
+  }
+  for (const Instance& instance : skeleton.instances) {
+    points.push_back(instance.frame.at);
+    points.push_back(instance.frame.at + instance.frame.heading * instance.size);
+  }
+  return points;
+}
+
+struct Extent {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+
+  /// The mean of what is seen from the south and from the east.
+  double width() const { return (high.x - low.x + high.y - low.y) / 2; }
+};
+
+Extent extent_of(const std::vector<Vec3>& points) {
+  Extent extent;
+  for (const Vec3 p : points) {
+    extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y), std::min(extent.low.z, p.z)};
+    extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y), std::max(extent.high.z, p.z)};
+  }
+  return extent;
+}
+
+/// Where the caller asks for none.
+double asked_height_m(const Species& species) {
+  static const std::regex kDefault(R"(#define height_m ([\d.]+))");
+  std::smatch match;
+  EXPECT_TRUE(std::regex_search(species.text, match, kDefault)) << species.name;
+  return match.empty() ? 1 : std::stod(match[1]);
+}
+
+class EachSpecies : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachSpecies, StandsOnTheGroundAsHighAndWideAsItsHeadSays) {
+  const Species species = read_species(GetParam());
+  const double height_m = asked_height_m(species);
+  EXPECT_TRUE(species.height_m.hold(height_m));
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Plant plant = grown_plant(species, seed);
+    const std::vector<Vec3> points = points_of(plant.skeleton);
+    for (const Vec3 p : points) ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    const Extent extent = extent_of(points);
+    EXPECT_GE(extent.low.z, -0.1) << "seed " << seed;
+    EXPECT_NEAR(extent.high.z, height_m, 0.1 * height_m) << "seed " << seed;
+    EXPECT_TRUE(species.crown_m.hold(extent.width())) << extent.width() << " m, seed " << seed;
+  }
+}
+
+// where a trunk is measured, at 1.3 m, and no later than at its first quarter; of a bush each rod
+TEST_P(EachSpecies, HasTheTrunkOfItsHead) {
+  const Species species = read_species(GetParam());
+  const std::int32_t order = species.name == "bush" ? 1 : 0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Plant plant = grown_plant(species, seed);
+    const double breast_m = std::min(1.3, asked_height_m(species) / 4);
+    const auto found = std::find_if(
+        plant.skeleton.segments.begin(), plant.skeleton.segments.end(),
+        [&](const Segment& s) { return s.order == order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
+    ASSERT_NE(found, plant.skeleton.segments.end());
+    const double diameter_m = found->start_radius + found->end_radius;
+    EXPECT_TRUE(species.trunk_m.hold(diameter_m)) << diameter_m << " m, seed " << seed;
+  }
+}
+
+TEST_P(EachSpecies, KeepsItsBudgetAtFullDetail) {
+  const Species species = read_species(GetParam());
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Skeleton skeleton = grown_plant(species, seed).skeleton;
+    EXPECT_GE(skeleton.segments.size(), 1'000u);
+    EXPECT_LE(skeleton.segments.size(), 20'000u);
+    EXPECT_LE(skeleton.instances.size() + skeleton.polygons.size(), 11'000u);
+    EXPECT_GE(skeleton.instances.size() + skeleton.polygons.size(), 2'000u);
+  }
+}
+
+// the caller says how high and how old it is: half, and twice, and from a sapling to an ancient
+TEST_P(EachSpecies, GrowsAsHighAsAskedAtAnyAge) {
+  const Species species = read_species(GetParam());
+  for (const double height_m : {asked_height_m(species) / 2, asked_height_m(species) * 1.5})
+    for (const double age : {5.0, 25.0, 400.0}) {
+      const Plant plant = grown_plant(species, 1, {{"height_m", height_m}, {"age", age}});
+      const Extent extent = extent_of(points_of(plant.skeleton));
+      EXPECT_NEAR(extent.high.z, height_m, 0.1 * height_m) << "age " << age;
+      EXPECT_GE(extent.low.z, -0.1) << "age " << age;
+      EXPECT_LE(extent.width(), 1.3 * height_m) << "age " << age;
+    }
+}
+
+TEST_P(EachSpecies, IsAnotherPlantForAnotherSeedAndTheSameForTheSame) {
+  const Species species = read_species(GetParam());
+  std::vector<std::vector<Vec3>> plants;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) plants.push_back(points_of(grown_plant(species, seed).skeleton));
+  for (std::size_t i = 0; i < plants.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plants[i], plants[j]) << i << " and " << j;
+  EXPECT_EQ(points_of(grown_plant(species, 3).skeleton), plants[3]);
+}
+
+TEST_P(EachSpecies, HasBarkAndLeavesAsAMesh) {
+  const Species species = read_species(GetParam());
+  const PlantMesh mesh = mesh_plant(grown_plant(species, 0).skeleton);
+  EXPECT_GT(mesh.leaf.triangles.size(), 2'000u);
+  EXPECT_GT(mesh.bark.triangles.size(), 1'000u);
+  // nothing but the trunk stands alone: no two roots, no more than four branches from one place
+  EXPECT_EQ(mesh.unjoined, 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),
+                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+
+TEST(Species, AreNoFewerThanTheReadmeLists) {
+  const std::string readme = text_of_tree("lsystems/README.md");
+  EXPECT_GE(names().size(), 15u);
+  for (const std::string& name : names()) EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace citykiln::lsystems
