@@ -36,7 +36,7 @@ void describe(auto& io, ground::Surface& s) {
 void describe(auto& io, plants::Tree& t) {
   id(io, t.id);
   io.point(t.at), io.metres("tree height", t.height_m);
-  enumerator(io, "tree kind", t.archetype, plants::Archetype::kCount);
+  enumerator(io, "tree species", t.species, plants::Species::kCount);
 }
 
 void describe(auto& io, plants::Wood& w) {

@@ -22,7 +22,7 @@ using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 
-/// All triangles of one key. Frame: x east, y north, z up, metres from the tile's origin (archetypes: from their own).
+/// All triangles of one key. Frame: x east, y north, z up, metres from the tile's origin (prototypes: from their own).
 /// Vertices are shared.
 struct Primitive {
   materials::Material material{};
@@ -51,7 +51,7 @@ inline PrimitiveKey key_of(const Primitive& p) { return {p.material, !p.uvs.empt
 
 /// A mesh that stands in many places.
 struct Instanced {
-  std::string name;                   ///< "BroadLeaved".
+  std::string name;                   ///< "oak_3".
   std::vector<Primitive> primitives;  ///< `features` empty: the instances have them.
   std::vector<Float3> translations;
   std::vector<Float4> rotations;  ///< Unit quaternions x, y, z, w.

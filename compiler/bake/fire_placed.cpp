@@ -1,5 +1,7 @@
 #include "compiler/bake/fire_placed.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +30,11 @@ void fire_instances(Firing& firing, const std::string& name, const std::vector<D
   firing.tile.instanced.push_back(std::move(instanced));
 }
 
+// "oak_3".
+std::string name_of(plants::Prototype prototype) {
+  return fmt::format("{}_{}", plants::values_of(prototype.species).file, prototype.variant);
+}
+
 double tallest(const std::vector<Placement>& placements) {
   double tallest_m = 0;
   for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
@@ -51,7 +58,7 @@ bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carvin
 Placed placed_in(const Firing& firing, const Common& common) {
   Placed placed{common.trees, common.lamps};
   if (!firing.part) return placed;
-  for (auto& placements : placed.trees)
+  for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
   placed.lamps = {};
   for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
@@ -64,18 +71,17 @@ Placed placed_in(const Firing& firing, const Common& common) {
 }
 
 void name_placed(Firing& firing, const Placed& placed) {
-  for (const auto& placements : placed.trees)
+  for (const auto& [prototype, placements] : placed.trees)
     for (const Placement& p : placements) firing.features.insert(p.feature);
   for (const props::StreetLamp& lamp : placed.lamps.standing) firing.features.insert(lamp.feature);
 }
 
 void fire_trees(Firing& firing, const plants::Placed& placed) {
-  constexpr const char* kNames[] = {"BroadLeaved", "NeedleLeaved"};
-  for (std::size_t a = 0; a < placed.size(); ++a) {
-    const double height_m = std::max(tallest(placed[a]), plants::kTallestTree_m);
-    const auto archetype = plants::archetype_mesh(static_cast<plants::Archetype>(a), height_m, firing.tolerance_m);
-    for (const Placement& p : placed[a]) firing.certify(archetype.error_per_m * p.scale, bounds_of(p));
-    fire_instances(firing, kNames[a], archetype.meshes, placed[a]);
+  for (const auto& [prototype, placements] : placed) {
+    const double height_m = std::max(tallest(placements), plants::kTallestTree_m);
+    const auto shape = plants::prototype_mesh(prototype, height_m, firing.tolerance_m);
+    for (const Placement& p : placements) firing.certify(shape.error_per_m * p.scale, bounds_of(p));
+    fire_instances(firing, name_of(prototype), shape.meshes, placements);
   }
 }
 

@@ -149,8 +149,9 @@ Layer plants_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const plants::Tree& tree : chunk.trees) {
-      const char* kind = tree.archetype == plants::Archetype::kNeedleLeaved ? "NeedleLeaved" : "BroadLeaved";
-      layer.push_back({tree.id, kind, ShapeKind::kPoint, {{tree.at}}, name_of(chunk.tile), 0, 0, tree.height_m});
+      const auto kind = plants::values_of(tree.species).file;
+      layer.push_back(
+          {tree.id, std::string(kind), ShapeKind::kPoint, {{tree.at}}, name_of(chunk.tile), 0, 0, tree.height_m});
     }
   }
   return layer;

@@ -90,7 +90,7 @@ std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, 
   return primitives;
 }
 
-/// The shared mesh of that name and shape: tiles may cut the same archetype differently.
+/// The shared mesh of that name and shape: tiles may cut the same prototype differently.
 bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, const Guest& guest) {
   std::vector<bake::Primitive> primitives = on_joined(like.primitives, guest);
   for (bake::Instanced& instanced : joined.instanced) {

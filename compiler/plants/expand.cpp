@@ -21,12 +21,12 @@ constexpr double kUntaggedHeight_m = 9;
 constexpr double kDecidingReach_m = kReach_m - kTrunkClearance_m;
 
 // Indices of what is drawn for a tree.
-enum Dice : std::uint32_t { kHeightDice, kArchetypeDice, kYawDice };
+enum Dice : std::uint32_t { kHeightDice, kSpeciesDice, kYawDice, kVariantDice };
 
-void stand(Placed& placed, Archetype archetype, Vec3 foot, double height_m, const Draw& draw, OsmId feature) {
+void stand(Placed& placed, Species species, Vec3 foot, double height_m, const Draw& draw, OsmId feature) {
   const Vec2 yaw = direction_of(draw.unit(kYawDice));
-  placed[static_cast<std::size_t>(archetype)].push_back(
-      {snapped(foot), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
+  const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDice) * kVariants);
+  placed[{species, variant}].push_back({snapped(foot), yaw.x, yaw.y, std::min(height_m, kTallestTree_m), feature});
 }
 
 double drawn_height_m(double mean_m, const Draw& draw) {
@@ -58,7 +58,7 @@ void place_trees(Placed& placed, std::span<const Tree> trees, const ground::Surf
     ++account.out;
     const Draw draw(seed, stable_id(tree.id), "tree");
     const double height_m = tree.height_m > 0 ? tree.height_m : drawn_height_m(kUntaggedHeight_m, draw);
-    stand(placed, tree.archetype, at_height(tree.at, land_m(ground, tree.at)), height_m, draw, tree.id.osm);
+    stand(placed, tree.species, at_height(tree.at, land_m(ground, tree.at)), height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
 }
@@ -97,9 +97,8 @@ void place_wood(Placed& placed, const Wood& wood, const ground::SurfaceMap& map,
   if (sites.undecided > 0) report.add(Code::kTreesUndecided, wood.surface.osm, static_cast<double>(sites.undecided));
   for (const Site& site : sites.accepted) {
     const Draw draw(seed, site.id, "tree");
-    const Archetype archetype =
-        draw.unit(kArchetypeDice) < wood.needle_share ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved;
-    stand(placed, archetype, at_height(site.at, land_m(ground, site.at)), drawn_height_m(wood.height_m, draw), draw,
+    const Species species = draw.unit(kSpeciesDice) < wood.needle_share ? Species::kSpruce : Species::kBeech;
+    stand(placed, species, at_height(site.at, land_m(ground, site.at)), drawn_height_m(wood.height_m, draw), draw,
           wood.surface.osm);
   }
 }

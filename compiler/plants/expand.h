@@ -1,8 +1,8 @@
 // From trees and woods to placed trees.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -19,8 +19,8 @@ namespace citykiln::plants {
 /// 50 and more).
 inline constexpr double kTrunkClearance_m = 1.25;
 
-/// Placements by archetype.
-using Placed = std::array<std::vector<Placement>, static_cast<std::size_t>(Archetype::kCount)>;
+/// Where plants stand, by shape; scale is the height in metres.
+using Placed = std::map<Prototype, std::vector<Placement>>;
 
 /// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
 inline constexpr double kReach_m = 48;
@@ -37,17 +37,17 @@ inline constexpr double kReach_m = 48;
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
               const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report);
 
-struct ArchetypeMesh {
+struct PrototypeMesh {
   std::vector<materials::DressedMesh>
       meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
   double error_per_m = 0;  ///< Deviation for a tree 1 m tall.
 };
 
-/// An archetype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
+/// A prototype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
 /// is lower than it.
-ArchetypeMesh archetype_mesh(Archetype archetype, double height_m, double tolerance_m);
+PrototypeMesh prototype_mesh(Prototype prototype, double height_m, double tolerance_m);
 
-/// The tallest that a tree can be drawn, metres: what archetype_mesh is to be asked for.
+/// The tallest that a tree can be drawn, metres: what prototype_mesh is to be asked for.
 inline constexpr double kTallestTree_m = 40;
 
 }  // namespace citykiln::plants

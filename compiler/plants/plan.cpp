@@ -25,8 +25,8 @@ Plants plan(const map::Features& features, std::span<const ground::Surface> surf
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
-    plants.trees.push_back({point.id, point.at, point.height_m,
-                            point.is_needleleaved ? Archetype::kNeedleLeaved : Archetype::kBroadLeaved});
+    plants.trees.push_back(
+        {point.id, point.at, point.height_m, point.is_needleleaved ? Species::kSpruce : Species::kLime});
   }
   for (const ground::Surface& surface : surfaces)
     for (const WoodRow& row : kWoods)

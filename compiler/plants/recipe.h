@@ -5,18 +5,16 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/vec.h"
+#include "compiler/plants/species.h"
 
 namespace citykiln::plants {
-
-/// A mesh that many trees share.
-enum class Archetype : std::uint8_t { kBroadLeaved, kNeedleLeaved, kCount };
 
 /// natural=tree.
 struct Tree {
   ObjectId id;
   Vec2 at;              ///< Plane metres, snapped.
   double height_m = 0;  ///< As tagged, or drawn from the seed when 0.
-  Archetype archetype{};
+  Species species{};
   bool operator==(const Tree&) const = default;
 };
 

@@ -29,7 +29,7 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.bridges.push_back(span());
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back(span());
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
-    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), pick(plants::Archetype::kCount)});
+    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), pick(plants::Species::kCount)});
     for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), 1.0 + below(9), below(256) / 255.0, 5.3 + below(20)});
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});

@@ -139,7 +139,7 @@ class Chunk:
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
         self.buildings = self.all("buildings", self.building)
-        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree kind")))
+        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree species")))
         self.woods = self.all("woods", lambda: (self.id(), [self.streams["wood"].real() for _ in range(3)]))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))

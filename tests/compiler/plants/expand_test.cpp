@@ -50,7 +50,7 @@ Placed placed_in(const Box2& box, double grade, Report& report, std::span<const 
 
 std::vector<Placement> joined(const Placed& placed) {
   std::vector<Placement> all;
-  for (const auto& some : placed) all.insert(all.end(), some.begin(), some.end());
+  for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end(), [](const Placement& a, const Placement& b) { return a.at < b.at; });
   return all;
 }
@@ -84,7 +84,9 @@ TEST(Expand, FillsTheWood) {
   const double cover = static_cast<double>(trees.size()) * 3.14159 * 3.75 * 3.75 / wood_m2;
   EXPECT_GT(cover, 0.38);
   EXPECT_LT(cover, 0.6);
-  std::size_t needles = placed_in(kAll, 0, report)[static_cast<std::size_t>(Archetype::kNeedleLeaved)].size();
+  std::size_t needles = 0;
+  for (const auto& [prototype, placements] : placed_in(kAll, 0, report))
+    if (prototype.species == Species::kSpruce) needles += placements.size();
   EXPECT_NEAR(static_cast<double>(needles) / static_cast<double>(trees.size()), 0.4, 0.05);
 }
 
@@ -141,13 +143,10 @@ TEST(Expand, CountsThePlacesThatStayUndecided) {
 
 TEST(Expand, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   Report report;
-  const auto tree = [](std::int64_t id, Vec2 at) {
-    return Tree{{{OsmType::kNode, id}, 0}, at, 11, Archetype::kBroadLeaved};
-  };
+  const auto tree = [](std::int64_t id, Vec2 at) { return Tree{{{OsmType::kNode, id}, 0}, at, 11, Species::kOak}; };
   const std::vector<Tree> trees = {tree(1, {0, 0}), tree(2, {100, 80}), tree(3, {-90, 60}), tree(4, {-290, 20}),
                                    tree(5, {10, 10})};
-  const Placed placed = placed_in({{-256, -64}, {256, 256}}, 0, report, trees);
-  const auto& broad = placed[0];
+  const auto broad = joined(placed_in({{-256, -64}, {256, 256}}, 0, report, trees));
   EXPECT_EQ(
       std::count_if(broad.begin(), broad.end(), [](const Placement& p) { return p.feature.type == OsmType::kNode; }),
       1);
@@ -173,7 +172,7 @@ TEST(Plan, KeepsEveryTreeAndFindsTheWoods) {
   Report report;
   const Plants plants = plan(features, wooded(), report);
   ASSERT_EQ(plants.trees.size(), 1u);
-  EXPECT_EQ(plants.trees[0].archetype, Archetype::kNeedleLeaved);
+  EXPECT_EQ(plants.trees[0].species, Species::kSpruce);
   ASSERT_EQ(plants.woods.size(), 1u);
   EXPECT_EQ(plants.woods[0].surface, (ObjectId{{OsmType::kWay, 1}, 0}));
   EXPECT_EQ(report.ledger().at("plants/tree").out, 1u);

@@ -9,7 +9,7 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr Archetype kAll[] = {Archetype::kBroadLeaved, Archetype::kNeedleLeaved};
+constexpr Prototype kAll[] = {{Species::kLime, 0}, {Species::kSpruce, 0}};
 
 // Tolerances that ask for each detail of a tree 1 m tall, full first.
 constexpr double kDetails[] = {0.001, 0.08, 0.5};
@@ -31,7 +31,7 @@ Vec3 nearest_on(const Corners& t, Vec3 p) {
   return t[0] + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc));
 }
 
-std::vector<Corners> triangles_of(const ArchetypeMesh& tree) {
+std::vector<Corners> triangles_of(const PrototypeMesh& tree) {
   std::vector<Corners> all;
   for (const auto& dressed : tree.meshes)
     for (const auto& [a, b, c] : dressed.mesh.triangles)
@@ -62,11 +62,11 @@ double bound_on(const std::vector<Corners>& from, const std::vector<Corners>& to
   return worst;
 }
 
-TEST(ArchetypeMesh, DeviatesByNoMoreThanItsError) {
-  for (const Archetype archetype : kAll) {
-    const auto full = triangles_of(archetype_mesh(archetype, 1, kDetails[0]));
+TEST(PrototypeMesh, DeviatesByNoMoreThanItsError) {
+  for (const Prototype prototype : kAll) {
+    const auto full = triangles_of(prototype_mesh(prototype, 1, kDetails[0]));
     for (const double tolerance : {kDetails[1], kDetails[2]}) {
-      const ArchetypeMesh cut = archetype_mesh(archetype, 1, tolerance);
+      const PrototypeMesh cut = prototype_mesh(prototype, 1, tolerance);
       const double there = bound_on(full, triangles_of(cut)), back = bound_on(triangles_of(cut), full);
       EXPECT_LE(std::max(there, back), cut.error_per_m) << there << " there, " << back << " back";
       EXPECT_LE(cut.error_per_m, tolerance);
@@ -74,11 +74,11 @@ TEST(ArchetypeMesh, DeviatesByNoMoreThanItsError) {
   }
 }
 
-TEST(ArchetypeMesh, TakesFewerTrianglesTheCoarserItMayBe) {
-  for (const Archetype archetype : kAll) {
+TEST(PrototypeMesh, TakesFewerTrianglesTheCoarserItMayBe) {
+  for (const Prototype prototype : kAll) {
     std::vector<std::size_t> counts;
     for (const double tolerance : kDetails)
-      counts.push_back(triangles_of(archetype_mesh(archetype, 1, tolerance)).size());
+      counts.push_back(triangles_of(prototype_mesh(prototype, 1, tolerance)).size());
     EXPECT_GE(counts[0], 100u);
     EXPECT_LE(counts[0], 350u);
     EXPECT_GE(counts[0], 2 * counts[1]);
@@ -86,27 +86,27 @@ TEST(ArchetypeMesh, TakesFewerTrianglesTheCoarserItMayBe) {
   }
 }
 
-TEST(ArchetypeMesh, KeepsTheTallestTreeWithinEachLevelOfTheLadder) {
-  for (const Archetype archetype : kAll)
+TEST(PrototypeMesh, KeepsTheTallestTreeWithinEachLevelOfTheLadder) {
+  for (const Prototype prototype : kAll)
     for (const double tolerance : kDefaultLadder_m) {
-      const ArchetypeMesh tree = archetype_mesh(archetype, kTallestTree_m, tolerance);
+      const PrototypeMesh tree = prototype_mesh(prototype, kTallestTree_m, tolerance);
       EXPECT_FALSE(tree.meshes.empty());
       EXPECT_LE(tree.error_per_m * kTallestTree_m, tolerance);
     }
   // 2.5 m is where cutting begins to pay
-  EXPECT_GT(archetype_mesh(Archetype::kBroadLeaved, kTallestTree_m, 2.5).error_per_m, 0);
+  EXPECT_GT(prototype_mesh(kAll[0], kTallestTree_m, 2.5).error_per_m, 0);
 }
 
-TEST(ArchetypeMesh, DropsTreesLowerThanTheTolerance) {
-  const ArchetypeMesh dropped = archetype_mesh(Archetype::kBroadLeaved, 10, 12.5);
+TEST(PrototypeMesh, DropsTreesLowerThanTheTolerance) {
+  const PrototypeMesh dropped = prototype_mesh(kAll[0], 10, 12.5);
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_per_m, 1);
 }
 
-TEST(ArchetypeMesh, IsOneMetreTallOnItsFootAndOnTheGrid) {
-  for (const Archetype archetype : kAll) {
+TEST(PrototypeMesh, IsOneMetreTallOnItsFootAndOnTheGrid) {
+  for (const Prototype prototype : kAll) {
     double top = 0;
-    for (const auto& dressed : archetype_mesh(archetype, 1, kDetails[0]).meshes) {
+    for (const auto& dressed : prototype_mesh(prototype, 1, kDetails[0]).meshes) {
       ASSERT_EQ(dressed.mesh.normals.size(), dressed.mesh.positions.size());
       for (const Vec3 n : dressed.mesh.normals) EXPECT_NEAR(length(n), 1, 1e-12);
       for (const Vec3 p : dressed.mesh.positions) {
@@ -119,10 +119,10 @@ TEST(ArchetypeMesh, IsOneMetreTallOnItsFootAndOnTheGrid) {
   }
 }
 
-TEST(ArchetypeMesh, ClosesItsCrowns) {
-  for (const Archetype archetype : kAll)
+TEST(PrototypeMesh, ClosesItsCrowns) {
+  for (const Prototype prototype : kAll)
     for (const double tolerance : kDetails) {
-      const ArchetypeMesh tree = archetype_mesh(archetype, 1, tolerance);
+      const PrototypeMesh tree = prototype_mesh(prototype, 1, tolerance);
       const Mesh& crown = tree.meshes[1].mesh;
       std::map<std::pair<Vec3, Vec3>, int> open;
       double six = 0;

@@ -12,7 +12,7 @@ using materials::Material;
 // The derivation at a detail: 0 is full, 1 and 2 are cut.
 using Details = std::array<double, 3>;
 
-// Largest deviation of a cut from the full shape, both ways, for a tree 1 m tall: bounds that archetype_mesh_test.cpp
+// Largest deviation of a cut from the full shape, both ways, for a tree 1 m tall: bounds that prototype_mesh_test.cpp
 // proves, rounded up.
 constexpr Details kBroadErrors = {0, 0.0615, 0.235}, kNeedleErrors = {0, 0.0615, 0.1};
 
@@ -60,11 +60,11 @@ Mesh needle_crown(int detail) {
   return crown;
 }
 
-Mesh trunk(Archetype archetype, int detail) {
+Mesh trunk(bool is_broad, int detail) {
   constexpr std::array kSides = {5, 3, 3};
   Mesh mesh;
   // below z = 0 it reaches into sloping ground
-  if (archetype == Archetype::kBroadLeaved)
+  if (is_broad)
     add_trunk(mesh, kSides[detail], -0.05, 0.5, 0.028, 0.016);
   else
     add_trunk(mesh, kSides[detail], -0.05, 0.3, 0.022, 0.014);
@@ -73,14 +73,14 @@ Mesh trunk(Archetype archetype, int detail) {
 
 }  // namespace
 
-ArchetypeMesh archetype_mesh(Archetype archetype, double height_m, double tolerance_m) {
+PrototypeMesh prototype_mesh(Prototype prototype, double height_m, double tolerance_m) {
   if (height_m <= tolerance_m) return {{}, 1};
-  const bool is_broad = archetype == Archetype::kBroadLeaved;
+  const bool is_broad = values_of(prototype.species).leaves != Leaves::kNeedle;
   const Details& errors = is_broad ? kBroadErrors : kNeedleErrors;
   int detail = 2;
   while (errors[detail] * height_m > tolerance_m) --detail;
-  ArchetypeMesh tree{{}, errors[detail]};
-  tree.meshes.push_back({trunk(archetype, detail), Material::kBark, materials::kNoTint, {}});
+  PrototypeMesh tree{{}, errors[detail]};
+  tree.meshes.push_back({trunk(is_broad, detail), Material::kBark, materials::kNoTint, {}});
   tree.meshes.push_back({is_broad ? broad_crown(detail) : needle_crown(detail),
                          is_broad ? Material::kBroadLeaf : Material::kNeedleLeaf,
                          materials::kNoTint,
