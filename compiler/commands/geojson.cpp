@@ -57,7 +57,7 @@ Layer plants_of(const map::Features& features) {
   Layer layer;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
-    const char* kind = point.is_needleleaved ? "NeedleLeaved" : "BroadLeaved";
+    const char* kind = point.growth.leaves == map::LeafType::kNeedle ? "NeedleLeaved" : "BroadLeaved";
     layer.push_back({point.id, kind, ShapeKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
   }
   return layer;

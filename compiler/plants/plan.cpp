@@ -26,7 +26,7 @@ Plants plan(const map::Features& features, std::span<const ground::Surface> surf
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
     plants.trees.push_back(
-        {point.id, point.at, point.height_m, point.is_needleleaved ? Species::kSpruce : Species::kLime});
+        {point.id, point.at, point.height_m, point.growth.leaves == map::LeafType::kNeedle ? Species::kSpruce : Species::kLime});
   }
   for (const ground::Surface& surface : surfaces)
     for (const WoodRow& row : kWoods)

@@ -167,8 +167,8 @@ TEST(Expand, StandsTreesOnTheGroundOnTheGrid) {
 
 TEST(Plan, KeepsEveryTreeAndFindsTheWoods) {
   map::Features features;
-  features.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, true},
-                     {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench, 0, false}};
+  features.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, {map::PlantKind::kUntold, map::LeafType::kNeedle}},
+                     {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench}};
   Report report;
   const Plants plants = plan(features, wooded(), report);
   ASSERT_EQ(plants.trees.size(), 1u);
