@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "compiler/plants/blue_noise.h"
 #include "exporters/chunk_fields.h"
 #include "exporters/describe_buildings.h"
 #include "exporters/describe_roads.h"

@@ -22,8 +22,12 @@ void add_hedges(const scene::Chunk& chunk, const plants::Land& land, plants::Pla
       plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
 }
 
-// @param has_blades  Whether any level is so fine.
-Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, bool has_blades) {
+// What levels ask for that not all do.
+struct Wanted {
+  bool blades = false, hedge_plants = false;
+};
+
+Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, const Wanted& wanted) {
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
@@ -31,8 +35,8 @@ Common common_at(const scene::Header& header, const scene::Chunk& chunk, double 
   const plants::Land land{map, common.carving, box, header.seed, header.origin.lat_deg};
   common.trees =
       plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, common.of_trees);
-  if (has_hedge_plants(tolerance_m)) add_hedges(chunk, land, common.trees);
-  if (has_blades) common.blades = plants::expand_blades(chunk.plantings, land);
+  if (wanted.hedge_plants) add_hedges(chunk, land, common.trees);
+  if (wanted.blades) common.blades = plants::expand_blades(chunk.plantings, land);
   for (const roads::Road& road : chunk.roads)
     if (road.surface == map::SurfaceClass::kSteps)
       common.stairs.push_back(structures::stairs_on(road, map, common.carving, box));
@@ -45,13 +49,15 @@ struct Commons {
   const scene::Header& header;
   const scene::Chunk& chunk;
   std::span<const double> tolerances_m;
+  bool is_view = false;
   std::array<std::shared_ptr<const Common>, 2> made{};
 
   std::shared_ptr<const Common> at(double tolerance_m) {
     std::shared_ptr<const Common>& common = made[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
     const bool is_fine = tolerance_m < scene::kPlainRoads_m;
-    const bool has_blades = is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m;
-    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m, has_blades));
+    const Wanted wanted{is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m,
+                        is_view || has_hedge_plants(tolerance_m)};
+    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m, wanted));
     return common;
   }
 };
@@ -104,7 +110,7 @@ std::vector<Level> levels_of(const scene::Header& header, const scene::Chunk& ch
 std::vector<Level> levels_seen(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
                                std::span<const double> tolerances_m, int threads) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  Commons commons{header, chunk, tolerances_m};
+  Commons commons{header, chunk, tolerances_m, true};
   std::vector<Level> levels;
   for (const double tolerance_m : tolerances_m) {
     Level& level =

@@ -33,7 +33,8 @@ struct Common {
   std::vector<structures::Stairs> stairs;
 };
 
-/// Whether hedges along lines are rows of plants at a tolerance, no bands.
+/// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be
+/// near and far.
 inline bool has_hedge_plants(double tolerance_m) { return tolerance_m < scene::kPlainRoads_m; }
 
 /// One an object of the chunk.

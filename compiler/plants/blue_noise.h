@@ -8,6 +8,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/box.h"
+#include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
 
@@ -41,7 +42,6 @@ inline constexpr double kLeastUpright = 0.5;
 /// The spacing and share that give so many sites a hectare of ground, on any slope up to 45 degrees, within 3 %, from
 /// kLeastPerHa to kMostPerHa.
 Seat seat_for(double per_ha);
-inline constexpr double kLeastPerHa = 1, kMostPerHa = 300;
 
 /// The least spacing of any seat that a block may hold; 0 where it holds none. Too small is allowed, too large is not.
 using LeastSpacing = std::function<double(const Box2& block)>;

@@ -71,7 +71,7 @@ struct HedgeLine {
   OsmId feature;
 };
 
-/// Pieces of it in a row along the axis, each as long as high, wherever they stand. O(length).
+/// The pieces in the box of a row along the axis, each as long as high, on whatever is there. O(length).
 void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed);
 
 struct PrototypeMesh {

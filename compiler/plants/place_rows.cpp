@@ -80,10 +80,10 @@ void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed) {
   std::uint32_t piece = 0;
   Vec2 before;
   for_each_along(hedge.axis, hedge.height_m, [&](Vec2 at, std::uint32_t number) {
-    if (number > 0 && before != at && stands_in(land.surfaces.box, at)) {
+    const Vec2 middle = snapped((before + at) * 0.5);
+    if (number > 0 && before != at && stands_in(land.box, middle)) {
       const Draw draw(land.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
-      stand_along(placed, land, Species::kHedge, snapped((before + at) * 0.5), hedge.height_m, unit(at - before), draw,
-                  hedge.feature);
+      stand_along(placed, land, Species::kHedge, middle, hedge.height_m, unit(at - before), draw, hedge.feature);
     }
     before = at, ++piece;
   });

@@ -18,11 +18,14 @@ struct Tree {
   bool operator==(const Tree&) const = default;
 };
 
+/// What may be asked of a wood.
+inline constexpr double kLeastPerHa = 1, kMostPerHa = 300;
+
 /// A wood: trees at even distances on the surface of the same id, wherever nothing else covers it.
 struct Wood {
   ObjectId surface;  ///< A ground::Surface of the same chunk.
   Stock stock{};
-  std::uint16_t per_ha = 0;  ///< Trees a hectare of ground, not of map; 1 to kMostPerHa.
+  std::uint16_t per_ha = 0;  ///< Trees a hectare of ground, not of map; kLeastPerHa to kMostPerHa.
   double height_m = 0;       ///< Of its trees where they grow best, mean; in eighths.
   bool operator==(const Wood&) const = default;
 };

@@ -101,6 +101,15 @@ std::string name_of(Stock stock) {
                                        : kMixes[static_cast<std::uint8_t>(stock) - kFirstMix]);
 }
 
+std::vector<Species> all_of(Stock stock) {
+  if (is_species(stock)) return {species_of(stock)};
+  std::vector<Species> all;
+  for (const Part& part : parts_of(static_cast<Mix>(static_cast<std::uint8_t>(stock) - kFirstMix)))
+    all.push_back(part.species);
+  std::ranges::sort(all);
+  return all;
+}
+
 Stock stock_for(const map::Growth& growth, Stock untold) {
   // in the order of map::PlantKind
   constexpr Species kSpecies[] = {Species::kApple,   Species::kBeech,  Species::kBirch,  Species::kBush,

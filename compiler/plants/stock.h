@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/vec.h"
@@ -34,6 +35,9 @@ bool is_stock(std::uint64_t number);
 
 /// "oak", "AnyWood".
 std::string name_of(Stock stock);
+
+/// All species that it may be drawn as, sorted.
+std::vector<Species> all_of(Stock stock);
 
 /// What tags tell: the species that looks most like the kind, else a mix by the leaves, else `untold`.
 Stock stock_for(const map::Growth& growth, Stock untold);

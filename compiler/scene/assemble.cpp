@@ -104,11 +104,24 @@ ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span
   return tiles;
 }
 
+// Into the tile of their first point; hedges into all that they touch.
+ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> barriers) {
+  const auto is_hedge = [&](std::uint32_t i) { return barriers[i].kind == map::BarrierKind::kHedge; };
+  ByTile tiles = by_anchor(grid, barriers, [](const props::Barrier& b) { return b.axis.front(); });
+  const ByTile touching =
+      by_touch(grid, barriers, [](const props::Barrier& b) { return near_tile(citykiln::box_of(b.axis)); });
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    std::ranges::copy_if(touching[t], std::back_inserter(tiles[t]), is_hedge);
+    std::ranges::sort(tiles[t]);
+    tiles[t].erase(std::unique(tiles[t].begin(), tiles[t].end()), tiles[t].end());
+  }
+  return tiles;
+}
+
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::Surface> junctions) {
   const auto stands = [](const auto& object) { return object.at; };
-  const auto starts = [](const auto& object) { return object.axis.front(); };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
           by_touch(grid, std::span(recipes.roads), box_of_road),
           by_touch(grid, junctions, box_of_surface),
@@ -126,7 +139,7 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
                    [](const plants::Row& r) { return near_tile(citykiln::box_of(r.axis)); }),
           by_touch(grid, std::span(recipes.plants.lanes),
                    [](const plants::Lane& l) { return near_tile(citykiln::box_of(l.axis).widened(l.width_m / 2)); }),
-          by_anchor(grid, std::span(recipes.props.barriers), starts),
+          barriers_by_tile(grid, recipes.props.barriers),
           by_anchor(grid, std::span(recipes.props.lamps), stands)};
 }
 

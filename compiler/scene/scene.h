@@ -47,7 +47,7 @@ struct Header {
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
 /// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
-/// which they are part (is_anchored); trees, tree rows and lanes, whole, in every chunk they touch widened by
+/// which they are part (is_anchored); trees, tree rows, hedges and lanes, whole, in every chunk they touch widened by
 /// plants::kNear_m; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
