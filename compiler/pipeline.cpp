@@ -102,7 +102,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("buildings");
   recipes.buildings = buildings::plan(features, carving, report);
   watch.enter("plants");
-  recipes.plants = plants::plan(features, recipes.surfaces, report);
+  recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
   watch.enter("props");
   recipes.props = props::plan(features, report);
 

@@ -51,6 +51,14 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
+// Near by, hedges are plants.
+std::vector<props::Barrier> bands_of(const scene::Chunk& chunk, double tolerance_m) {
+  std::vector<props::Barrier> bands = chunk.barriers;
+  if (has_hedge_plants(tolerance_m))
+    std::erase_if(bands, [](const props::Barrier& b) { return b.kind == map::BarrierKind::kHedge; });
+  return bands;
+}
+
 BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, const TilePart* part,
                      int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
@@ -65,7 +73,8 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   fire_stairs(firing, common.stairs);
   fire_houses(firing, level, threads, report);
   fire_each(
-      firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      firing, bands_of(chunk, tolerance_m), "barrier", report,
+      [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
   report.append(common.of_trees);
   const Placed placed = placed_in(firing, common);

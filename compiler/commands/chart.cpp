@@ -19,10 +19,11 @@ struct Kind {
   const char* name;
   Result<std::vector<Chart>> (*make)(const ChartRequest& request);
 };
-constexpr std::array kKinds = {
-    Kind{"plane", chart_plane},     Kind{"terrain", chart_terrain}, Kind{"junctions", chart_junctions},
-    Kind{"roads", chart_roads},     Kind{"ground", chart_ground},   Kind{"view", chart_view},
-    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade}};
+constexpr std::array kKinds = {Kind{"plane", chart_plane},         Kind{"terrain", chart_terrain},
+                               Kind{"junctions", chart_junctions}, Kind{"roads", chart_roads},
+                               Kind{"ground", chart_ground},       Kind{"view", chart_view},
+                               Kind{"profile", chart_profile},     Kind{"roof", chart_roof},
+                               Kind{"facade", chart_facade},       Kind{"woods", chart_woods}};
 
 Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
   std::string known;
@@ -35,7 +36,8 @@ Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& req
 
 Result<Exit> run(const ChartRequest& request, const Console& console) {
   if (request.names.empty())
-    return Error{"", "no chart is named (plane, terrain, junctions, roads, ground, view, profile, roof, facade)"};
+    return Error{"",
+                 "no chart is named (plane, terrain, junctions, roads, ground, view, profile, roof, facade, woods)"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
     const Result<std::vector<Chart>> charts = make(name, request);
@@ -77,7 +79,7 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile, roof, facade", true,
+      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile, roof, facade, woods", true,
        onto(request->names)},
       {"--map", "FILE...", "junctions, roads, ground, view, profile, roof, facade: the maps", true,
        onto(request->maps)},

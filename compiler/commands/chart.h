@@ -83,6 +83,9 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request);
 /// tolerance is one pixel, beside the noise of the picture.
 Result<std::vector<Chart>> chart_facade(const ChartRequest& request);
 
+/// Processor time of placing a map's plants over their number.
+Result<std::vector<Chart>> chart_woods(const ChartRequest& request);
+
 /// The scene of the first map that the request names. Errors: none named; as compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);
 
