@@ -10,7 +10,6 @@
 #include "compiler/geometry/placement.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/surface_map.h"
-#include "compiler/materials/dressed_mesh.h"
 #include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
@@ -37,17 +36,7 @@ inline constexpr double kReach_m = 48;
 Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
               const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report);
 
-struct PrototypeMesh {
-  std::vector<materials::DressedMesh>
-      meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
-  double error_per_m = 0;  ///< Deviation for a tree 1 m tall.
-};
-
-/// A prototype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
-/// is lower than it.
-PrototypeMesh prototype_mesh(Prototype prototype, double height_m, double tolerance_m);
-
-/// The tallest that a tree can be drawn, metres: what prototype_mesh is to be asked for.
+/// The tallest that a tree can be drawn, metres.
 inline constexpr double kTallestTree_m = 40;
 
 }  // namespace citykiln::plants
