@@ -22,7 +22,8 @@ struct Kind {
 constexpr std::array kKinds = {
     Kind{"plane", chart_plane},     Kind{"terrain", chart_terrain}, Kind{"junctions", chart_junctions},
     Kind{"roads", chart_roads},     Kind{"ground", chart_ground},   Kind{"view", chart_view},
-    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade}};
+    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade},
+    Kind{"plant", chart_plant},     Kind{"lsystem", chart_lsystem}};
 
 Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
   std::string known;
@@ -35,7 +36,9 @@ Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& req
 
 Result<Exit> run(const ChartRequest& request, const Console& console) {
   if (request.names.empty())
-    return Error{"", "no chart is named (plane, terrain, junctions, roads, ground, view, profile, roof, facade)"};
+    return Error{
+        "",
+        "no chart is named (plane, terrain, junctions, roads, ground, view, profile, roof, facade, plant, lsystem)"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
     const Result<std::vector<Chart>> charts = make(name, request);
@@ -77,8 +80,8 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile, roof, facade", true,
-       onto(request->names)},
+      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile, roof, facade, plant, lsystem",
+       true, onto(request->names)},
       {"--map", "FILE...", "junctions, roads, ground, view, profile, roof, facade: the maps", true,
        onto(request->maps)},
       {"--dem", "FILE[,key=value...]", "terrain, ground, view, profile, facade: the heightmap", true,

@@ -9,9 +9,9 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr int kSides = 6, kBands = 3;
+constexpr int kSides = 6, kBands = 3, kPieces = 4;
 // Of a band's leaves, so many reach no farther than its ring; twigs that stand out do not widen it.
-constexpr double kWithin = 0.85;
+constexpr double kWithin = 0.7;
 // Every so many-th card is enough to bound the hull's distance from all.
 constexpr std::size_t kMostAsked = 400;
 
@@ -66,18 +66,31 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
   return mesh;
 }
 
-// From corners of cards to corners of the hull, and back, with half a triangle's side added: distances to a piece are
-// never larger than to its nearest corner.
+// Corners of the pieces that triangles are cut into.
+std::vector<Vec3> places_on(const Mesh& mesh) {
+  std::vector<Vec3> places;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 corner = mesh.positions[a], u = mesh.positions[b] - corner, v = mesh.positions[c] - corner;
+    for (int i = 0; i <= kPieces; ++i)
+      for (int j = 0; i + j <= kPieces; ++j)
+        places.push_back(corner + u * (i / double{kPieces}) + v * (j / double{kPieces}));
+  }
+  return places;
+}
+
+// From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
+// than a piece's side over √3.
 double error_m_of(const Mesh& mesh, const Foliage& foliage) {
   const std::size_t step = foliage.cards.size() / kMostAsked + 1;
+  const std::vector<Vec3> places = places_on(mesh);
   double there = length(mesh.positions.front()), back = 0, longest = 0;
   for (const Card& card : foliage.cards)
     for (const Vec3 corner : corners_of(card)) {
       double nearest = 1e300;
-      for (const Vec3 p : mesh.positions) nearest = std::min(nearest, length(p - corner));
+      for (const Vec3 p : places) nearest = std::min(nearest, length(p - corner));
       there = std::max(there, nearest);
     }
-  for (const Vec3 p : mesh.positions) {
+  for (const Vec3 p : places) {
     double nearest = 1e300;
     for (std::size_t i = 0; i < foliage.cards.size(); i += step)
       nearest = std::min(nearest, distance(foliage.cards[i], p));
@@ -86,8 +99,7 @@ double error_m_of(const Mesh& mesh, const Foliage& foliage) {
   for (const Triangle& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       longest = std::max(longest, length(mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]));
-  // no place of a triangle is farther from its nearest corner than its side over √3
-  return std::max(there, back + longest / std::sqrt(3.0));
+  return std::max(there, back + longest / kPieces / std::sqrt(3.0));
 }
 
 }  // namespace
@@ -97,7 +109,8 @@ CrownHull crown_hull(const Foliage& foliage) {
   if (foliage.cards.empty()) return hull;
   const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
   const double foot = low.centre().z, top = high.centre().z;
-  hull.mesh = body_of(rings_of(foliage), foot - 0.1 * (top - foot), top + 0.02 * (top - foot));
+  // not far above the ground, so that the trunk has something near
+  hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
   hull.error_m = error_m_of(hull.mesh, foliage);
   return hull;
 }

@@ -19,15 +19,24 @@ using materials::Material;
 // A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
 constexpr double kSprayCover = 0.42;
 
+// A plant without its trunk would hang in the air: stems so much thinner than the thickest one stay.
+constexpr double kTrunkStays = 0.6;
+
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
     for (Vec3& p : dressed.mesh.positions) p = p * by;
   plant.error_per_m *= by;
 }
 
+double thickest_m(const lsystems::Skeleton& skeleton) {
+  double thickest = 0;
+  for (const lsystems::Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * segment.start_radius);
+  return thickest;
+}
+
 DressedMesh bark_of(const Grown& grown, const Look& look, double tolerance_m, double& error_m) {
   lsystems::TubeOptions options;
-  options.tolerance_m = tolerance_m, options.instances = false;
+  options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(grown.skeleton)), options.instances = false;
   lsystems::Skeleton stems;
   stems.segments = grown.skeleton.segments;
   lsystems::PlantMesh mesh = lsystems::mesh_plant(stems, options);
@@ -110,7 +119,7 @@ std::vector<DressedMesh> sitter_of(const Grown& grown, const Look& look, double 
 
 PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) {
   const Look look = look_of(species);
-  CrossedCards cards = crossed_cards(sitter_of(grown, look, tolerance_m / 4), tolerance_m);
+  CrossedCards cards = crossed_cards(sitter_of(grown, look, tolerance_m / 16), tolerance_m);
   cards.mesh.material = look.leaf_material;
   PrototypeMesh plant{{}, std::move(cards.cutout), cards.error_m};
   plant.meshes.push_back(std::move(cards.mesh));
