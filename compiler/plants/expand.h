@@ -10,7 +10,6 @@
 #include "compiler/geometry/placement.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/surface_map.h"
-#include "compiler/materials/dressed_mesh.h"
 #include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
@@ -25,7 +24,7 @@ using Placed = std::map<Prototype, std::vector<Placement>>;
 /// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
 inline constexpr double kReach_m = 48;
 
-/// The tallest that a tree can be drawn, metres: what prototype_mesh is to be asked for.
+/// The tallest that a tree can be drawn, metres: whatever the map says.
 inline constexpr double kTallestTree_m = 40;
 
 /// What stands in a tile and kNear_m around it.
@@ -73,15 +72,5 @@ struct HedgeLine {
 
 /// The pieces in the box of a row along the axis, each as long as high, on whatever is there. O(length).
 void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed);
-
-struct PrototypeMesh {
-  std::vector<materials::DressedMesh>
-      meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
-  double error_per_m = 0;  ///< Deviation for a tree 1 m tall.
-};
-
-/// A prototype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
-/// is lower than it.
-PrototypeMesh prototype_mesh(Prototype prototype, double height_m, double tolerance_m);
 
 }  // namespace citykiln::plants

@@ -13,6 +13,7 @@
 #include "compiler/map/heightfield.h"
 #include "compiler/map/plane.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/plants/species_texts.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/junction.h"
 #include "compiler/sky/recipe.h"
@@ -37,10 +38,11 @@ struct Header {
   std::uint64_t seed = 0;
   double resampling_error_m = 0;  ///< Of the heightfield against its sources.
   sky::Sky sky;
-  std::vector<std::string> sources;          ///< File names of map and heightmaps, without folders.
-  std::vector<std::string> attributions;     ///< "© OpenStreetMap contributors", then the heightmaps' credits.
-  std::optional<double> snow_line_m{};       ///< Land above it, in the heights' datum, is under snow.
-  std::vector<buildings::RuleText> rules{};  ///< Those that the buildings' styles need, sorted by name.
+  std::vector<std::string> sources;            ///< File names of map and heightmaps, without folders.
+  std::vector<std::string> attributions;       ///< "© OpenStreetMap contributors", then the heightmaps' credits.
+  std::optional<double> snow_line_m{};         ///< Land above it, in the heights' datum, is under snow.
+  std::vector<buildings::RuleText> rules{};    ///< Those that the buildings' styles need, sorted by name.
+  std::vector<plants::SpeciesText> species{};  ///< Those that plants grow from, sorted by name.
   bool operator==(const Header&) const = default;
 };
 

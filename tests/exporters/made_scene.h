@@ -51,6 +51,7 @@ class SceneMaker {
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
+    h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
     return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};
   }
