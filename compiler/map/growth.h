@@ -27,7 +27,9 @@ enum class PlantKind : std::uint8_t {
   kVine,
   kGrass,
   kGrain,
-  kMaize
+  kMaize,
+  kFern,
+  kHonda  ///< Of no genus: Honda's trees, as RPForest's scenes have them.
 };
 
 enum class LeafType : std::uint8_t { kUntold, kBroad, kNeedle, kMixed, kPalm };

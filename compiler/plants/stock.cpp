@@ -112,12 +112,12 @@ std::vector<Species> all_of(Stock stock) {
 
 Stock stock_for(const map::Growth& growth, Stock untold) {
   // in the order of map::PlantKind
-  constexpr Species kSpecies[] = {Species::kApple,   Species::kBeech,  Species::kBirch,  Species::kBush,
-                                  Species::kCypress, Species::kFir,    Species::kLime,   Species::kMaple,
-                                  Species::kOak,     Species::kPalm,   Species::kPine,   Species::kPlane,
-                                  Species::kPoplar,  Species::kSpruce, Species::kWillow, Species::kVine,
-                                  Species::kGrass,   Species::kWheat,  Species::kMaize};
-  static_assert(std::size(kSpecies) == static_cast<std::size_t>(map::PlantKind::kMaize));
+  constexpr Species kSpecies[] = {
+      Species::kApple,  Species::kBeech,  Species::kBirch,  Species::kBush, Species::kCypress, Species::kFir,
+      Species::kLime,   Species::kMaple,  Species::kOak,    Species::kPalm, Species::kPine,    Species::kPlane,
+      Species::kPoplar, Species::kSpruce, Species::kWillow, Species::kVine, Species::kGrass,   Species::kWheat,
+      Species::kMaize,  Species::kFern,   Species::kHonda};
+  static_assert(std::size(kSpecies) == static_cast<std::size_t>(map::PlantKind::kHonda));
   if (growth.kind == map::PlantKind::kUntold) return by_leaves(growth.leaves, untold);
   return stock_of(kSpecies[static_cast<std::size_t>(growth.kind) - 1]);
 }
