@@ -43,6 +43,8 @@ Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane,
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 
+bool has_hedges(const props::Props& props);
+
 /// The land as what stands on it sees it: without the rounded corners of streets.
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
 
@@ -113,7 +115,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
-  header->species = plants::species_for(recipes.plants.trees, recipes.plants.woods);
+  header->species = plants::species_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
@@ -239,6 +241,11 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                              window.south, window.east, window.north)};
   }
   return heights;
+}
+
+bool has_hedges(const props::Props& props) {
+  return std::ranges::any_of(props.barriers,
+                             [](const props::Barrier& b) { return b.kind == map::BarrierKind::kHedge; });
 }
 
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region) {

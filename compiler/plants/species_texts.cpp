@@ -1,7 +1,8 @@
 #include "compiler/plants/species_texts.h"
 
-#include <algorithm>
 #include <set>
+
+#include "compiler/plants/plan.h"
 
 namespace citykiln::plants {
 
@@ -12,12 +13,18 @@ std::span<const SpeciesText> shipped_species() {
   return texts;
 }
 
-std::vector<SpeciesText> species_for(std::span<const Tree> trees, std::span<const Wood> woods) {
+std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges) {
   std::set<std::string_view> names;
-  for (const Tree& tree : trees) names.insert(values_of(tree.species).file);
+  const auto add = [&](const auto& recipes) {
+    for (const auto& recipe : recipes)
+      for (const Species species : all_of(recipe.stock)) names.insert(values_of(species).file);
+  };
+  add(plants.trees), add(plants.woods), add(plants.plantings), add(plants.rows);
+  if (!plants.woods.empty()) names.insert(values_of(Species::kBush).file);
+  if (has_hedges) names.insert(values_of(Species::kHedge).file);
   std::vector<SpeciesText> texts;
   for (const SpeciesText& text : shipped_species())
-    if (!woods.empty() || names.contains(text.name)) texts.push_back(text);
+    if (names.contains(text.name)) texts.push_back(text);
   return texts;
 }
 

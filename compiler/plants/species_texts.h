@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "compiler/plants/recipe.h"
-
 namespace citykiln::plants {
 
 /// A species' file as it is written into the manifest.
@@ -19,8 +17,10 @@ struct SpeciesText {
 /// What citykiln ships: lsystems/species, built in. Sorted by name.
 std::span<const SpeciesText> shipped_species();
 
-/// The files of what may stand in a scene, sorted by name: of the trees' species, and, where there are woods, which
-/// draw theirs when they are fired, all.
-std::vector<SpeciesText> species_for(std::span<const Tree> trees, std::span<const Wood> woods);
+struct Plants;
+
+/// The files of what may stand in a scene, sorted by name: of all that its stocks may be drawn as, of bushes at the
+/// rims of woods, and of hedges along lines where there are any.
+std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants
