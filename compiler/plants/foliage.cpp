@@ -43,18 +43,40 @@ Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spr
   return {f.at - along - across * 0.5, across, along, f.up, shaded(tint, instance.colour), spray};
 }
 
-// As long as the polygon reaches from its first corner, and as wide as gives it its area.
-Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tint, std::uint8_t spray) {
-  Vec3 area, tip = corners[0];
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    area = area + cross(corners[i - 1] - corners[0], corners[i] - corners[0]) * 0.5;
-    if (length(corners[i] - corners[0]) > length(tip - corners[0])) tip = corners[i];
-  }
-  const Vec3 along = corners[0] - tip, normal = unit(area);
+// A rectangle of an area about an axis, which ends in its middle.
+Card about_axis(Vec3 stalk, Vec3 tip, Vec3 area) {
+  const Vec3 along = stalk - tip;
   const double long_m = length(along);
-  if (!(long_m > 0)) return {corners[0], {}, {}, {0, 0, 1}, tint, spray};
-  const Vec3 across = unit(cross(along, normal)) * (length(area) / long_m);
-  return {tip - across * 0.5, across, along, normal, shaded(tint, polygon.colour), spray};
+  if (!(long_m > 0)) return {stalk, {}, {}, {0, 0, 1}, {}, 0};
+  const Vec3 across = unit(cross(along, area)) * (length(area) / long_m);
+  return {tip - across * 0.5, across, along, unit(area), {}, 0};
+}
+
+double farthest_corner_m(const Card& card, std::span<const Vec3> corners) {
+  double farthest = 0;
+  for (const Vec3 corner : corners) farthest = std::max(farthest, distance(card, corner));
+  return farthest;
+}
+
+// The polygon's area, about that of its diagonals and middles of sides which comes nearest to all corners: of a kite
+// the long diagonal, of a piece of a blade the line between its ends.
+Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tint, std::uint8_t spray) {
+  Vec3 area;
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    area = area + cross(corners[i - 1] - corners[0], corners[i] - corners[0]) * 0.5;
+  std::vector<Vec3> ends(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    ends.push_back((corners[i] + corners[(i + 1) % corners.size()]) * 0.5);
+  Card best = about_axis(corners[0], corners[0], area);
+  double least = 1e300;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Card card = about_axis(ends[j], ends[i], area);
+      const double off = farthest_corner_m(card, corners);
+      if (area_of(card) > 0 && off < least) best = card, least = off;
+    }
+  best.tint = shaded(tint, polygon.colour), best.spray = spray;
+  return best;
 }
 
 struct Crown {

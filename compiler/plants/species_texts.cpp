@@ -1,8 +1,7 @@
 #include "compiler/plants/species_texts.h"
 
+#include <algorithm>
 #include <set>
-
-#include "compiler/plants/plan.h"
 
 namespace citykiln::plants {
 
@@ -14,17 +13,19 @@ std::span<const SpeciesText> shipped_species() {
 }
 
 std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges) {
-  std::set<std::string_view> names;
-  const auto add = [&](const auto& recipes) {
+  std::set<Species> drawn;
+  const auto add_all = [&](const auto& recipes) {
     for (const auto& recipe : recipes)
-      for (const Species species : all_of(recipe.stock)) names.insert(values_of(species).file);
+      for (const Species species : all_of(recipe.stock)) drawn.insert(species);
   };
-  add(plants.trees), add(plants.woods), add(plants.plantings), add(plants.rows);
-  if (!plants.woods.empty()) names.insert(values_of(Species::kBush).file);
-  if (has_hedges) names.insert(values_of(Species::kHedge).file);
+  add_all(plants.trees), add_all(plants.woods), add_all(plants.plantings), add_all(plants.rows);
+  // at the rims of forests
+  if (!plants.woods.empty()) drawn.insert(Species::kBush);
+  if (has_hedges) drawn.insert(Species::kHedge);
   std::vector<SpeciesText> texts;
   for (const SpeciesText& text : shipped_species())
-    if (names.contains(text.name)) texts.push_back(text);
+    if (std::ranges::any_of(drawn, [&](Species species) { return values_of(species).file == text.name; }))
+      texts.push_back(text);
   return texts;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/plants/plan.h"
+
 namespace citykiln::plants {
 
 /// A species' file as it is written into the manifest.
@@ -17,10 +19,7 @@ struct SpeciesText {
 /// What citykiln ships: lsystems/species, built in. Sorted by name.
 std::span<const SpeciesText> shipped_species();
 
-struct Plants;
-
-/// The files of what may stand in a scene, sorted by name: of all that its stocks may be drawn as, of bushes at the
-/// rims of woods, and of hedges along lines where there are any.
+/// The files of all that may be drawn in a scene, sorted by name.
 std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants

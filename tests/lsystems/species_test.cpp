@@ -140,7 +140,7 @@ TEST_P(EachSpecies, HasTheTrunkOfItsHead) {
     const double breast_m = std::min(1.3, asked_height_m(species) / 4);
     const auto found = std::find_if(
         plant.skeleton.segments.begin(), plant.skeleton.segments.end(),
-        [&](const Segment& s) { return s.order == order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
+        [&](const Segment& s) { return s.order <= order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
     ASSERT_NE(found, plant.skeleton.segments.end());
     const double diameter_m = found->start_radius + found->end_radius;
     EXPECT_TRUE(species.trunk_m.hold(diameter_m)) << diameter_m << " m, seed " << seed;
@@ -168,7 +168,7 @@ TEST_P(EachSpecies, GrowsAsHighAsAskedAtAnyAge) {
       const Extent extent = extent_of(points_of(plant.skeleton));
       EXPECT_NEAR(extent.high.z, height_m, 0.1 * height_m) << "age " << age;
       EXPECT_GE(extent.low.z, -0.1) << "age " << age;
-      EXPECT_LE(extent.width(), 1.3 * height_m) << "age " << age;
+      EXPECT_LE(extent.width(), (is_small(species) ? 1.8 : 1.3) * height_m) << "age " << age;
     }
 }
 
