@@ -43,8 +43,6 @@ Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane,
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 
-bool has_hedges(const props::Props& props);
-
 /// The land as what stands on it sees it: without the rounded corners of streets.
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
 
@@ -241,11 +239,6 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
                              window.south, window.east, window.north)};
   }
   return heights;
-}
-
-bool has_hedges(const props::Props& props) {
-  return std::ranges::any_of(props.barriers,
-                             [](const props::Barrier& b) { return b.kind == map::BarrierKind::kHedge; });
 }
 
 ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region) {
