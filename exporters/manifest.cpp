@@ -42,7 +42,7 @@ std::uint64_t checksum(ByteSpan bytes, std::uint64_t hash = kHashOfNothing) {
   return hash;
 }
 
-// Of the names of all materials and surface classes: a manifest numbers them.
+// Of the names of all materials, classes, species and mixes: a manifest numbers them.
 std::uint64_t tables_hash() {
   std::string names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
@@ -53,6 +53,10 @@ std::uint64_t tables_hash() {
     names += values_of(static_cast<map::BuildingClass>(b)).name, names += ' ';
   for (int s = 0; s < static_cast<int>(buildings::Style::kCount); ++s)
     names += buildings::rules_of(static_cast<buildings::Style>(s)), names += ' ';
+  for (int s = 0; s < static_cast<int>(plants::Species::kCount); ++s)
+    names += values_of(static_cast<plants::Species>(s)).file, names += ' ';
+  for (int m = 0; m < static_cast<int>(plants::Mix::kCount); ++m)
+    names += name_of(stock_of(static_cast<plants::Mix>(m))), names += ' ';
   return checksum(std::as_bytes(std::span(names)));
 }
 

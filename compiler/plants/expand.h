@@ -54,7 +54,8 @@ struct Land {
 /// "bake/tree" for single trees. O(n log n).
 Placed expand(const Recipes& recipes, const Land& land, Report& report);
 
-/// Grass, reed and corn: seen by tolerances up to kBlades_m, one plant for a tuft.
+/// Grass, reed and corn: seen by tolerances up to kBlades_m, one plant for a tuft. Beyond, the ground's texture stands
+/// for them, and no error is stated.
 inline constexpr double kBlades_m = 0.05;
 
 /// At most so many of them stand on a square kilometre; where recipes ask for more, some of all are left out.

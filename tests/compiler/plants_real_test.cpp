@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <tuple>
+
+#include "compiler/pipeline.h"
+#include "compiler/plants/expand.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln {
+namespace {
+
+using map::SurfaceGroup;
+using plants::Species;
+
+const std::filesystem::path kData = CITYKILN_DATA;
+
+struct Extract {
+  const char* map;
+  const char* heights;
+};
+constexpr Extract kExtracts[] = {{"berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt"},
+                                 {"helsinki/Helsinki.osm.pbf", nullptr},
+                                 {"monaco/monaco-2023.osm.pbf", "monaco/N43E007.hgt"},
+                                 {"andorra/cut-canillo-village.osm.pbf", "andorra/N42E001.hgt"}};
+
+scene::Scene scene_of(const Extract& extract, double tile_m) {
+  CompileSpec spec;
+  spec.map_path = kData / extract.map;
+  spec.tile_m = tile_m;
+  if (extract.heights) spec.rasters.emplace_back().path = kData / extract.heights;
+  Result<Compiled> compiled = compile(spec, [](auto&&...) {});
+  EXPECT_TRUE(compiled) << extract.map;
+  return compiled ? std::move(compiled->scene) : scene::Scene{};
+}
+
+// A plant, whichever tile it is of.
+struct Plant {
+  Vec2 at;
+  Species species{};
+  std::uint8_t variant = 0;
+  double height_m = 0;
+  auto operator<=>(const Plant& o) const {
+    return std::tuple(at, species, variant, height_m) <=> std::tuple(o.at, o.species, o.variant, o.height_m);
+  }
+  bool operator==(const Plant&) const = default;
+};
+
+std::vector<Plant> plants_of(const scene::Scene& scene, const scene::Chunk& chunk) {
+  const Box2 box = scene::box_of(scene.header, chunk.tile);
+  const auto surfaces = scene::surfaces_of(chunk);
+  const auto map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
+  const ground::Carving carving = scene::carving_of(scene.header, chunk, 0.5);
+  Report ignored;
+  std::vector<Plant> plants;
+  const plants::Land land{map, carving, box, scene.header.seed, scene.header.origin.lat_deg};
+  for (const auto& [prototype, placements] :
+       plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, ignored))
+    for (const Placement& p : placements)
+      plants.push_back({in_plan(p.at), prototype.species, prototype.variant, p.scale});
+  return plants;
+}
+
+std::vector<Plant> plants_of(const scene::Scene& scene) {
+  std::vector<Plant> all;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const std::vector<Plant> here = plants_of(scene, chunk);
+    all.insert(all.end(), here.begin(), here.end());
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+// Asked of every surface, not of a map of them.
+const ground::Surface* top_at(std::span<const ground::Surface> surfaces, std::span<const Box2> boxes, Vec2 p) {
+  const ground::Surface* top = nullptr;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!boxes[i].contains(p)) continue;
+    int winding = 0;
+    for (const Ring& ring : surfaces[i].rings) winding += winding_number(ring, p);
+    if (winding > 0 && (!top || covers(surfaces[i], *top))) top = &surfaces[i];
+  }
+  return top;
+}
+
+std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
+  std::vector<Box2> boxes(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (const Ring& ring : surfaces[i].rings)
+      for (const Vec2 p : ring) boxes[i].grow(p);
+  return boxes;
+}
+
+TEST(PlantsReal, StandInNoRoadRailBuildingOrWater) {
+  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
+  for (const Extract& extract : kExtracts) {
+    const scene::Scene scene = scene_of(extract, 512);
+    std::size_t count = 0;
+    for (const scene::Chunk& chunk : scene.chunks) {
+      const auto surfaces = scene::surfaces_of(chunk);
+      const auto boxes = boxes_of(surfaces);
+      for (const Plant& plant : plants_of(scene, chunk)) {
+        const ground::Surface* top = top_at(surfaces, boxes, plant.at);
+        ++count;
+        if (!top) continue;
+        const SurfaceGroup group = map::values_of(top->surface).group;
+        EXPECT_FALSE(group == SurfaceGroup::kRoad || group == SurfaceGroup::kRail || group == SurfaceGroup::kWater ||
+                     (group == SurfaceGroup::kBuilding))
+            << extract.map << " " << plant.at.x << ", " << plant.at.y << " in " << map::values_of(top->surface).name;
+      }
+    }
+    EXPECT_GT(count, 400u) << extract.map;
+  }
+}
+
+TEST(PlantsReal, AreTheSameWhateverTheTiles) {
+  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
+  for (const Extract& extract : kExtracts) {
+    const std::vector<Plant> large = plants_of(scene_of(extract, 1024)), small = plants_of(scene_of(extract, 256));
+    std::vector<Plant> differing;
+    std::ranges::set_symmetric_difference(large, small, std::back_inserter(differing));
+    EXPECT_TRUE(differing.empty()) << extract.map << ": " << differing.size() << " of " << large.size() << ", one at "
+                                   << differing.front().at.x << ", " << differing.front().at.y;
+  }
+}
+
+// Canillo's woods climb from 1450 to 2200 m.
+TEST(PlantsReal, OfCanilloAreOfManySpeciesAndMostlyConifers) {
+  if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
+  const std::vector<Plant> plants = plants_of(scene_of(kExtracts[3], 1024));
+  std::set<Species> species;
+  double needles = 0;
+  for (const Plant& plant : plants) {
+    species.insert(plant.species);
+    needles += plants::values_of(plant.species).leaves == plants::Leaves::kNeedle ? 1 : 0;
+  }
+  EXPECT_GE(species.size(), 10u);
+  EXPECT_GT(needles / static_cast<double>(plants.size()), 0.5);
+}
+
+}  // namespace
+}  // namespace citykiln
