@@ -19,13 +19,22 @@ using materials::Material;
 // A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
 constexpr double kSprayCover = 0.42;
 
+// Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
+// much, as `chart plant` measures woods.
+constexpr double kCardShade = 0.72, kBodyShade = 0.45;
+
 // A plant without its trunk would hang in the air: stems so much thinner than the thickest one stay.
-constexpr double kTrunkStays = 0.6;
+constexpr double kTrunkStays = 0.3;
 
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
     for (Vec3& p : dressed.mesh.positions) p = p * by;
   plant.error_per_m *= by;
+}
+
+materials::Tint shaded(materials::Tint tint, double share) {
+  for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
+  return tint;
 }
 
 double thickest_m(const lsystems::Skeleton& skeleton) {
@@ -34,11 +43,30 @@ double thickest_m(const lsystems::Skeleton& skeleton) {
   return thickest;
 }
 
+// Segments that are, and those that bear them.
+lsystems::Skeleton thicker_than(const lsystems::Skeleton& skeleton, double thickness_m) {
+  const std::vector<lsystems::Segment>& all = skeleton.segments;
+  std::vector<bool> stays(all.size());
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (2 * std::max(all[i].start_radius, all[i].end_radius) > thickness_m) stays[i] = true;
+    if (stays[i] && all[i].parent != lsystems::kNoParent) stays[static_cast<std::size_t>(all[i].parent)] = true;
+  }
+  lsystems::Skeleton stems;
+  std::vector<std::int32_t> number(all.size(), lsystems::kNoParent);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!stays[i]) continue;
+    number[i] = static_cast<std::int32_t>(stems.segments.size());
+    stems.segments.push_back(all[i]);
+    std::int32_t& parent = stems.segments.back().parent;
+    if (parent != lsystems::kNoParent) parent = number[static_cast<std::size_t>(parent)];
+  }
+  return stems;
+}
+
 DressedMesh bark_of(const Grown& grown, const Look& look, double tolerance_m, double& error_m) {
   lsystems::TubeOptions options;
   options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(grown.skeleton)), options.instances = false;
-  lsystems::Skeleton stems;
-  stems.segments = grown.skeleton.segments;
+  const lsystems::Skeleton stems = thicker_than(grown.skeleton, 2 * options.tolerance_m);
   lsystems::PlantMesh mesh = lsystems::mesh_plant(stems, options);
   error_m = std::max(error_m, mesh.error_m);
   DressedMesh bark{{std::move(mesh.bark.positions), std::move(mesh.bark.normals), std::move(mesh.bark.triangles)},
@@ -121,6 +149,7 @@ PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) 
   const Look look = look_of(species);
   CrossedCards cards = crossed_cards(sitter_of(grown, look, tolerance_m / 16), tolerance_m);
   cards.mesh.material = look.leaf_material;
+  cards.mesh.tint = shaded(materials::kNoTint, kCardShade);
   PrototypeMesh plant{{}, std::move(cards.cutout), cards.error_m};
   plant.meshes.push_back(std::move(cards.mesh));
   return plant;
@@ -130,7 +159,7 @@ PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
   const Look look = look_of(species);
   CrownHull hull = crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
-  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, look.leaf, {}});
+  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, kBodyShade), {}});
   return plant;
 }
 
@@ -147,6 +176,6 @@ PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_
   return plant;
 }
 
-int variants_at(double tolerance_m) { return tolerance_m < 0.05 ? 2 : tolerance_m < 1 ? 4 : kVariants; }
+int variants_at(double tolerance_m) { return tolerance_m < 1 || tolerance_m > 10 ? 2 : kVariants; }
 
 }  // namespace citykiln::plants
