@@ -179,17 +179,23 @@ void add_pictures(const bake::Grove& grove, const sky::Sky& sky, double toleranc
 constexpr Vec3 kFork{0, 0, 6};
 constexpr double kAboutFork = 3;
 
-/// From middles of a mesh's triangles about the fork to the surface of a finer one: along the normal at its nearest
-/// corner.
+Vec3 middle_of(const lsystems::PartMesh& mesh, const Triangle& t) {
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
+}
+
+/// From middles of a mesh's triangles about the fork to the plane of a finer one's nearest.
 double distance_between(const lsystems::PartMesh& coarse, const lsystems::PartMesh& fine) {
   double farthest = 0;
   for (const Triangle& t : coarse.triangles) {
-    if (length(coarse.positions[t[0]] - kFork) > kAboutFork) continue;
-    const Vec3 p = (coarse.positions[t[0]] + coarse.positions[t[1]] + coarse.positions[t[2]]) * (1.0 / 3);
+    const Vec3 p = middle_of(coarse, t);
+    if (length(p - kFork) > kAboutFork) continue;
     double nearest = 1e300, off = 0;
-    for (std::size_t i = 0; i < fine.positions.size(); ++i) {
-      const Vec3 d = p - fine.positions[i];
-      if (dot(d, d) < nearest) nearest = dot(d, d), off = std::abs(dot(d, fine.normals[i]));
+    for (const Triangle& f : fine.triangles) {
+      const Vec3 d = p - middle_of(fine, f);
+      if (dot(d, d) >= nearest) continue;
+      const Vec3 a = fine.positions[f[0]];
+      nearest = dot(d, d);
+      off = std::abs(dot(d, unit(cross(fine.positions[f[1]] - a, fine.positions[f[2]] - a))));
     }
     farthest = std::max(farthest, off);
   }

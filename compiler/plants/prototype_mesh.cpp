@@ -21,7 +21,7 @@ constexpr double kSprayCover = 0.42;
 
 // Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
 // much, as `chart plant` measures woods.
-constexpr double kCardShade = 0.72, kBodyShade = 0.45;
+constexpr double kCardShade = 0.52, kBodyShade = 0.25;
 
 // A plant without its trunk would hang in the air: stems so much thinner than the thickest one stay.
 constexpr double kTrunkStays = 0.3;
@@ -155,9 +155,12 @@ PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) 
   return plant;
 }
 
+// A box is one from nearer by than it would be crossed cards.
+bool is_clipped(Species species) { return species == Species::kHedge; }
+
 PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
   const Look look = look_of(species);
-  CrownHull hull = crown_hull(grown.foliage);
+  CrownHull hull = is_clipped(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
   plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, kBodyShade), {}});
   return plant;
@@ -169,8 +172,10 @@ PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_
   const double share = tolerance_m / height_m;
   if (share >= 1 || !(grown.height_m > 0)) return {{}, {}, 1};
   const double own_m = share * grown.height_m;
-  PrototypeMesh plant = share < kCardsFrom  ? near_mesh(grown, species, own_m)
-                        : share < kBodyFrom ? far_mesh(grown, species, own_m)
+  const double cards_from = is_clipped(species) ? kBoxFrom : kCardsFrom;
+  const double body_from = is_clipped(species) ? kBoxFrom : kBodyFrom;
+  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, species, own_m)
+                        : share < body_from ? far_mesh(grown, species, own_m)
                                             : farthest_mesh(grown, species);
   scale(plant, 1 / grown.height_m);
   return plant;

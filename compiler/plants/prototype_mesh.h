@@ -14,8 +14,8 @@
 
 namespace citykiln::plants {
 
-/// From where on, as shares of the height, a plant is crossed cards, and a body.
-inline constexpr double kCardsFrom = 0.04, kBodyFrom = 0.28;
+/// From where on, as shares of the height, a plant is crossed cards, and a body; a hedge is a box.
+inline constexpr double kCardsFrom = 0.04, kBodyFrom = 0.28, kBoxFrom = 0.12;
 
 struct PrototypeMesh {
   /// Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
