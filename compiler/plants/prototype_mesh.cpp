@@ -8,7 +8,7 @@
 #include "compiler/plants/leaf_clusters.h"
 #include "compiler/plants/looks.h"
 #include "compiler/plants/sprays.h"
-#include "lsystems/tubes.h"
+#include "compiler/plants/stems.h"
 
 namespace citykiln::plants {
 namespace {
@@ -23,9 +23,6 @@ constexpr double kSprayCover = 0.42;
 // much, as `chart plant` measures woods.
 constexpr double kCardShade = 0.52, kBodyShade = 0.25;
 
-// A plant without its trunk would hang in the air: stems so much thinner than the thickest one stay.
-constexpr double kTrunkStays = 0.3;
-
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
     for (Vec3& p : dressed.mesh.positions) p = p * by;
@@ -37,43 +34,10 @@ materials::Tint shaded(materials::Tint tint, double share) {
   return tint;
 }
 
-double thickest_m(const lsystems::Skeleton& skeleton) {
-  double thickest = 0;
-  for (const lsystems::Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * segment.start_radius);
-  return thickest;
-}
-
-// Segments that are, and those that bear them.
-lsystems::Skeleton thicker_than(const lsystems::Skeleton& skeleton, double thickness_m) {
-  const std::vector<lsystems::Segment>& all = skeleton.segments;
-  std::vector<bool> stays(all.size());
-  for (std::size_t i = all.size(); i-- > 0;) {
-    if (2 * std::max(all[i].start_radius, all[i].end_radius) > thickness_m) stays[i] = true;
-    if (stays[i] && all[i].parent != lsystems::kNoParent) stays[static_cast<std::size_t>(all[i].parent)] = true;
-  }
-  lsystems::Skeleton stems;
-  std::vector<std::int32_t> number(all.size(), lsystems::kNoParent);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!stays[i]) continue;
-    number[i] = static_cast<std::int32_t>(stems.segments.size());
-    stems.segments.push_back(all[i]);
-    std::int32_t& parent = stems.segments.back().parent;
-    if (parent != lsystems::kNoParent) parent = number[static_cast<std::size_t>(parent)];
-  }
-  return stems;
-}
-
-DressedMesh bark_of(const Grown& grown, const Look& look, double tolerance_m, double& error_m) {
-  lsystems::TubeOptions options;
-  options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(grown.skeleton)), options.instances = false;
-  const lsystems::Skeleton stems = thicker_than(grown.skeleton, 2 * options.tolerance_m);
-  lsystems::PlantMesh mesh = lsystems::mesh_plant(stems, options);
-  error_m = std::max(error_m, mesh.error_m);
-  DressedMesh bark{{std::move(mesh.bark.positions), std::move(mesh.bark.normals), std::move(mesh.bark.triangles)},
-                   Material::kBark,
-                   look.bark,
-                   {}};
-  return bark;
+DressedMesh bark_of(const lsystems::Skeleton& skeleton, materials::Tint tint, double tolerance_m, double& error_m) {
+  StemMesh stems = mesh_stems(skeleton, tolerance_m);
+  error_m = std::max(error_m, stems.error_m);
+  return {std::move(stems.mesh), Material::kBark, tint, {}};
 }
 
 // Sprays on a sheet of texels of size 1, whatever a card's size is.
@@ -112,7 +76,8 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
 PrototypeMesh near_mesh(const Grown& grown, Species species, double tolerance_m) {
   const Look look = look_of(species);
   PrototypeMesh plant;
-  if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, look, tolerance_m, plant.error_per_m));
+  if (!grown.skeleton.segments.empty())
+    plant.meshes.push_back(bark_of(grown.skeleton, look.bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, tolerance_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
@@ -136,7 +101,7 @@ void add_kite(Mesh& mesh, const Card& card, double cover) {
 // What pictures are taken of: leaves by their tints, which are few.
 std::vector<DressedMesh> sitter_of(const Grown& grown, const Look& look, double tolerance_m) {
   double ignored = 0;
-  std::vector<DressedMesh> meshes{bark_of(grown, look, tolerance_m, ignored)};
+  std::vector<DressedMesh> meshes{bark_of(grown.skeleton, look.bark, tolerance_m, ignored)};
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
     if (same == meshes.end()) same = meshes.insert(same, DressedMesh{{}, look.leaf_material, card.tint, {}});
