@@ -51,6 +51,17 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
+// Near by, hedges are plants; else bands like others, whole, of the tile that they begin in.
+std::vector<props::Barrier> bands_of(const Firing& firing) {
+  std::vector<props::Barrier> bands = firing.chunk.barriers;
+  const bool has_plants = firing.part || has_hedge_plants(firing.tolerance_m);
+  std::erase_if(bands, [&](const props::Barrier& b) {
+    const bool is_band = !has_plants && scene::is_anchored(firing.header, firing.chunk.tile, b.axis.front());
+    return b.kind == map::BarrierKind::kHedge && !is_band;
+  });
+  return bands;
+}
+
 BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, const TilePart* part,
                      const Grove& grove, int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
@@ -65,7 +76,7 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   fire_stairs(firing, common.stairs);
   fire_houses(firing, level, threads, report);
   fire_each(
-      firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      firing, bands_of(firing), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
   report.append(common.of_trees);
   const Placed placed = placed_in(firing, common);

@@ -72,6 +72,8 @@ bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carvin
 
 Placed placed_in(const Firing& firing, const Common& common) {
   Placed placed{common.trees, common.lamps};
+  if (firing.tolerance_m <= plants::kBlades_m)
+    for (const auto& [prototype, placements] : common.blades) placed.trees[prototype] = placements;
   if (!firing.part) return placed;
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });

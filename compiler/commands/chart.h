@@ -83,6 +83,9 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request);
 /// tolerance is one pixel, beside the noise of the picture.
 Result<std::vector<Chart>> chart_facade(const ChartRequest& request);
 
+/// Processor time of placing a map's plants over their number.
+Result<std::vector<Chart>> chart_woods(const ChartRequest& request);
+
 /// Triangles, bytes and time of plants over tolerances, the error of the picture of a tree and of a wood from where the
 /// tolerance is one pixel, beside the noise; a joint's distance to its limit surface over the sides of its stems.
 Result<std::vector<Chart>> chart_plant(const ChartRequest& request);

@@ -49,7 +49,8 @@ struct Header {
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
 /// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
-/// which they are part (is_anchored); everything else is in the chunk of its anchor alone.
+/// which they are part (is_anchored); trees, tree rows, hedges and lanes, whole, in every chunk they touch widened by
+/// plants::kNear_m; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
@@ -63,6 +64,9 @@ struct Chunk {
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;
   std::vector<plants::Wood> woods;
+  std::vector<plants::Planting> plantings;
+  std::vector<plants::Row> tree_rows;
+  std::vector<plants::Lane> lanes;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
   bool operator==(const Chunk&) const = default;
