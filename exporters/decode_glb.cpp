@@ -300,16 +300,21 @@ std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mes
   return number;
 }
 
-// From `first` on. Meshes may share them.
+// From `first` on. Meshes may share them, each with a copy of its own: a small file must not make a large tile.
 void read_cutouts(Source& source, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
                   BakedTile& tile) {
   const auto& images = source.model.images;
+  std::uint64_t texels = 0;
   for (std::size_t i = first; i < images.size(); ++i) {
     if (images[i].name == "cutoutNormal" && i > first && images[i - 1].name == "cutout") continue;
     expect(images[i].name == "cutout", "pictures named after materials, and one sheet at most");
     const imprint::Cutout cutout = read_cutout(source, i);
-    for (std::size_t k = 0; k < wanted.size(); ++k)
-      if (wanted[k] == i) tile.instanced[k].cutout = cutout;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (wanted[k] != i) continue;
+      texels += cutout.colour.texels.size() + cutout.normal.texels.size();
+      expect(texels <= materials::kMostTexels, "no more cutouts than a sheet has texels");
+      tile.instanced[k].cutout = cutout;
+    }
   }
 }
 

@@ -29,7 +29,7 @@ constexpr Species kTrees[] = {Species::kOak, Species::kBeech, Species::kBirch, S
 /// What a picture shows, the same at each tolerance, as facades' charts do.
 constexpr double kTreeWindow_m = 40, kWoodWindow_m = 120;
 constexpr int kFewestPixels = 6, kMostPixels = 160;
-constexpr int kSamples = 24 * 128 * 128, kFewestSamples = 24;
+constexpr int kSamples = 16 * 128 * 128, kFewestSamples = 24;
 constexpr double kFocal_px = 1304, kDegrees = 57.29577951308232;
 constexpr int kWoodSide = 9;
 constexpr double kWoodSpacing_m = 7;
@@ -176,16 +176,26 @@ void add_pictures(const bake::Grove& grove, const sky::Sky& sky, double toleranc
   for (std::size_t s = 0; s < std::size(values); ++s) chart.series[s].points.emplace_back(tolerance_m, values[s]);
 }
 
-/// From corners and middles of a mesh's triangles to the nearest corner of a finer one: what is left of that one's
-/// spacing is far below a coarse mesh's distance.
+constexpr Vec3 kFork{0, 0, 6};
+constexpr double kAboutFork = 3;
+
+Vec3 middle_of(const lsystems::PartMesh& mesh, const Triangle& t) {
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
+}
+
+/// From middles of a mesh's triangles about the fork to the plane of a finer one's nearest.
 double distance_between(const lsystems::PartMesh& coarse, const lsystems::PartMesh& fine) {
   double farthest = 0;
   for (const Triangle& t : coarse.triangles) {
-    const Vec3 p = (coarse.positions[t[0]] + coarse.positions[t[1]] + coarse.positions[t[2]]) * (1.0 / 3);
+    const Vec3 p = middle_of(coarse, t);
+    if (length(p - kFork) > kAboutFork) continue;
     double nearest = 1e300, off = 0;
-    for (std::size_t i = 0; i < fine.positions.size(); ++i) {
-      const Vec3 d = p - fine.positions[i];
-      if (dot(d, d) < nearest) nearest = dot(d, d), off = std::abs(dot(d, fine.normals[i]));
+    for (const Triangle& f : fine.triangles) {
+      const Vec3 d = p - middle_of(fine, f);
+      if (dot(d, d) >= nearest) continue;
+      const Vec3 a = fine.positions[f[0]];
+      nearest = dot(d, d);
+      off = std::abs(dot(d, unit(cross(fine.positions[f[1]] - a, fine.positions[f[2]] - a))));
     }
     farthest = std::max(farthest, off);
   }

@@ -14,6 +14,8 @@ namespace {
 using materials::DressedMesh;
 using materials::Sheet;
 
+// How much of the tolerance pictures take in depth; the rest is a texel.
+constexpr double kDepth = 0.75;
 // Texels of normals, in texels of colour.
 constexpr std::uint32_t kNormalTexels = 2;
 // How steeply a crown's light falls off towards its rim: a ball's would be black there.
@@ -43,7 +45,7 @@ double reach_m(const Extent& extent, int planes) { return extent.radius_m * sine
 
 int planes_for(const Extent& extent, double tolerance_m) {
   int planes = 2;
-  while (planes < kMostPlanes && reach_m(extent, planes) > tolerance_m) ++planes;
+  while (planes < kMostPlanes && reach_m(extent, planes) > kDepth * tolerance_m) ++planes;
   return planes;
 }
 
@@ -69,7 +71,7 @@ Plane level(const Extent& extent, double height_m, double depth_m) {
 // Level ones from the crown's middle up, each in the middle of what it shows.
 std::vector<Plane> planes_of(const Extent& extent, double tolerance_m) {
   const int count = planes_for(extent, tolerance_m);
-  const double depth_m = std::max(tolerance_m, reach_m(extent, count));
+  const double depth_m = std::max(kDepth * tolerance_m, reach_m(extent, count));
   std::vector<Plane> planes;
   for (int i = 0; i < count; ++i) planes.push_back(upright(extent, 0.5 * i / count, depth_m));
   const double crown_m = (extent.high_m - extent.low_m) * 0.75;
@@ -126,7 +128,7 @@ void draw_normals(Sheet& normals, const imprint::View& view, Vec2 at_m) {
 
 CrossedCards crossed_cards(const std::vector<DressedMesh>& shape, double tolerance_m) {
   const Extent extent = extent_of(shape);
-  const double texel_m = tolerance_m / 4;
+  const double texel_m = (1 - kDepth) * tolerance_m;
   const imprint::Shape ready = imprint::shape_of(shape);
   std::vector<imprint::View> views;
   std::vector<imprint::Picture> pictures;

@@ -20,13 +20,14 @@ struct CrossedCards {
 };
 
 /// @param shape  The plant, leaves as polygons of their true area, both sides.
-/// @param tolerance_m  A picture shows what lies this far before and behind it, or as far as planes need to show all.
+/// @param tolerance_m  A picture shows what lies three quarters of it before and behind, or as far as planes need to
+/// show all.
 ///
 /// Error: any place of the shape is within R sin(90°/n) of an upright plane; n is what the tolerance asks for, up to
 /// kMostPlanes. Of a picture every place is as near to the shape as its depth. A texel, a quarter of the tolerance, is
 /// added, since pictures are there or not texel by texel: stated, not proved, as single leaves may be lost.
 CrossedCards crossed_cards(const std::vector<materials::DressedMesh>& shape, double tolerance_m);
 
-inline constexpr int kMostPlanes = 5, kMostLevels = 3;
+inline constexpr int kMostPlanes = 8, kMostLevels = 3;
 
 }  // namespace citykiln::plants

@@ -9,12 +9,9 @@
 namespace citykiln::plants {
 namespace {
 
-constexpr int kSides = 6, kBands = 3, kPieces = 4;
+constexpr int kSides = 6, kBands = 3, kPieces = 8;
 // Of a band's leaves, so many reach no farther than its ring; twigs that stand out do not widen it.
 constexpr double kWithin = 0.7;
-// Every so many-th card is enough to bound the hull's distance from all.
-constexpr std::size_t kMostAsked = 400;
-
 struct Ring {
   double height = 0, radius = 0;
 };
@@ -78,28 +75,45 @@ std::vector<Vec3> places_on(const Mesh& mesh) {
   return places;
 }
 
-// From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
-// than a piece's side over √3.
-double error_m_of(const Mesh& mesh, const Foliage& foliage) {
-  const std::size_t step = foliage.cards.size() / kMostAsked + 1;
-  const std::vector<Vec3> places = places_on(mesh);
-  double there = length(mesh.positions.front()), back = 0, longest = 0;
-  for (const Card& card : foliage.cards)
-    for (const Vec3 corner : corners_of(card)) {
-      double nearest = 1e300;
-      for (const Vec3 p : places) nearest = std::min(nearest, length(p - corner));
-      there = std::max(there, nearest);
-    }
-  for (const Vec3 p : places) {
-    double nearest = 1e300;
-    for (std::size_t i = 0; i < foliage.cards.size(); i += step)
-      nearest = std::min(nearest, distance(foliage.cards[i], p));
-    back = std::max(back, nearest);
+// The distance to the nearest, where it is more than `known`; else less than that.
+template <typename Things, typename Distance>
+double beyond(double known, const Things& things, Distance distance_to) {
+  double nearest = 1e300;
+  for (const auto& thing : things) {
+    nearest = std::min(nearest, distance_to(thing));
+    if (nearest <= known) break;
   }
+  return nearest;
+}
+
+double longest_side_m(const Mesh& mesh) {
+  double longest = 0;
   for (const Triangle& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       longest = std::max(longest, length(mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]));
-  return std::max(there, back + longest / kPieces / std::sqrt(3.0));
+  return longest;
+}
+
+// From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
+// than a piece's side over √3.
+double error_m_of(const Mesh& mesh, const Foliage& foliage) {
+  const std::vector<Vec3> places = places_on(mesh);
+  double there = 0, back = 0;
+  for (const Card& card : foliage.cards)
+    for (const Vec3 corner : corners_of(card))
+      there = std::max(there, beyond(there, places, [&](Vec3 p) { return length(p - corner); }));
+  for (const Vec3 p : places)
+    back = std::max(back, beyond(back, foliage.cards, [&](const Card& card) { return distance(card, p); }));
+  return std::max(there, back + longest_side_m(mesh) / kPieces / std::sqrt(3.0));
+}
+
+// Between which most leaves' middles lie, on an axis.
+std::array<double, 2> bounds_of(const Foliage& foliage, double Vec3::*axis) {
+  std::vector<double> places;
+  for (const Card& card : foliage.cards) places.push_back(card.centre().*axis);
+  std::ranges::sort(places);
+  const std::size_t beyond = places.size() / 50;
+  return {places[beyond], places[places.size() - 1 - beyond]};
 }
 
 }  // namespace
@@ -111,6 +125,29 @@ CrownHull crown_hull(const Foliage& foliage) {
   const double foot = low.centre().z, top = high.centre().z;
   // not far above the ground, so that the trunk has something near
   hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
+  hull.error_m = std::max(error_m_of(hull.mesh, foliage), length(hull.mesh.positions.front()));
+  return hull;
+}
+
+CrownHull crown_box(const Foliage& foliage) {
+  CrownHull hull;
+  if (foliage.cards.empty()) return hull;
+  const std::array bounds = {bounds_of(foliage, &Vec3::x), bounds_of(foliage, &Vec3::y), bounds_of(foliage, &Vec3::z)};
+  const auto at = [&](std::size_t axis, int end) { return bounds[axis][static_cast<std::size_t>(end)]; };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1}) {
+      const auto first = static_cast<std::uint32_t>(hull.mesh.positions.size());
+      // round the face, seen from outside
+      for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        const std::array<double, 3> p = {at(axis, end), at((axis + 1) % 3, end == 1 ? u : v),
+                                         at((axis + 2) % 3, end == 1 ? v : u)};
+        const std::array<double, 3> out = {end == 1 ? 1.0 : -1.0, 0, 0};
+        hull.mesh.positions.push_back({p[(3 - axis) % 3], p[(4 - axis) % 3], p[(5 - axis) % 3]});
+        hull.mesh.normals.push_back({out[(3 - axis) % 3], out[(4 - axis) % 3], out[(5 - axis) % 3]});
+      }
+      hull.mesh.triangles.push_back({first, first + 1, first + 2});
+      hull.mesh.triangles.push_back({first, first + 2, first + 3});
+    }
   hull.error_m = error_m_of(hull.mesh, foliage);
   return hull;
 }

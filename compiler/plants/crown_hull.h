@@ -17,4 +17,7 @@ struct CrownHull {
 /// Total: no cards give no mesh.
 CrownHull crown_hull(const Foliage& foliage);
 
+/// What is clipped: the box about most of its leaves, of 12 triangles. Error and totality as above.
+CrownHull crown_box(const Foliage& foliage);
+
 }  // namespace citykiln::plants

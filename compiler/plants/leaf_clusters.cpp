@@ -79,9 +79,13 @@ double beyond_m(const Card& card, std::span<const Card> cards) {
   return worst;
 }
 
-double error_m_of(const Card& card, std::span<const Card> cards) {
+// Beyond the tolerance it need not be exact.
+double error_m_of(const Card& card, std::span<const Card> cards, double tolerance_m) {
   double worst = 0;
-  for (const Card& each : cards) worst = std::max(worst, farthest_m(corners_of(each), card));
+  for (const Card& each : cards) {
+    worst = std::max(worst, farthest_m(corners_of(each), card));
+    if (worst > tolerance_m) return worst;
+  }
   return std::max(worst, beyond_m(card, cards));
 }
 
@@ -106,7 +110,7 @@ struct Clustering {
     if (cell.cards.front().spray != cell.cards.back().spray) return false;
     for (const double share : {1.0, 0.7}) {
       const Card card = standing_for(cell.cards, share);
-      const double error_m = error_m_of(card, cell.cards);
+      const double error_m = error_m_of(card, cell.cards, tolerance_m);
       if (error_m > tolerance_m) continue;
       keep(card, error_m);
       return true;

@@ -8,7 +8,7 @@
 #include "compiler/plants/leaf_clusters.h"
 #include "compiler/plants/looks.h"
 #include "compiler/plants/sprays.h"
-#include "lsystems/tubes.h"
+#include "compiler/plants/stems.h"
 
 namespace citykiln::plants {
 namespace {
@@ -19,8 +19,9 @@ using materials::Material;
 // A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
 constexpr double kSprayCover = 0.42;
 
-// A plant without its trunk would hang in the air: stems so much thinner than the thickest one stay.
-constexpr double kTrunkStays = 0.6;
+// Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
+// much, as `chart plant` measures woods.
+constexpr double kCardShade = 0.52, kBodyShade = 0.25;
 
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
@@ -28,24 +29,15 @@ void scale(PrototypeMesh& plant, double by) {
   plant.error_per_m *= by;
 }
 
-double thickest_m(const lsystems::Skeleton& skeleton) {
-  double thickest = 0;
-  for (const lsystems::Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * segment.start_radius);
-  return thickest;
+materials::Tint shaded(materials::Tint tint, double share) {
+  for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
+  return tint;
 }
 
-DressedMesh bark_of(const Grown& grown, const Look& look, double tolerance_m, double& error_m) {
-  lsystems::TubeOptions options;
-  options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(grown.skeleton)), options.instances = false;
-  lsystems::Skeleton stems;
-  stems.segments = grown.skeleton.segments;
-  lsystems::PlantMesh mesh = lsystems::mesh_plant(stems, options);
-  error_m = std::max(error_m, mesh.error_m);
-  DressedMesh bark{{std::move(mesh.bark.positions), std::move(mesh.bark.normals), std::move(mesh.bark.triangles)},
-                   Material::kBark,
-                   look.bark,
-                   {}};
-  return bark;
+DressedMesh bark_of(const lsystems::Skeleton& skeleton, materials::Tint tint, double tolerance_m, double& error_m) {
+  StemMesh stems = mesh_stems(skeleton, tolerance_m);
+  error_m = std::max(error_m, stems.error_m);
+  return {std::move(stems.mesh), Material::kBark, tint, {}};
 }
 
 // Sprays on a sheet of texels of size 1, whatever a card's size is.
@@ -84,7 +76,8 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
 PrototypeMesh near_mesh(const Grown& grown, Species species, double tolerance_m) {
   const Look look = look_of(species);
   PrototypeMesh plant;
-  if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, look, tolerance_m, plant.error_per_m));
+  if (!grown.skeleton.segments.empty())
+    plant.meshes.push_back(bark_of(grown.skeleton, look.bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, tolerance_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
@@ -108,7 +101,7 @@ void add_kite(Mesh& mesh, const Card& card, double cover) {
 // What pictures are taken of: leaves by their tints, which are few.
 std::vector<DressedMesh> sitter_of(const Grown& grown, const Look& look, double tolerance_m) {
   double ignored = 0;
-  std::vector<DressedMesh> meshes{bark_of(grown, look, tolerance_m, ignored)};
+  std::vector<DressedMesh> meshes{bark_of(grown.skeleton, look.bark, tolerance_m, ignored)};
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
     if (same == meshes.end()) same = meshes.insert(same, DressedMesh{{}, look.leaf_material, card.tint, {}});
@@ -121,16 +114,20 @@ PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) 
   const Look look = look_of(species);
   CrossedCards cards = crossed_cards(sitter_of(grown, look, tolerance_m / 16), tolerance_m);
   cards.mesh.material = look.leaf_material;
+  cards.mesh.tint = shaded(materials::kNoTint, kCardShade);
   PrototypeMesh plant{{}, std::move(cards.cutout), cards.error_m};
   plant.meshes.push_back(std::move(cards.mesh));
   return plant;
 }
 
+// A box is one from nearer by than it would be crossed cards.
+bool is_clipped(Species species) { return species == Species::kHedge; }
+
 PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
   const Look look = look_of(species);
-  CrownHull hull = crown_hull(grown.foliage);
+  CrownHull hull = is_clipped(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
-  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, look.leaf, {}});
+  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, kBodyShade), {}});
   return plant;
 }
 
@@ -140,13 +137,15 @@ PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_
   const double share = tolerance_m / height_m;
   if (share >= 1 || !(grown.height_m > 0)) return {{}, {}, 1};
   const double own_m = share * grown.height_m;
-  PrototypeMesh plant = share < kCardsFrom  ? near_mesh(grown, species, own_m)
-                        : share < kBodyFrom ? far_mesh(grown, species, own_m)
+  const double cards_from = is_clipped(species) ? kBoxFrom : kCardsFrom;
+  const double body_from = is_clipped(species) ? kBoxFrom : kBodyFrom;
+  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, species, own_m)
+                        : share < body_from ? far_mesh(grown, species, own_m)
                                             : farthest_mesh(grown, species);
   scale(plant, 1 / grown.height_m);
   return plant;
 }
 
-int variants_at(double tolerance_m) { return tolerance_m < 0.05 ? 2 : tolerance_m < 1 ? 4 : kVariants; }
+int variants_at(double tolerance_m) { return tolerance_m < 1 || tolerance_m > 10 ? 2 : kVariants; }
 
 }  // namespace citykiln::plants

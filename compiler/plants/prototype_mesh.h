@@ -14,8 +14,8 @@
 
 namespace citykiln::plants {
 
-/// From where on, as shares of the height, a plant is crossed cards, and a body.
-inline constexpr double kCardsFrom = 0.04, kBodyFrom = 0.28;
+/// From where on, as shares of the height, a plant is crossed cards, and a body; a hedge is a box.
+inline constexpr double kCardsFrom = 0.04, kBodyFrom = 0.28, kBoxFrom = 0.12;
 
 struct PrototypeMesh {
   /// Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
@@ -27,12 +27,12 @@ struct PrototypeMesh {
 /// A prototype, cut so that a plant of `height_m` is within the tolerance; dropped (with error 1) where the plant
 /// itself is no higher than it.
 ///
-/// Error: certified both ways for stems and cards of leaves: mesh_plant's and the clusters'; but stems thinner than the
-/// tolerance are left out, however long they are. Of crossed cards stated, of bodies bounded.
+/// Error: certified both ways for stems and cards of leaves: mesh_plant's and the clusters'; but stems of a radius
+/// below the tolerance are left out, however long they are. Of crossed cards stated, of bodies bounded.
 /// Cost: O(n log n), some 10 ms.
 PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_m, double tolerance_m);
 
-/// Of a species' variants so many are told apart at a tolerance: fine ones are large.
+/// Of a species' variants so many are told apart at a tolerance: fine ones are large, bodies alike.
 int variants_at(double tolerance_m);
 
 }  // namespace citykiln::plants

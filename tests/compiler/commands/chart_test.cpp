@@ -105,5 +105,17 @@ TEST(ChartOfTerrain, AsksForAHeightmap) {
   EXPECT_EQ(to_string(chart_terrain({}).error()), "chart terrain: needs a heightmap (--dem FILE)");
 }
 
+TEST(ChartOfLsystems, CountsAsTheBookDoesAndMeshesInProportion) {
+  const Result<std::vector<Chart>> charts = chart_lsystem({});
+  ASSERT_TRUE(charts);
+  ASSERT_EQ(charts->size(), 3u);
+  const auto& growth = (*charts)[1].series;
+  EXPECT_EQ(growth[0].points, growth[1].points);
+  EXPECT_GT(growth[0].points.back().second, 500'000);
+  // triangles double with each step, as segments do
+  const auto& meshed = (*charts)[2].series[0].points;
+  for (std::size_t i = 1; i < meshed.size(); ++i) EXPECT_NEAR(meshed[i].first / meshed[i - 1].first, 2, 0.1);
+}
+
 }  // namespace
 }  // namespace citykiln::commands
