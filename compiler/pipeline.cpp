@@ -102,7 +102,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("buildings");
   recipes.buildings = buildings::plan(features, carving, report);
   watch.enter("plants");
-  recipes.plants = plants::plan(features, recipes.surfaces, report);
+  recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
   watch.enter("props");
   recipes.props = props::plan(features, report);
 
@@ -113,6 +113,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
+  header->species = plants::species_for(recipes.plants.trees, recipes.plants.woods);
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
@@ -160,11 +161,13 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   std::vector<TileUnderWay> under_way(scene.chunks.size());
   Result<Done> done = Done{};
   const int inner = threads_of_a_tile(threads, scene.chunks.size());
+  const auto grove = std::make_shared<const bake::Grove>(scene.header);
   const auto make = [&](std::size_t i) {
     TileUnderWay& tile = under_way[steps[i].tile];
     // whoever comes first prepares the tile, the others wait
-    std::call_once(tile.once,
-                   [&] { tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner); });
+    std::call_once(tile.once, [&] {
+      tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner, grove);
+    });
     if (steps[i].level) slots[i].tile = bake::fire_prepared(*tile.prepared, *steps[i].level, inner, slots[i].report);
   };
   const auto hand_on = [&](std::size_t i) {

@@ -33,21 +33,55 @@ void describe(auto& io, ground::Surface& s) {
   flag(io, "graded", s.is_graded);
 }
 
+void stock(auto& io, Stream name, plants::Stock& stock) {
+  auto number = static_cast<std::uint8_t>(stock);
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (!plants::is_stock(number)) io.fail(name), number = 0;
+  stock = plants::Stock{number};
+}
+
+// Whole eighths of a metre, below 256 m.
+void eighths(auto& io, Stream name, double& value, double least_m) {
+  auto count = static_cast<std::uint16_t>(value * 8);
+  io.number(name, count);
+  value = count / 8.0;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (!(value >= least_m && value < 256)) io.fail(name), value = 1;
+}
+
 void describe(auto& io, plants::Tree& t) {
   id(io, t.id);
   io.point(t.at), io.metres("tree height", t.height_m);
-  enumerator(io, "tree species", t.species, plants::Species::kCount);
+  stock(io, "tree stock", t.stock);
 }
 
 void describe(auto& io, plants::Wood& w) {
   id(io, w.surface);
-  io.real("wood", w.spacing_m), io.real("wood", w.needle_share), io.real("wood", w.height_m);
-  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+  stock(io, "wood", w.stock), io.number("wood", w.per_ha), eighths(io, "wood", w.height_m, 0.125);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     // what would ask for a million trees a hectare, or none, is no wood
-    const bool is_wood = w.spacing_m >= 1 && w.spacing_m <= scene::kHalo_m && w.needle_share >= 0 &&
-                         w.needle_share <= 1 && w.height_m > 0 && w.height_m <= 200;
-    if (!is_wood) io.fail("wood");
-  }
+    if (w.per_ha < plants::kLeastPerHa || w.per_ha > plants::kMostPerHa) io.fail("wood");
+}
+
+void describe(auto& io, plants::Planting& p) {
+  id(io, p.surface);
+  stock(io, "planting", p.stock), io.number("planting", p.heading);
+  eighths(io, "planting", p.row_m, plants::kLeastPlant_m), eighths(io, "planting", p.plant_m, plants::kLeastPlant_m);
+  eighths(io, "planting", p.height_m, 0.125);
+}
+
+void describe(auto& io, plants::Row& r) {
+  id(io, r.id);
+  points(io, "tree row points", r.axis, 2);
+  stock(io, "tree row", r.stock);
+  eighths(io, "tree row", r.height_m, 0), eighths(io, "tree row", r.spacing_m, 0);
+}
+
+void describe(auto& io, plants::Lane& l) {
+  id(io, l.id);
+  points(io, "power lane points", l.axis, 2);
+  eighths(io, "power lane", l.width_m, 0);
 }
 
 void describe(auto& io, props::Barrier& b) {
@@ -135,6 +169,9 @@ void describe(Io& io, Chunk& c) {
   list(io, "buildings", c.buildings, 0, [&](auto& o) { describe(io, o); });
   list(io, "trees", c.trees, 0, [&](auto& o) { describe(io, o); });
   list(io, "woods", c.woods, 0, [&](auto& o) { describe(io, o); });
+  list(io, "plantings", c.plantings, 0, [&](auto& o) { describe(io, o); });
+  list(io, "tree rows", c.tree_rows, 0, [&](auto& o) { describe(io, o); });
+  list(io, "power lanes", c.lanes, 0, [&](auto& o) { describe(io, o); });
   list(io, "barriers", c.barriers, 0, [&](auto& o) { describe(io, o); });
   list(io, "lamps", c.lamps, 0, [&](auto& o) { describe(io, o); });
 }

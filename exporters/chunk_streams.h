@@ -50,7 +50,7 @@ inline constexpr std::array kStreamNames = {"point step",
                                             "colour values",
                                             "trees",
                                             "tree height",
-                                            "tree species",
+                                            "tree stock",
                                             "woods",
                                             "wood",
                                             "barriers",
@@ -113,7 +113,15 @@ inline constexpr std::array kStreamNames = {"point step",
                                             "party place",
                                             "party top",
                                             "party traits",
-                                            "graded"};
+                                            "graded",
+                                            "plantings",
+                                            "planting",
+                                            "tree rows",
+                                            "tree row points",
+                                            "tree row",
+                                            "power lanes",
+                                            "power lane points",
+                                            "power lane"};
 
 /// One of them: "knot height" where a Stream is wanted. A name that is not listed does not compile.
 struct Stream {

@@ -136,7 +136,8 @@ std::optional<std::string_view> without(std::string_view name, std::string_view 
 constexpr std::pair<std::string_view, Coloured> kEndings[] = {{"", Coloured::kByMaterial},
                                                               {"Plain", Coloured::kByMaterial},
                                                               {"Marked", Coloured::kBySheet},
-                                                              {"Imprinted", Coloured::kByAtlas}};
+                                                              {"Imprinted", Coloured::kByAtlas},
+                                                              {"Cutout", Coloured::kByCutout}};
 
 // Whether it has uvs is not for the material to say.
 bake::PrimitiveKey key_named(const std::string& name) {
@@ -162,7 +163,7 @@ std::vector<Float2> uvs_of(Source& source, int accessor_number) {
 
 // Pictures are read after meshes.
 bool has_picture(const tinygltf::Model& model, Coloured coloured) {
-  const char* name = coloured == Coloured::kBySheet ? "sheet" : "imprints";
+  const char* name = coloured == Coloured::kBySheet ? "sheet" : coloured == Coloured::kByCutout ? "cutout" : "imprints";
   return coloured == Coloured::kByMaterial || std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
 }
 
@@ -239,11 +240,16 @@ std::vector<OsmId> features_of(Source& source) {
 }
 
 // The size of a texel stands beside the picture.
+double texel_m_of(const tinygltf::Image& image) {
+  const double texel_m = number(member(image.extras, "texel_m"));
+  expect(texel_m > 0 && std::isfinite(texel_m), "texels with a size");
+  return texel_m;
+}
+
 materials::Sheet picture_of(Source& source, const tinygltf::Image& image) {
   auto picture = decode_png(std::as_bytes(bytes_of(source, image.bufferView)), "");
   if (!picture) throw Wrong{"a picture: " + to_string(picture.error())};
-  picture->texel_m = number(member(image.extras, "texel_m"));
-  expect(picture->texel_m > 0 && std::isfinite(picture->texel_m), "texels with a size");
+  picture->texel_m = texel_m_of(image);
   return std::move(*picture);
 }
 
@@ -266,6 +272,47 @@ void read_texture(Source& source, const tinygltf::Image& image, std::vector<mate
   expect(place.columns == place.rows, "textures that are square");
 }
 
+// A cutout: its colours, and its normals where these follow.
+imprint::Cutout read_cutout(Source& source, std::size_t image) {
+  const auto& images = source.model.images;
+  const auto bytes = std::as_bytes(bytes_of(source, images[image].bufferView));
+  auto picture = decode_cut_png(bytes, "");
+  if (!picture) throw Wrong{"a picture: " + to_string(picture.error())};
+  imprint::Cutout cutout{std::move(picture->colour), std::move(picture->opacity), {}};
+  cutout.colour.texel_m = texel_m_of(images[image]);
+  if (image + 1 < images.size() && images[image + 1].name == "cutoutNormal")
+    cutout.normal = picture_of(source, images[image + 1]);
+  return cutout;
+}
+
+// Which picture colours a mesh's primitives on cutouts, if any.
+std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mesh) {
+  std::optional<std::size_t> number;
+  for (const tinygltf::Primitive& p : item(model.meshes, mesh, "a mesh that exists").primitives) {
+    const tinygltf::Material& m = item(model.materials, p.material, "a material that exists");
+    if (key_named(m.name).coloured != Coloured::kByCutout) continue;
+    const int texture = m.pbrMetallicRoughness.baseColorTexture.index;
+    const int image = item(model.textures, texture, "a texture that exists").source;
+    expect(item(model.images, image, "a picture that exists").name == "cutout", "leaves on a cutout");
+    expect(!number || *number == static_cast<std::size_t>(image), "one cutout a mesh");
+    number = static_cast<std::size_t>(image);
+  }
+  return number;
+}
+
+// From `first` on. Meshes may share them.
+void read_cutouts(Source& source, std::size_t first, std::span<const std::optional<std::size_t>> wanted,
+                  BakedTile& tile) {
+  const auto& images = source.model.images;
+  for (std::size_t i = first; i < images.size(); ++i) {
+    if (images[i].name == "cutoutNormal" && i > first && images[i - 1].name == "cutout") continue;
+    expect(images[i].name == "cutout", "pictures named after materials, and one sheet at most");
+    const imprint::Cutout cutout = read_cutout(source, i);
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      if (wanted[k] == i) tile.instanced[k].cutout = cutout;
+  }
+}
+
 bool are_one_size(const imprint::Atlas& atlas) {
   const auto& [colour, surface, emission] = atlas;
   const auto is_as_large = [&](const materials::Sheet& other) {
@@ -274,8 +321,8 @@ bool are_one_size(const imprint::Atlas& atlas) {
   return is_as_large(surface) && (emission.texels.empty() || is_as_large(emission));
 }
 
-// The sheet, if any, the atlas's two or three, if any, then colours and normals of materials.
-void read_pictures(Source& source, BakedTile& tile) {
+// The sheet, if any, the atlas's two or three, if any, then colours and normals of materials, then cutouts.
+void read_pictures(Source& source, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
   const std::pair<const char*, materials::Sheet*> sheets[] = {{"sheet", &tile.sheet},
                                                               {"imprints", &tile.imprints.colour},
                                                               {"imprintsSurface", &tile.imprints.surface},
@@ -284,7 +331,8 @@ void read_pictures(Source& source, BakedTile& tile) {
   std::size_t i = 0;
   for (const auto& [name, place] : sheets)
     if (i < images.size() && images[i].name == name) *place = picture_of(source, images[i++]);
-  for (; i < images.size(); ++i) read_texture(source, images[i], tile.textures);
+  for (; i < images.size() && images[i].name != "cutout"; ++i) read_texture(source, images[i], tile.textures);
+  read_cutouts(source, i, cutouts, tile);
   expect(are_one_size(tile.imprints), "an atlas whose pictures are of one size");
 }
 
@@ -324,8 +372,9 @@ void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out
   out.features.push_back(static_cast<std::uint32_t>(feature));
 }
 
-// Each mesh belongs to one kind of thing, whose nodes follow each other.
-void add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) {
+// Each mesh belongs to one kind of thing, whose nodes follow each other. Returns each one's cutout, by its picture.
+std::vector<std::optional<std::size_t>> add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) {
+  std::vector<std::optional<std::size_t>> cutouts;  // one an entry of tile.instanced
   int last_mesh = root.mesh;
   bool is_open = false;
   for (const int child : root.children) {
@@ -334,6 +383,7 @@ void add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) 
     const bool goes_on = is_open && !is_extended && node.mesh == last_mesh;
     expect(goes_on || node.mesh > last_mesh, "each mesh for one kind of thing, in order");
     last_mesh = node.mesh, is_open = !is_extended;
+    if (!goes_on) cutouts.push_back(cutout_image_of(source.model, node.mesh));
     if (is_extended) {
       tile.instanced.push_back(extended(source, node, tile.features.size()));
       continue;
@@ -342,6 +392,7 @@ void add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) 
       tile.instanced.push_back({node.name, primitives_of(source, node.mesh, tile.features.size()), {}, {}, {}, {}});
     add_single(node, tile.features.size(), tile.instanced.back());
   }
+  return cutouts;
 }
 
 std::optional<bake::SeenFrom> seen_from_of(const Value& extras) {
@@ -365,8 +416,8 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.seen_from = seen_from_of(root.extras);
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
-  add_instances(source, root, tile);
-  read_pictures(source, tile);
+  const auto cutouts = add_instances(source, root, tile);
+  read_pictures(source, cutouts, tile);
   return tile;
 }
 

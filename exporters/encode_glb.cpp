@@ -36,6 +36,7 @@ struct Look {
   bake::PrimitiveKey key;                       // without uvs where they show nothing
   const materials::Texture* texture = nullptr;  // of its material, if it shows one
   bool is_in_steps = false;
+  const imprint::Cutout* cutout = nullptr;  // if it is on one
   bool operator==(const Look&) const = default;
 };
 
@@ -45,7 +46,8 @@ struct Filling {
   const scene::Header& header;
   tinygltf::Model model;
   std::set<std::string> extensions;
-  std::vector<Look> looks;  // one a material
+  std::vector<Look> looks;                      // one a material
+  std::vector<const imprint::Cutout*> cutouts;  // no two alike
 
   std::vector<unsigned char>& buffer() { return model.buffers.front().data; }
 
@@ -130,15 +132,17 @@ bool is_in_steps(const Primitive& p) {
          std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
 }
 
-Look look_of(const Filling& f, const Primitive& p) {
+Look look_of(const Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
+  if (p.coloured == Coloured::kByCutout) return {key_of(p), nullptr, false, cutout};
   if (p.coloured != Coloured::kByMaterial) return {key_of(p)};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, Coloured::kByMaterial}};
   return {key_of(p), &*found, is_in_steps(p)};
 }
 
-// The number of a picture among all: the sheet, the atlas, then each texture's colours and normals.
-int picture_number(const BakedTile& tile, const materials::Sheet* picture) {
+// The number of a picture among all: the sheet, the atlas, each texture's colours and normals, then cutouts'.
+int picture_number(const Filling& f, const materials::Sheet* picture) {
+  const BakedTile& tile = f.tile;
   int number = 0;
   const auto is_it = [&](const materials::Sheet& other) {
     if (&other == picture) return true;
@@ -148,7 +152,9 @@ int picture_number(const BakedTile& tile, const materials::Sheet* picture) {
   if (is_it(tile.sheet) || is_it(tile.imprints.colour) || is_it(tile.imprints.surface) || is_it(tile.imprints.emission))
     return number;
   for (const materials::Texture& texture : tile.textures)
-    if (is_it(texture.colour) || is_it(texture.normal)) break;
+    if (is_it(texture.colour) || is_it(texture.normal)) return number;
+  for (const imprint::Cutout* cutout : f.cutouts)
+    if (is_it(cutout->colour) || is_it(cutout->normal)) break;
   return number;
 }
 
@@ -159,7 +165,7 @@ Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
                        number(unit_m / (picture.rows * picture.texel_m))};
   f.extensions.insert("KHR_texture_transform");
   Info info;
-  info.index = picture_number(f.tile, &picture);
+  info.index = picture_number(f, &picture);
   info.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
   return info;
 }
@@ -170,6 +176,7 @@ void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m)
   if (look.key.coloured == Coloured::kBySheet) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
   if (look.key.coloured == Coloured::kByAtlas)
     m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.colour, 1);
+  if (look.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.cutout->colour, 1);
   if (look.key.coloured != Coloured::kByMaterial) return;
   m.baseColorFactor = {base[0], base[1], base[2], 1};
   if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
@@ -179,7 +186,12 @@ void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m)
   m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
 }
 
-bool has_normals(const Look& look) { return look.texture != nullptr && !look.texture->normal.texels.empty(); }
+const materials::Sheet* normals_of(const Look& look) {
+  const materials::Sheet* normals = nullptr;
+  if (look.texture != nullptr) normals = &look.texture->normal;
+  if (look.cutout != nullptr) normals = &look.cutout->normal;
+  return normals == nullptr || normals->texels.empty() ? nullptr : normals;
+}
 
 // What is on the atlas keeps the default factors, 1.
 void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
@@ -208,14 +220,31 @@ int material_number(Filling& f, const Look& look) {
   tinygltf::Material m;
   m.name = material_name(look.key, f.tile.textures);
   set_colour(f, look, m.pbrMetallicRoughness);
-  if (has_normals(look)) {
+  if (const materials::Sheet* normals = normals_of(look)) {
     const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
-    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, look.texture->normal, unit_m);
+    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, unit_m);
   }
+  // leaves are flat; what is less than half there is not
+  if (look.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
   set_surface(f, look, m.pbrMetallicRoughness);
   set_emission(f, look, m);
   f.model.materials.push_back(m), f.looks.push_back(look);
   return static_cast<int>(f.looks.size()) - 1;
+}
+
+// What of the tile's cutouts are alike is written once.
+void find_cutouts(Filling& f) {
+  for (const Instanced& instanced : f.tile.instanced) {
+    const auto is_alike = [&](const imprint::Cutout* other) { return *other == instanced.cutout; };
+    if (!instanced.cutout.colour.texels.empty() && std::ranges::none_of(f.cutouts, is_alike))
+      f.cutouts.push_back(&instanced.cutout);
+  }
+}
+
+const imprint::Cutout* cutout_like(const Filling& f, const imprint::Cutout& cutout) {
+  const auto is_alike = [&](const imprint::Cutout* other) { return *other == cutout; };
+  const auto found = std::ranges::find_if(f.cutouts, is_alike);
+  return found == f.cutouts.end() ? nullptr : *found;
 }
 
 int add_uvs(Filling& f, const Primitive& p, const Look& look) {
@@ -227,17 +256,17 @@ int add_uvs(Filling& f, const Primitive& p, const Look& look) {
                          TINYGLTF_TARGET_ARRAY_BUFFER, true);
 }
 
-tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
+tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  const Look look = look_of(f, p);
+  const Look look = look_of(f, p, cutout);
   out.material = material_number(f, look);
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
-  if (has_normals(look))
+  if (normals_of(look) != nullptr)
     out.attributes["TANGENT"] =
         f.add_attribute(turned(tangents_of(p)), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
@@ -249,10 +278,11 @@ tinygltf::Primitive primitive_of(Filling& f, const Primitive& p) {
   return out;
 }
 
-int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& primitives) {
+int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& primitives,
+             const imprint::Cutout* cutout = nullptr) {
   tinygltf::Mesh mesh;
   mesh.name = name;
-  for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p));
+  for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p, cutout));
   f.model.meshes.push_back(std::move(mesh));
   return static_cast<int>(f.model.meshes.size()) - 1;
 }
@@ -305,15 +335,27 @@ int add_sampler(Filling& f, int wrap_across, int wrap_along) {
   return static_cast<int>(f.model.samplers.size()) - 1;
 }
 
-// A picture, its texels' size beside it: what scale it has is rounded.
-void add_picture(Filling& f, const materials::Sheet& picture, const std::string& name, int sampler) {
+// A picture, its texels' size beside it: what scale it has is rounded. @param opacity  None, or one a texel.
+void add_picture(Filling& f, const materials::Sheet& picture, const std::string& name, int sampler,
+                 std::span<const std::uint8_t> opacity = {}) {
   if (picture.texels.empty()) return;
   tinygltf::Image image;
-  image.name = name, image.mimeType = "image/png", image.bufferView = f.add_view(encode_png(picture), 0);
+  image.name = name, image.mimeType = "image/png";
+  image.bufferView = f.add_view(opacity.empty() ? encode_png(picture) : encode_png(picture, opacity), 0);
   image.extras = Value(Object{{"texel_m", number(picture.texel_m)}});
   tinygltf::Texture texture;
   texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
   f.model.images.push_back(image), f.model.textures.push_back(texture);
+}
+
+void add_textures(Filling& f) {
+  if (f.tile.textures.empty()) return;
+  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
+  for (const materials::Texture& texture : f.tile.textures) {
+    const std::string name(values_of(texture.material).name);
+    add_picture(f, texture.colour, name + "Colour", repeating);
+    add_picture(f, texture.normal, name + "Normal", repeating);
+  }
 }
 
 void add_pictures(Filling& f) {
@@ -327,15 +369,14 @@ void add_pictures(Filling& f) {
     add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
     add_picture(f, f.tile.imprints.emission, "imprintsEmission", clamped);
   }
-  if (f.tile.textures.empty()) return;
-  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
-  for (const materials::Texture& texture : f.tile.textures) {
-    const std::string name(values_of(texture.material).name);
-    add_picture(f, texture.colour, name + "Colour", repeating);
-    add_picture(f, texture.normal, name + "Normal", repeating);
+  add_textures(f);
+  if (f.cutouts.empty()) return;
+  const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
+  for (const imprint::Cutout* cutout : f.cutouts) {
+    add_picture(f, cutout->colour, "cutout", clamped, cutout->opacity);
+    add_picture(f, cutout->normal, "cutoutNormal", clamped);
   }
 }
-
 // Which OSM element each feature is: row 0 is none.
 Value property_table(Filling& f) {
   std::vector<std::uint64_t> ids;
@@ -400,7 +441,7 @@ void fill(Filling& f, Instancing instancing) {
   if (!f.tile.primitives.empty()) f.model.nodes[0].mesh = add_mesh(f, "tile", f.tile.primitives);
   std::vector<int> children;
   for (const Instanced& instanced : f.tile.instanced) {
-    const int mesh = add_mesh(f, instanced.name, instanced.primitives);
+    const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, instanced.cutout));
     instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children)
                                          : add_single_nodes(f, instanced, mesh, children);
   }
@@ -415,7 +456,8 @@ void fill(Filling& f, Instancing instancing) {
 }
 
 std::vector<std::byte> plain_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  Filling f{tile, header, {}, {}, {}};
+  Filling f{tile, header, {}, {}, {}, {}};
+  find_cutouts(f);
   fill(f, instancing);
   std::ostringstream out;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
@@ -430,6 +472,7 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
   const std::string name(values_of(key.material).name);
   if (key.coloured == Coloured::kBySheet) return name + "Marked";
   if (key.coloured == Coloured::kByAtlas) return name + "Imprinted";
+  if (key.coloured == Coloured::kByCutout) return name + "Cutout";
   const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
   return !key.has_uvs && is_textured ? name + "Plain" : name;
 }

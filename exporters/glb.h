@@ -17,7 +17,8 @@ namespace citykiln::exporters {
 enum class Instancing { kExtension, kNodes };
 
 /// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet,
-/// "PaintImprinted" on the atlas; "AsphaltPlain" where it has no uvs, and Asphalt has one of the tile's textures.
+/// "PaintImprinted" on the atlas, "BroadLeafCutout" on a cutout (alphaMode MASK, both sides); "AsphaltPlain" where it
+/// has no uvs, and Asphalt has one of the tile's textures.
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
 
 /// One glTF mesh whose primitives are merged by key; instances as asked; features as _FEATURE_ID_0
@@ -26,9 +27,10 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 /// single precision in the root node's extras, and for which eye it was made, if for one; attribution in
 /// asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of materials::kTexturePlace_m; the
 /// sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform from there to the picture: its
-/// row 0, v = 0, is the picture's top; TANGENT where there are normals. Same input, same bytes. Valid by Khronos'
-/// validator with 0 errors and 0 warnings. Packed, it holds quantised(tile) (quantise.h), whose error it states,
-/// vertices and triangles in another order, and normals of kPackedNormalBits. @param threads  Never changes a byte.
+/// row 0, v = 0, is the picture's top; each cutout once, for all shapes that have the same; TANGENT where there are
+/// normals. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings. Packed, it holds
+/// quantised(tile) (quantise.h), whose error it states, vertices and triangles in another order, and normals of
+/// kPackedNormalBits. @param threads  Never changes a byte.
 std::vector<std::byte> encode_glb(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
                                   Compression compression = Compression::kNone, int threads = 1);
 

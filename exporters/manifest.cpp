@@ -27,7 +27,7 @@ using ByteSpan = std::span<const std::byte>;
 using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
-constexpr std::uint16_t kMajor = 1, kMinor = 2;
+constexpr std::uint16_t kMajor = 1, kMinor = 3;
 constexpr const char* kExpanderVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
@@ -86,11 +86,13 @@ flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder
   return fbs::CreateIndexDirect(builder, &x.bytes(), &y.bytes(), &size.bytes(), &checksums);
 }
 
+// Rules, or species.
+template <typename Text>
 std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuilder& builder,
-                                                     std::span<const buildings::RuleText> rules) {
+                                                     const std::vector<Text>& texts) {
   std::vector<flatbuffers::Offset<fbs::Rule>> offsets;
-  for (const buildings::RuleText& rule : rules) {
-    const auto name = builder.CreateString(rule.name), text = builder.CreateString(rule.text);
+  for (const Text& each : texts) {
+    const auto name = builder.CreateString(each.name), text = builder.CreateString(each.text);
     offsets.push_back(fbs::CreateRule(builder, name, text));
   }
   return offsets;
@@ -109,11 +111,11 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   const auto index = index_of(builder, scene, frames);
   // not a number stands for none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
-  const auto rules = rules_of(builder, h.rules);
+  const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
   builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
                                          kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
-                                         &rules));
+                                         &rules, &species));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -148,8 +150,9 @@ std::size_t size_of(const Texts* texts) {
 }
 
 using Rules = flatbuffers::Vector<flatbuffers::Offset<fbs::Rule>>;
-std::vector<buildings::RuleText> rules_of(const Rules* rules) {
-  std::vector<buildings::RuleText> texts;
+template <typename Text>
+std::vector<Text> texts_of(const Rules* rules) {
+  std::vector<Text> texts;
   if (rules != nullptr)
     for (const auto* rule : *rules)
       if (rule->name() != nullptr && rule->text() != nullptr)
@@ -183,7 +186,7 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   const Error damaged = damaged_header(name);
   if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr || h.sky()->to_sun() == nullptr ||
       h.sky()->to_sun()->size() != 3 ||
-      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) > raw_size)
+      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) + size_of(h.species()) > raw_size)
     return damaged;
   scene::Header header;
   header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
@@ -203,7 +206,8 @@ Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const st
   if (std::isinf(h.snow_line_m())) return damaged;
   if (!std::isnan(h.snow_line_m())) header.snow_line_m = h.snow_line_m();
   header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
-  header.rules = rules_of(h.rules());
+  header.rules = texts_of<buildings::RuleText>(h.rules());
+  header.species = texts_of<plants::SpeciesText>(h.species());
   return header;
 }
 

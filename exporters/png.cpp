@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 #include <unordered_map>
@@ -57,6 +58,18 @@ std::uint64_t most_texels_in(std::size_t bytes) {
   return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMostTexels);
 }
 
+// Begins to read, if it is no larger than a sheet may be. libpng keeps the picture's address: it must stay where it is.
+Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const std::string& name) {
+  picture.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
+    return Error{name, std::string("expected a PNG picture: ") + picture.message};
+  const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
+  if (std::max(picture.width, picture.height) <= materials::kWidestSheet_px && texels <= most_texels_in(bytes.size()))
+    return Done{};
+  png_image_free(&picture);
+  return Error{name, "expected a picture of no more texels than a sheet may have"};
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_png(const Sheet& sheet) {
@@ -72,22 +85,40 @@ std::vector<std::byte> encode_png(const Sheet& sheet) {
   return written(picture, numbers.data(), palette->colours.data());
 }
 
+std::vector<std::byte> encode_png(const Sheet& sheet, std::span<const std::uint8_t> opacity) {
+  assert(sheet.texels.size() == opacity.size() && !sheet.texels.empty());
+  png_image picture = picture_of(sheet);
+  picture.format = PNG_FORMAT_RGBA;
+  std::vector<std::array<std::uint8_t, 4>> pixels(opacity.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto& [r, g, b] = sheet.texels[i];
+    pixels[i] = {r, g, b, opacity[i]};
+  }
+  return written(picture, pixels.data(), nullptr);
+}
+
 Result<Sheet> decode_png(std::span<const std::byte> bytes, const std::string& name) {
   png_image picture{};
-  picture.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
-    return Error{name, std::string("expected a PNG picture: ") + picture.message};
-  const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
-  if (std::max(picture.width, picture.height) > materials::kWidestSheet_px || texels > most_texels_in(bytes.size())) {
-    png_image_free(&picture);
-    return Error{name, "expected a picture of no more texels than a sheet may have"};
-  }
-  Sheet sheet{0, picture.width, picture.height, std::vector<Sheet::Texel>(texels)};
+  if (const auto begun = begin(picture, bytes, name); !begun) return begun.error();
+  Sheet sheet{0, picture.width, picture.height, std::vector<Sheet::Texel>(std::size_t{picture.width} * picture.height)};
   picture.format = PNG_FORMAT_RGB;
   const png_color black{};
   if (png_image_finish_read(&picture, &black, sheet.texels.data(), 0, nullptr) == 0)
     return Error{name, std::string("expected a whole PNG picture: ") + picture.message};
   return sheet;
+}
+
+Result<CutPicture> decode_cut_png(std::span<const std::byte> bytes, const std::string& name) {
+  png_image picture{};
+  if (const auto begun = begin(picture, bytes, name); !begun) return begun.error();
+  std::vector<std::array<std::uint8_t, 4>> pixels(std::size_t{picture.width} * picture.height);
+  picture.format = PNG_FORMAT_RGBA;
+  if (png_image_finish_read(&picture, nullptr, pixels.data(), 0, nullptr) == 0)
+    return Error{name, std::string("expected a whole PNG picture: ") + picture.message};
+  CutPicture cut;
+  cut.colour.columns = picture.width, cut.colour.rows = picture.height;
+  for (const auto& [r, g, b, opacity] : pixels) cut.colour.texels.push_back({r, g, b}), cut.opacity.push_back(opacity);
+  return cut;
 }
 
 }  // namespace citykiln::exporters

@@ -15,9 +15,19 @@ namespace citykiln::exporters {
 /// @param sheet  With texels, no more than a sheet may have.
 std::vector<std::byte> encode_png(const materials::Sheet& sheet);
 
+/// The same with an opacity for each texel, which keeps its colour where it is 0.
+std::vector<std::byte> encode_png(const materials::Sheet& sheet, std::span<const std::uint8_t> opacity);
+
 /// decode(encode(sheet)) == sheet, but for texel_m, which is 0. Takes any PNG: what shines through shows black.
 /// Errors: what is no PNG, damaged, or has more texels than a sheet may; never a crash. Memory: at most kMostTexels,
 /// and in proportion to the file.
 Result<materials::Sheet> decode_png(std::span<const std::byte> bytes, const std::string& name);
+
+/// The same with opacities; what has none is opaque.
+struct CutPicture {
+  materials::Sheet colour;
+  std::vector<std::uint8_t> opacity;
+};
+Result<CutPicture> decode_cut_png(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace citykiln::exporters

@@ -42,6 +42,7 @@ class Crowd {
   struct Calls;
 
   const bake::Instanced* shape_;
+  std::unique_ptr<CutoutTexture> cutout_;
   std::vector<MeshPart> parts_;
   RTCScene scene_;
   Vec3 low_, high_;  // of the shape

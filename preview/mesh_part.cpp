@@ -59,15 +59,26 @@ Patch patch_on_atlas(const MeshPart& part, const std::array<std::uint32_t, 3>& c
   return patch;
 }
 
-// The normal of the texture, told by its directions over the triangle, instead of the smooth one.
-void roughen(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners, Vec3 normal) {
+// The normal of the texture, told by its directions over the triangle, instead of the smooth one. Of what is seen from
+// behind outwards is there.
+void roughen(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners, Vec3 normal,
+             Vec3 seen_along) {
   const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
   const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
   const Vec2 uv1 = uv(1) - uv(0), uv2 = uv(2) - uv(0);
   const double turn = cross(uv1, uv2) < 0 ? -1 : 1;
   const Vec3 along_u = ((at(1) - at(0)) * uv2.y - (at(2) - at(0)) * uv1.y) * turn;
   const Vec3 out = unit(hit.shading_normal), u = unit(along_u - out * dot(along_u, out));
-  hit.shading_normal = unit(u * normal.x - cross(out, u) * (turn * normal.y) + out * normal.z);
+  const Vec3 along = u * normal.x - cross(out, u) * (turn * normal.y);
+  const bool is_behind = dot(hit.geometric_normal, seen_along) > 0;
+  // turned later, as a whole
+  hit.shading_normal = unit((is_behind ? along * -1 : along) + out * normal.z);
+}
+
+// Leaves let through about as much as they throw back.
+double translucency_of(materials::Material material) {
+  using materials::Material;
+  return material == Material::kBroadLeaf ? 0.8 : material == Material::kNeedleLeaf ? 0.4 : 0;
 }
 
 void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners,
@@ -80,7 +91,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   if (part.surface != nullptr) {
     const Patch patch = patch_of(part, corners, found, beam);
     colour = part.surface->colour(patch);
-    if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch));
+    if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch), {});
   }
   const auto shining = emission_of(primitive.material);
   std::array<double, 3> emission{shining[0], shining[1], shining[2]};
@@ -92,6 +103,12 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
     hit.roughness = part.imprint->roughness(patch);
     emission = part.imprint->emission(patch);
   }
+  if (part.cutout != nullptr) {
+    const Patch patch = patch_on_atlas(part, corners, found, beam);
+    colour = part.cutout->colour(patch);
+    if (part.cutout->has_normals()) roughen(hit, part, corners, part.cutout->normal(patch), beam.direction);
+  }
+  hit.translucency = translucency_of(primitive.material);
   for (int c = 0; c < 3; ++c) {
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
@@ -100,15 +117,26 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   }
 }
 
+// Of single rays only, which are all that are asked.
+void pass_where_nothing_is(const RTCFilterFunctionNArguments* args) {
+  const auto& part = *static_cast<const MeshPart*>(args->geometryUserPtr);
+  const RTCHit& found = *reinterpret_cast<const RTCHit*>(args->hit);
+  const auto& corners = part.primitive->triangles[found.primID];
+  const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
+  const Vec2 at = uv(0) + (uv(1) - uv(0)) * found.u + (uv(2) - uv(0)) * found.v;
+  if (!part.cutout->is_there(at)) args->valid[0] = 0;
+}
+
 }  // namespace
 
 MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
-               const SurfaceTexture* surface, const ImprintTexture* imprint) {
+               const SurfaceTexture* surface, const ImprintTexture* imprint, const CutoutTexture* cutout) {
   using materials::Coloured;
   MeshPart part{&primitive, {}};
   if (primitive.coloured == Coloured::kBySheet) part.texture = texture;
   if (primitive.coloured == Coloured::kByAtlas) part.imprint = imprint;
   if (primitive.coloured == Coloured::kByMaterial && !primitive.uvs.empty()) part.surface = surface;
+  if (primitive.coloured == Coloured::kByCutout) part.cutout = cutout;
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
     part.corners.push_back({static_cast<float>(p[0] + offset.x), static_cast<float>(p[1] + offset.y),
@@ -124,6 +152,11 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
                              sizeof(bake::Float3), primitive.positions.size());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, primitive.triangles.data(), 0,
                              sizeof(primitive.triangles[0]), primitive.triangles.size());
+  if (part.cutout != nullptr) {
+    rtcSetGeometryUserData(geometry, const_cast<MeshPart*>(&part));
+    rtcSetGeometryIntersectFilterFunction(geometry, pass_where_nothing_is);
+    rtcSetGeometryOccludedFilterFunction(geometry, pass_where_nothing_is);
+  }
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);

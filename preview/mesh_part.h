@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
+#include "preview/cutout_texture.h"
 #include "preview/imprint_texture.h"
 #include "preview/sheet_texture.h"
 #include "preview/surface_texture.h"
@@ -20,6 +21,7 @@ struct MeshPart {
   const SheetTexture* texture = nullptr;    ///< What colours it instead of its material, if any.
   const SurfaceTexture* surface = nullptr;  ///< Or its material's texture.
   const ImprintTexture* imprint = nullptr;  ///< Or the atlas, which says how rough it is, too.
+  const CutoutTexture* cutout = nullptr;    ///< Or a cutout, which says where there is nothing, too.
 };
 
 /// What a ray covers where it hits.
@@ -30,11 +32,14 @@ struct Beam {
 
 /// The primitive's positions plus `offset`, rounded once. @param texture  Its tile's sheet, if there is one: taken
 /// where the primitive is on it. @param surface  Its material's texture, if there is one: taken where it has uvs.
-/// @param imprint  Its tile's atlas, if there is one: taken where the primitive is on it.
+/// @param imprint  Its tile's atlas, if there is one: taken where the primitive is on it. @param cutout  Its shape's,
+/// likewise.
 MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
-               const SurfaceTexture* surface = nullptr, const ImprintTexture* imprint = nullptr);
+               const SurfaceTexture* surface = nullptr, const ImprintTexture* imprint = nullptr,
+               const CutoutTexture* cutout = nullptr);
 
-/// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene.
+/// Adds a part to an uncommitted scene; its id is the number of parts before it. The part must outlive the scene, where
+/// it is. Rays pass where its cutout has nothing.
 void attach(RTCDevice device, RTCScene scene, const MeshPart& part);
 
 /// A hit in the part's own frame; normals not turned towards the ray, distance not set. `rounding_m` covers what the

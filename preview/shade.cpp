@@ -26,8 +26,22 @@ double terminator(const Hit& hit, Vec3 to_light) {
   return g * (1 + g - g * g);
 }
 
-// What a white surface sends on of light from a direction, times pi.
+// The same place seen from its other side.
+Hit other_side(Hit hit) {
+  hit.geometric_normal = hit.geometric_normal * -1, hit.shading_normal = hit.shading_normal * -1;
+  return hit;
+}
+
+// How many of the paths that meet a leaf go on behind it.
+double through_share(const Hit& hit) { return hit.translucency / (1 + hit.translucency); }
+
+// What a white surface sends on of light from a direction, times pi; a leaf also of what falls on its other side.
 double received(const Hit& hit, Vec3 to_light) {
+  if (hit.translucency > 0 && dot(hit.geometric_normal, to_light) < 0) {
+    Hit behind = other_side(hit);
+    behind.translucency = 0;
+    return hit.translucency * received(behind, to_light);
+  }
   return std::max(0.0, dot(hit.shading_normal, to_light)) * terminator(hit, to_light);
 }
 
@@ -45,13 +59,29 @@ Rgb from_sky(const Stage& stage, const Hit& hit, UnitPair chance, bool goes_on) 
   if (drawn.pdf <= 0) return {};
   const double share = received(hit, drawn.direction);
   if (share <= 0 || stage.world.is_blocked(leave(hit, drawn.direction), drawn.direction)) return {};
-  const double other = goes_on ? dot(hit.shading_normal, drawn.direction) / kPi : 0;
+  const bool is_through = dot(hit.geometric_normal, drawn.direction) < 0;
+  const double side = is_through ? through_share(hit) : 1 - through_share(hit);
+  const double other = goes_on ? side * std::abs(dot(hit.shading_normal, drawn.direction)) / kPi : 0;
   return stage.lights.falling(drawn.direction) * (share / kPi / (drawn.pdf + other));
 }
 
 // What a cosine-weighted ray that meets nothing brings: all of what comes from below the horizon, its share of the sky.
 Rgb escaped(const Stage& stage, const Drawn& ray) {
   return stage.lights.falling(ray.direction) * (ray.pdf / (ray.pdf + stage.lights.sky_pdf(ray.direction)));
+}
+
+// A cosine-weighted ray; from a leaf, on either side, to which the hit is turned.
+Drawn draw_onward(Hit& hit, Rgb& weight, PathDraw& draw) {
+  double side = 1;
+  if (hit.translucency > 0) {
+    const bool is_through = draw.next().u < through_share(hit);
+    side = is_through ? through_share(hit) : 1 - through_share(hit);
+    weight = weight * (1 + hit.translucency);
+    if (is_through) hit = other_side(hit);
+  }
+  Drawn ray = draw_cosine(hit.shading_normal, draw.next());
+  ray.pdf *= side;
+  return ray;
 }
 
 // The light that a diffuse surface sends out, by a path of at most `bounces` more surfaces.
@@ -63,7 +93,7 @@ Rgb body_light(const Stage& stage, Hit hit, int bounces, PathDraw& draw) {
     const bool goes_on = bounce < bounces;
     light = light + weight * (from_sun(stage, hit, draw.next()) + from_sky(stage, hit, draw.next(), goes_on));
     if (!goes_on) return light;
-    const Drawn ray = draw_cosine(hit.shading_normal, draw.next());
+    const Drawn ray = draw_onward(hit, weight, draw);
     weight = weight * terminator(hit, ray.direction);
     const double carried = std::max({weight[0], weight[1], weight[2]}), kept = std::min(1.0, carried / kSmallWeight);
     if (carried <= 0 || (kept < 1 && draw.next().u >= kept)) return light;

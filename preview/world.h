@@ -18,6 +18,7 @@ struct Hit {
   std::array<double, 3> albedo{};    ///< Linear: base colour, or the sheet's, times tint.
   std::array<double, 3> emission{};  ///< Radiance that it sends out by itself, in the sky's unit.
   float roughness = 1;
+  double translucency = 0;  ///< What it lets through, as a share of what it throws back.
   materials::Material material{};
   double distance_m = 0;
   double rounding_m = 0;  ///< How far off its plane single precision may put a ray's origin here, and the plane itself.

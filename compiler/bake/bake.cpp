@@ -51,8 +51,19 @@ Vec3 origin_of(const Box2& box, const map::Heightfield& heights) {
   return {box.min.x, box.min.y, std::floor(*lowest * map::kHeightQuantum_m)};
 }
 
+// Near by, hedges are plants; else bands like others, whole, of the tile that they begin in.
+std::vector<props::Barrier> bands_of(const Firing& firing) {
+  std::vector<props::Barrier> bands = firing.chunk.barriers;
+  const bool has_plants = firing.part || has_hedge_plants(firing.tolerance_m);
+  std::erase_if(bands, [&](const props::Barrier& b) {
+    const bool is_band = !has_plants && scene::is_anchored(firing.header, firing.chunk.tile, b.axis.front());
+    return b.kind == map::BarrierKind::kHedge && !is_band;
+  });
+  return bands;
+}
+
 BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Level& level, const TilePart* part,
-                     int threads, Report& report) {
+                     const Grove& grove, int threads, Report& report) {
   const double tolerance_m = level.tolerance_m;
   const Common& common = *level.common;
   BakedTile tile{chunk.tile, origin_of(scene::box_of(header, chunk.tile), chunk.heights), tolerance_m, 0, {}, {}, {}};
@@ -65,7 +76,7 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   fire_stairs(firing, common.stairs);
   fire_houses(firing, level, threads, report);
   fire_each(
-      firing, chunk.barriers, "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
+      firing, bands_of(firing), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
   report.append(common.of_trees);
   const Placed placed = placed_in(firing, common);
@@ -74,9 +85,13 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
   tile.textures = textures_shown(tile.primitives, firing.texel_m(), header.seed);
-  fire_trees(firing, placed.trees);
+  fire_trees(firing, placed.trees, grove);
   fire_lamps(firing, placed.lamps, common.carving, report);
   return tile;
+}
+
+std::shared_ptr<const Grove> grove_or_own(const scene::Header& header, std::shared_ptr<const Grove> grove) {
+  return grove ? std::move(grove) : std::make_shared<const Grove>(header);
 }
 
 }  // namespace
@@ -85,32 +100,34 @@ struct PreparedTile {
   const scene::Header& header;
   const scene::Chunk& chunk;
   std::vector<Level> levels;
+  std::shared_ptr<const Grove> grove;
 };
 
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
-                                      std::span<const double> ladder_m, int threads) {
-  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads)};
+                                      std::span<const double> ladder_m, int threads,
+                                      std::shared_ptr<const Grove> grove) {
+  PreparedTile prepared{header, chunk, levels_of(header, chunk, ladder_m, threads), grove_or_own(header, grove)};
   expand_imprinted(header, chunk, prepared.levels, threads);
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
 
 BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report) {
   Level own = std::move(prepared.levels[level]);
-  return fire_level(prepared.header, prepared.chunk, own, nullptr, threads, report);
+  return fire_level(prepared.header, prepared.chunk, own, nullptr, *prepared.grove, threads, report);
 }
 
-BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads,
-               Report& report) {
-  return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report).front());
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
+               std::shared_ptr<const Grove> grove) {
+  return std::move(bake(header, chunk, std::span(&tolerance_m, 1), threads, report, std::move(grove)).front());
 }
 
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
-                            int threads, Report& report) {
+                            int threads, Report& report, std::shared_ptr<const Grove> grove) {
   struct Slot {
     BakedTile tile;
     Report report;
   };
-  const std::shared_ptr<PreparedTile> prepared = prepare(header, chunk, ladder_m, threads);
+  const std::shared_ptr<PreparedTile> prepared = prepare(header, chunk, ladder_m, threads, std::move(grove));
   std::vector<Slot> slots = for_each_slot<Slot>(ladder_m.size(), threads, [&](std::size_t i) {
     Slot slot;
     slot.tile = fire_prepared(*prepared, i, threads, slot.report);
@@ -124,14 +141,15 @@ std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chu
   return tiles;
 }
 
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
-                            int threads) {
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
+                            std::shared_ptr<const Grove> grove) {
+  grove = grove_or_own(header, std::move(grove));
   const std::vector<double> tolerances_m = tolerances_of(view, header, chunk);
   std::vector<Level> levels = levels_seen(header, chunk, view, tolerances_m, threads);
   return for_each_slot<BakedTile>(levels.size(), threads, [&](std::size_t i) {
     const TilePart part{view, tolerances_m, tolerances_m[i]};
     Report ignored;
-    return fire_level(header, chunk, levels[i], &part, threads, ignored);
+    return fire_level(header, chunk, levels[i], &part, *grove, threads, ignored);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
+#include "compiler/bake/grove.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
 #include "compiler/scene/scene.h"
@@ -15,17 +16,20 @@ namespace citykiln::bake {
 /// A pure function of header, chunk and tolerance. Ledger "bake/bridge", "bake/building", "bake/tree", "bake/barrier",
 /// "bake/lamp" (mapped ones), "bake/derived lamp" (along lit streets): what the tolerance drops. Total. Cost: linear in
 /// what the tile holds at that tolerance, but for the ground's n log n.
-BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report);
+/// @param grove  Of the header, here and below. Who fires many tiles shares one; without, plants grow anew.
+BakedTile bake(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, int threads, Report& report,
+               std::shared_ptr<const Grove> grove = nullptr);
 
 /// The same at every tolerance of a ladder, in its order: what levels have in common is made once. The report takes the
 /// levels one after another. Memory: all levels; whoever has no need of all at once prepares and fires them one by one.
 std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, std::span<const double> ladder_m,
-                            int threads, Report& report);
+                            int threads, Report& report, std::shared_ptr<const Grove> grove = nullptr);
 
 /// What the levels of a tile have in common, and their ground; each level's own part goes when it is fired.
 struct PreparedTile;
 std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::Chunk& chunk,
-                                      std::span<const double> ladder_m, int threads);
+                                      std::span<const double> ladder_m, int threads,
+                                      std::shared_ptr<const Grove> grove = nullptr);
 
 /// The `level`-th tile of the ladder that was prepared, as bake() makes it. Each level once, in any order and on any
 /// thread.
@@ -34,7 +38,7 @@ BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, 
 /// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
 /// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too
 /// small to be seen. Total. Cost: what the parts hold.
-std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
-                            int threads);
+std::vector<BakedTile> bake(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view, int threads,
+                            std::shared_ptr<const Grove> grove = nullptr);
 
 }  // namespace citykiln::bake

@@ -10,6 +10,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/imprint/atlas.h"
+#include "compiler/imprint/cutout.h"
 #include "compiler/materials/dressed_mesh.h"
 #include "compiler/materials/material.h"
 #include "compiler/materials/sheet.h"
@@ -34,7 +35,7 @@ struct Primitive {
   /// One a position, or empty: metres on the sheet, the atlas or the material's texture (dressed_mesh.h). On sheets
   /// rounded once, to float32: by at most 0.5 mm up to 16 km; elsewhere multiples of materials::kTexturePlace_m.
   std::vector<Float2> uvs{};
-  /// By BakedTile::sheet or BakedTile::imprints: then it has uvs, and they texels.
+  /// By BakedTile::sheet, BakedTile::imprints or Instanced::cutout: then it has uvs, and they texels.
   materials::Coloured coloured = materials::Coloured::kByMaterial;
   bool operator==(const Primitive&) const = default;
 };
@@ -57,6 +58,7 @@ struct Instanced {
   std::vector<Float4> rotations;  ///< Unit quaternions x, y, z, w.
   std::vector<float> scales;
   std::vector<std::uint32_t> features;
+  imprint::Cutout cutout{};  ///< What its primitives on cutouts show; no texels: there are none.
   bool operator==(const Instanced&) const = default;
 };
 

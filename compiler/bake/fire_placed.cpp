@@ -10,21 +10,19 @@
 namespace citykiln::bake {
 namespace {
 
-// Shared meshes and where they stand. Nothing is left of them below the tolerance.
-void fire_instances(Firing& firing, const std::string& name, const std::vector<DressedMesh>& meshes,
-                    const std::vector<Placement>& placements) {
-  if (meshes.empty() || placements.empty()) return;
-  Merged merged;
-  for (const DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
-  Instanced instanced{name, primitives_of(std::move(merged)), {}, {}, {}, {}};
-  for (Primitive& primitive : instanced.primitives) primitive.features.clear();
+// A shared mesh and where it stands. Nothing is left of it below the tolerance. `size_m`: of what a scale of 1 stands
+// for.
+void fire_instances(Firing& firing, const std::string& name, std::vector<Primitive> primitives,
+                    const imprint::Cutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
+  if (primitives.empty() || placements.empty()) return;
+  Instanced instanced{name, std::move(primitives), {}, {}, {}, {}, cutout};
   for (const Placement& p : placements) {
     instanced.translations.push_back(offset_from(firing.tile.origin, p.at));
     // half of the turn about z, from cos and sin of the whole
     const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
     instanced.rotations.push_back(
         {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
-    instanced.scales.push_back(static_cast<float>(p.scale));
+    instanced.scales.push_back(static_cast<float>(p.scale / size_m));
     instanced.features.push_back(number_of(firing.tile, p.feature));
   }
   firing.tile.instanced.push_back(std::move(instanced));
@@ -41,6 +39,23 @@ double tallest(const std::vector<Placement>& placements) {
   return tallest_m;
 }
 
+// The same for nearly all tiles, so that they have the same shapes.
+double height_m_for(plants::Prototype prototype, const std::vector<Placement>& placements) {
+  const double species_m = plants::values_of(prototype.species).tallest_m, here_m = tallest(placements);
+  return here_m <= species_m ? species_m : std::max(here_m, plants::kTallestTree_m);
+}
+
+plants::Placed told_apart(const plants::Placed& placed, double tolerance_m) {
+  const int variants = plants::variants_at(tolerance_m);
+  plants::Placed apart;
+  for (const auto& [prototype, placements] : placed) {
+    const auto variant = static_cast<std::uint8_t>(prototype.variant % variants);
+    std::vector<Placement>& together = apart[{prototype.species, variant}];
+    together.insert(together.end(), placements.begin(), placements.end());
+  }
+  return apart;
+}
+
 // What stands of one kind; false where the tolerance leaves nothing of it.
 bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carving, props::LampKind kind) {
   constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
@@ -49,7 +64,7 @@ bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carvin
     if (lamp.kind == kind) placements.push_back(props::place(lamp, carving));
   const props::Expanded lamp = props::lamp_mesh(kind, tallest(placements), firing.tolerance_m);
   for (const Placement& p : placements) firing.certify(lamp.error_m, bounds_of(p));
-  fire_instances(firing, kNames[static_cast<std::size_t>(kind)], lamp.meshes, placements);
+  fire_instances(firing, kNames[static_cast<std::size_t>(kind)], shared_primitives(lamp.meshes), {}, placements);
   return !lamp.meshes.empty();
 }
 
@@ -57,6 +72,8 @@ bool fire_kind(Firing& firing, const Lamps& lamps, const ground::Carving& carvin
 
 Placed placed_in(const Firing& firing, const Common& common) {
   Placed placed{common.trees, common.lamps};
+  if (firing.tolerance_m <= plants::kBlades_m)
+    for (const auto& [prototype, placements] : common.blades) placed.trees[prototype] = placements;
   if (!firing.part) return placed;
   for (auto& [prototype, placements] : placed.trees)
     std::erase_if(placements, [&](const Placement& p) { return !firing.holds(bounds_of(p)); });
@@ -76,12 +93,11 @@ void name_placed(Firing& firing, const Placed& placed) {
   for (const props::StreetLamp& lamp : placed.lamps.standing) firing.features.insert(lamp.feature);
 }
 
-void fire_trees(Firing& firing, const plants::Placed& placed) {
-  for (const auto& [prototype, placements] : placed) {
-    const double height_m = std::max(tallest(placements), plants::kTallestTree_m);
-    const auto shape = plants::prototype_mesh(prototype, height_m, firing.tolerance_m);
+void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove) {
+  for (const auto& [prototype, placements] : told_apart(placed, firing.tolerance_m)) {
+    const PlantShape& shape = grove.shape(prototype, height_m_for(prototype, placements), firing.tolerance_m);
     for (const Placement& p : placements) firing.certify(shape.error_per_m * p.scale, bounds_of(p));
-    fire_instances(firing, name_of(prototype), shape.meshes, placements);
+    fire_instances(firing, name_of(prototype), shape.primitives, shape.cutout, placements, kShape_m);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/bake/firing.h"
+#include "compiler/bake/grove.h"
 #include "compiler/bake/levels.h"
 
 namespace citykiln::bake {
@@ -17,7 +18,8 @@ Placed placed_in(const Firing& firing, const Common& common);
 /// What is placed is named before features are numbered, and fired after.
 void name_placed(Firing& firing, const Placed& placed);
 
-void fire_trees(Firing& firing, const plants::Placed& placed);
+/// Of the grove's shapes; variants that the tolerance does not tell apart (plants::variants_at) are one.
+void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove);
 
 /// Accounts "bake/lamp", "bake/derived lamp". Only what somebody mapped is named where the tolerance drops it.
 void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report);

@@ -15,12 +15,28 @@ Lamps place_lamps(const scene::Chunk& chunk, const ground::SurfaceMap& map, cons
   return lamps;
 }
 
-Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m) {
+// As far as they stand on the ground that the tile knows.
+void add_hedges(const scene::Chunk& chunk, const plants::Land& land, plants::Placed& placed) {
+  for (const props::Barrier& barrier : chunk.barriers)
+    if (barrier.kind == map::BarrierKind::kHedge)
+      plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
+}
+
+// What levels ask for that not all do.
+struct Wanted {
+  bool blades = false, hedge_plants = false;
+};
+
+Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, const Wanted& wanted) {
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, place_lamps(chunk, map, box), {}};
-  common.trees = plants::expand(chunk.trees, chunk.woods, map, common.carving, box, header.seed, common.of_trees);
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, {}, place_lamps(chunk, map, box), {}};
+  const plants::Land land{map, common.carving, box, header.seed, header.origin.lat_deg};
+  common.trees =
+      plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, common.of_trees);
+  if (wanted.hedge_plants) add_hedges(chunk, land, common.trees);
+  if (wanted.blades) common.blades = plants::expand_blades(chunk.plantings, land);
   for (const roads::Road& road : chunk.roads)
     if (road.surface == map::SurfaceClass::kSteps)
       common.stairs.push_back(structures::stairs_on(road, map, common.carving, box));
@@ -32,11 +48,16 @@ Common common_at(const scene::Header& header, const scene::Chunk& chunk, double 
 struct Commons {
   const scene::Header& header;
   const scene::Chunk& chunk;
+  std::span<const double> tolerances_m;
+  bool is_view = false;
   std::array<std::shared_ptr<const Common>, 2> made{};
 
   std::shared_ptr<const Common> at(double tolerance_m) {
     std::shared_ptr<const Common>& common = made[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
-    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m));
+    const bool is_fine = tolerance_m < scene::kPlainRoads_m;
+    const Wanted wanted{is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m,
+                        is_view || has_hedge_plants(tolerance_m)};
+    if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m, wanted));
     return common;
   }
 };
@@ -53,7 +74,7 @@ std::vector<SeenCell> cells_at(const Box2& tile, double tolerance_m) {
 std::vector<Level> bare_levels(const scene::Header& header, const scene::Chunk& chunk,
                                std::span<const double> ladder_m) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  Commons commons{header, chunk};
+  Commons commons{header, chunk, ladder_m};
   std::vector<Level> levels;
   for (const double tolerance_m : ladder_m)
     levels.push_back({tolerance_m, commons.at(tolerance_m), scene::cover_of(header, chunk, tolerance_m),
@@ -89,7 +110,7 @@ std::vector<Level> levels_of(const scene::Header& header, const scene::Chunk& ch
 std::vector<Level> levels_seen(const scene::Header& header, const scene::Chunk& chunk, const ViewLevels& view,
                                std::span<const double> tolerances_m, int threads) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  Commons commons{header, chunk};
+  Commons commons{header, chunk, tolerances_m, true};
   std::vector<Level> levels;
   for (const double tolerance_m : tolerances_m) {
     Level& level =

@@ -27,10 +27,15 @@ struct Lamps {
 struct Common {
   ground::Carving carving;
   plants::Placed trees;
+  plants::Placed blades;  ///< For levels up to plants::kBlades_m; empty where there are none.
   Report of_trees;
   Lamps lamps;
   std::vector<structures::Stairs> stairs;
 };
+
+/// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be
+/// near and far.
+inline bool has_hedge_plants(double tolerance_m) { return tolerance_m < scene::kPlainRoads_m; }
 
 /// One an object of the chunk.
 using Houses = std::vector<buildings::Expanded>;

@@ -101,4 +101,12 @@ std::vector<Primitive> primitives_of(Merged&& merged) {
   return primitives;
 }
 
+std::vector<Primitive> shared_primitives(std::span<const materials::DressedMesh> meshes) {
+  Merged merged;
+  for (const materials::DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+  std::vector<Primitive> primitives = primitives_of(std::move(merged));
+  for (Primitive& primitive : primitives) primitive.features.clear();
+  return primitives;
+}
+
 }  // namespace citykiln::bake

@@ -21,6 +21,9 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
 /// Sorted by key.
 std::vector<Primitive> primitives_of(Merged&& merged);
 
+/// Meshes that stand in many places: about their own origin, without features, which the places have.
+std::vector<Primitive> shared_primitives(std::span<const materials::DressedMesh> meshes);
+
 /// The textures of what shows its material's, in the order of materials.
 std::vector<materials::Texture> textures_shown(std::span<const Primitive> primitives, double tolerance_m,
                                                std::uint64_t seed);

@@ -85,12 +85,13 @@ Result<bake::BakedTile> bake_seen(const Request& request, const scene::Scene& sc
                                   const OnProgress& on_progress) {
   const bake::ViewLevels levels = bake::levels_for(scene, view);
   const std::vector<scene::TileKey>& only = request.spec.only;
+  const auto grove = std::make_shared<const bake::Grove>(scene.header);
   std::vector<bake::BakedTile> parts;
   for (std::size_t i = 0; i < scene.chunks.size(); ++i) {
     on_progress("bake", static_cast<double>(i) / static_cast<double>(scene.chunks.size()));
     const scene::Chunk& chunk = scene.chunks[i];
     if (!only.empty() && std::ranges::find(only, chunk.tile) == only.end()) continue;
-    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads), std::back_inserter(parts));
+    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, grove), std::back_inserter(parts));
   }
   if (parts.empty()) return Error{"", "the scene has none of the tiles asked for"};
   return join_tiles(parts);

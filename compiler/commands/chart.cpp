@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -22,20 +23,23 @@ struct Kind {
 constexpr std::array kKinds = {
     Kind{"plane", chart_plane},     Kind{"terrain", chart_terrain}, Kind{"junctions", chart_junctions},
     Kind{"roads", chart_roads},     Kind{"ground", chart_ground},   Kind{"view", chart_view},
-    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade}};
+    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade},
+    Kind{"woods", chart_woods},     Kind{"plant", chart_plant},     Kind{"lsystem", chart_lsystem}};
+
+std::string known_names() {
+  std::string names;
+  for (const Kind& kind : kKinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
 
 Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
-  std::string known;
-  for (const Kind& kind : kKinds) {
-    if (kind.name == name) return kind.make(request);
-    known += (known.empty() ? "" : ", ") + std::string(kind.name);
-  }
-  return Error{"chart", fmt::format("expected one of {}, found \"{}\"", known, name)};
+  const auto kind = std::ranges::find(kKinds, name, &Kind::name);
+  if (kind != kKinds.end()) return kind->make(request);
+  return Error{"chart", fmt::format("expected one of {}, found \"{}\"", known_names(), name)};
 }
 
 Result<Exit> run(const ChartRequest& request, const Console& console) {
-  if (request.names.empty())
-    return Error{"", "no chart is named (plane, terrain, junctions, roads, ground, view, profile, roof, facade)"};
+  if (request.names.empty()) return Error{"", "no chart is named (" + known_names() + ")"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
     const Result<std::vector<Chart>> charts = make(name, request);
@@ -77,8 +81,7 @@ Verb chart_verb() {
   const auto request = std::make_shared<ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
-      {"names", "NAME...", "plane, terrain, junctions, roads, ground, view, profile, roof, facade", true,
-       onto(request->names)},
+      {"names", "NAME...", known_names(), true, onto(request->names)},
       {"--map", "FILE...", "junctions, roads, ground, view, profile, roof, facade: the maps", true,
        onto(request->maps)},
       {"--dem", "FILE[,key=value...]", "terrain, ground, view, profile, facade: the heightmap", true,

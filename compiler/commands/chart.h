@@ -42,7 +42,7 @@ struct ChartRequest {
   source::LonLatBox bbox;  ///< Of the terrain chart; all of the heightmap where empty.
   bool has_bbox = false;
   std::vector<std::string> rasters;  ///< As --dem gives them; the terrain chart draws the first.
-  std::vector<std::string> maps;     ///< Of all charts but those of plane and terrain.
+  std::vector<std::string> maps;     ///< Of all charts but those of plane, terrain, plant and lsystem.
   std::optional<Vec3> eye;           ///< Of the view chart; else 100 m over the middle of the map.
   double lat_deg = 42.5;             ///< Of the plane chart's origin.
   double cell_m = 1024;              ///< Of the terrain chart.
@@ -82,6 +82,17 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request);
 /// Triangles, bytes and time of some of a map's houses over tolerances, and the error of their picture from where the
 /// tolerance is one pixel, beside the noise of the picture.
 Result<std::vector<Chart>> chart_facade(const ChartRequest& request);
+
+/// Processor time of placing a map's plants over their number.
+Result<std::vector<Chart>> chart_woods(const ChartRequest& request);
+
+/// Triangles, bytes and time of plants over tolerances, the error of the picture of a tree and of a wood from where the
+/// tolerance is one pixel, beside the noise; a joint's distance to its limit surface over the sides of its stems.
+Result<std::vector<Chart>> chart_plant(const ChartRequest& request);
+
+/// Symbols a second over the string's length, symbols over iterations beside what the book's rules give, and meshing
+/// time over triangles.
+Result<std::vector<Chart>> chart_lsystem(const ChartRequest& request);
 
 /// The scene of the first map that the request names. Errors: none named; as compile().
 Result<scene::Scene> compile_first_map(const ChartRequest& request);

@@ -18,6 +18,7 @@
 #include "compiler/commands/measure_lakes.h"
 #include "compiler/commands/measure_lines.h"
 #include "compiler/commands/measure_road_faces.h"
+#include "compiler/commands/measure_trunks.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
@@ -67,13 +68,14 @@ struct Findings {
   Finding rivers{"no river rises", 0, {}};
   Finding lakes{"standing water is level", 0, {}};
   Finding footing{"under no corner of a building is a gap over 5 cm, or over error_m where that is more", 0, {}};
+  Finding trunks{"no trunk stands in a road, a rail, a building or water", 0, {}};
   // stated, not judged
   Grades grades;
   Following following;
   Clearances clearances;
 
   std::vector<const Finding*> all() const {
-    return {&ledger, &forms, &area, &height, &seams, &jumps, &roads, &rivers, &lakes, &footing};
+    return {&ledger, &forms, &area, &height, &seams, &jumps, &roads, &rivers, &lakes, &footing, &trunks};
   }
 };
 
@@ -299,6 +301,16 @@ void check_recipes(const scene::Scene& scene, Findings& findings) {
   }
 }
 
+void check_trunks(const Subject& subject, const scene::Chunk& chunk, const bake::BakedTile& tile,
+                  const std::string& name, Findings& findings) {
+  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
+  const Box2 box = scene::box_of(subject.scene.header, chunk.tile);
+  const Trunks trunks = measure_trunks(tile, ground::map_surfaces(surfaces, box.widened(scene::kHalo_m)));
+  findings.trunks.test_all(trunks.trees, trunks.misplaced == 0,
+                           fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
+                                       trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y));
+}
+
 /// One file against the manifest and against itself.
 Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& written, Findings& findings) {
   const std::string path = subject.folder + "/" + written.file.name;
@@ -316,6 +328,7 @@ Result<bake::BakedTile> check_tile(const Subject& subject, const WrittenTile& wr
   findings.forms.test(encoded.glb == *bytes, written.file.name);
   check_ground(subject, *chunk, *tile, written.file.name, findings);
   check_heights(subject, *chunk, *tile, written.file.name, findings);
+  check_trunks(subject, *chunk, *tile, written.file.name, findings);
   return tile;
 }
 

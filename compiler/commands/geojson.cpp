@@ -57,7 +57,7 @@ Layer plants_of(const map::Features& features) {
   Layer layer;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
-    const char* kind = point.is_needleleaved ? "NeedleLeaved" : "BroadLeaved";
+    const char* kind = point.growth.leaves == map::LeafType::kNeedle ? "NeedleLeaved" : "BroadLeaved";
     layer.push_back({point.id, kind, ShapeKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
   }
   return layer;
@@ -149,9 +149,16 @@ Layer plants_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const plants::Tree& tree : chunk.trees) {
-      const auto kind = plants::values_of(tree.species).file;
-      layer.push_back(
-          {tree.id, std::string(kind), ShapeKind::kPoint, {{tree.at}}, name_of(chunk.tile), 0, 0, tree.height_m});
+      // those near the tile are in it too
+      if (!scene::is_anchored(scene.header, chunk.tile, tree.at)) continue;
+      layer.push_back({tree.id,
+                       plants::name_of(tree.stock),
+                       ShapeKind::kPoint,
+                       {{tree.at}},
+                       name_of(chunk.tile),
+                       0,
+                       0,
+                       tree.height_m});
     }
   }
   return layer;

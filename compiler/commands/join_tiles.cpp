@@ -55,7 +55,7 @@ Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, doubl
 
 bake::Float2 on_joined(const bake::Float2& uv, materials::Coloured coloured, const Guest& guest) {
   if (coloured == materials::Coloured::kBySheet) return slid(uv, guest.sheet_m);
-  if (coloured == materials::Coloured::kByMaterial) return uv;
+  if (coloured != materials::Coloured::kByAtlas) return uv;
   const auto& [at_m, scale] = guest.on_atlas;
   return {static_cast<float>(at_m.x + scale * uv[0]), static_cast<float>(at_m.y + scale * uv[1])};
 }
@@ -94,9 +94,10 @@ std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, 
 bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, const Guest& guest) {
   std::vector<bake::Primitive> primitives = on_joined(like.primitives, guest);
   for (bake::Instanced& instanced : joined.instanced) {
-    if (instanced.name == like.name && instanced.primitives == primitives) return instanced;
+    if (instanced.name == like.name && instanced.primitives == primitives && instanced.cutout == like.cutout)
+      return instanced;
   }
-  return joined.instanced.emplace_back(bake::Instanced{like.name, std::move(primitives), {}, {}, {}, {}});
+  return joined.instanced.emplace_back(bake::Instanced{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
 /// One a material: tiles of one tolerance and seed have the same.

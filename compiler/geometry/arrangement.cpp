@@ -275,12 +275,6 @@ void drop_unused(Arrangement& arrangement) {
 
 }  // namespace
 
-GridPoint grid_point(Vec2 p) {
-  return {static_cast<Int>(std::floor(p.x / kQuantum_m + 0.5)), static_cast<Int>(std::floor(p.y / kQuantum_m + 0.5))};
-}
-
-Vec2 plane_point(GridPoint p) { return {static_cast<double>(p.x) * kQuantum_m, static_cast<double>(p.y) * kQuantum_m}; }
-
 Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell) {
   const GridBox box = grid_box(cell);
   std::vector<OwnedSegment> near = touching(segments, box);

@@ -5,11 +5,13 @@
 //       /\           is bent through it                                                •  •
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "compiler/contract/tolerance.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
 
@@ -22,8 +24,13 @@ struct GridPoint {
 };
 
 /// Exact for snapped points.
-GridPoint grid_point(Vec2 p);
-Vec2 plane_point(GridPoint p);
+inline GridPoint grid_point(Vec2 p) {
+  return {static_cast<std::int64_t>(std::floor(p.x / kQuantum_m + 0.5)),
+          static_cast<std::int64_t>(std::floor(p.y / kQuantum_m + 0.5))};
+}
+inline Vec2 plane_point(GridPoint p) {
+  return {static_cast<double>(p.x) * kQuantum_m, static_cast<double>(p.y) * kQuantum_m};
+}
 
 /// A piece of a closed ring: walking from a to b, `owner` lies to the left, `winding` times.
 struct OwnedSegment {

@@ -69,9 +69,9 @@ BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m,
 
 std::span<const std::uint32_t> boxes_about(const BoxGrid& grid, Vec2 p) {
   if (grid.numbers.empty() || !grid.box.contains(p)) return {};
-  const BucketRange at = range_of(grid, {p, p});
-  return numbers_in(grid, static_cast<std::size_t>(at.first_row) * static_cast<std::size_t>(grid.columns) +
-                              static_cast<std::size_t>(at.first_column));
+  const auto column = static_cast<std::size_t>(bucket_of(p.x - grid.box.min.x, grid.bucket_m, grid.columns));
+  const auto row = static_cast<std::size_t>(bucket_of(p.y - grid.box.min.y, grid.bucket_m, grid.rows));
+  return numbers_in(grid, row * static_cast<std::size_t>(grid.columns) + column);
 }
 
 std::vector<std::uint32_t> boxes_about(const BoxGrid& grid, const Box2& box) {

@@ -22,6 +22,12 @@ constexpr double kLeastWall_m = 0.5;
 // A road whose tilt changes is no plane: where one diagonal of a piece is off its axis by more, the axis is a line too.
 constexpr double kLeastTwist_m = 0x1p-9;
 
+// On roads no wider than this there is no room for the points that follow_carving puts in: where heights bend along
+// them, as they are mixed with those of the roads that they meet, a line goes across, so far beyond both edges.
+constexpr double kNarrow_m = 3;
+constexpr double kAcross_m = 0.5;
+constexpr Fineness kAxisFineness{2, 1, kFollow_m / 4};
+
 // How often the foot of a bank is looked for, each time from where the terrain was found to be.
 constexpr int kFootSteps = 4;
 
@@ -150,7 +156,18 @@ void add_axis_line(const Carving& carving, const GradedSegment& s, double from_m
   add_line(on_axis(s, from_m), on_axis(s, to_m), lines);
 }
 
-void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<Line>& lines) {
+bool is_narrow(const GradedSegment& s) { return s.left_m + s.right_m <= kNarrow_m; }
+
+// Across a narrow road where its heights bend.
+void add_bend_lines(const Carving& carving, const GradedSegment& s, double from_m, double to_m, const Box2& cell,
+                    std::vector<Line>& lines) {
+  const Vec2 out = left_of(unit(s.to - s.from));
+  const Box2 near = cell.widened(kNarrow_m);
+  for (const Vec2 p : bends_along(carving, on_axis(s, from_m), on_axis(s, to_m), near, kAxisFineness))
+    add_line(p + out * (s.left_m + kAcross_m), p - out * (s.right_m + kAcross_m), lines);
+}
+
+void add_road_lines(const Carving& carving, const GradedSegment& s, const Box2& cell, std::vector<Line>& lines) {
   const Profile& profile = carving.roads.profiles[s.road];
   if (profile.empty()) return;
   const std::vector<double> stations = stations_of(s, profile);
@@ -163,6 +180,7 @@ void add_road_lines(const Carving& carving, const GradedSegment& s, std::vector<
     add_line(before_right, right, lines);
     add_wall_lines(carving, s, stations[i - 1], stations[i], lines);
     add_axis_line(carving, s, stations[i - 1], stations[i], lines);
+    if (is_narrow(s)) add_bend_lines(carving, s, stations[i - 1], stations[i], cell, lines);
   }
 }
 
@@ -175,7 +193,7 @@ bool may_touch(const Line& line, const Box2& cell) {
 std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
   std::vector<Line> lines;
   for (const std::uint32_t i : boxes_about(carving.roads.grid, cell))
-    add_road_lines(carving, carving.roads.segments[i], lines);
+    add_road_lines(carving, carving.roads.segments[i], cell, lines);
   add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;

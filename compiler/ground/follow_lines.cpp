@@ -12,14 +12,10 @@
 namespace citykiln::ground {
 namespace {
 
-// Lines are looked at in equal pieces of at most this length. What is within reach of a cell is known so far beyond it.
-constexpr double kPiece_m = 6;
-// Shorter pieces are not cut.
-constexpr double kShortest_m = 2;
 // Pieces farther from the cell cannot touch it.
 constexpr double kNear_m = 1;
 // What adds up over many pieces is seen at every one.
-constexpr double kBend_m = kFollow_m / 8;
+constexpr double kBendShare = 1.0 / 8;
 
 // By how much the ground is carved out of the terrain: the terrain's own bends have lines of their own.
 Heights carved_at(const Carving& carving, Vec2 p) {
@@ -49,9 +45,9 @@ struct Pieces {
   Box2 box(int i) const { return box_of(std::array{joint(i), joint(i + 1)}); }
 };
 
-Pieces pieces_of(Vec2 a, Vec2 b) {
+Pieces pieces_of(Vec2 a, Vec2 b, double most_m) {
   int count = 1;
-  while (distance(a, b) > count * kPiece_m) count *= 2;
+  while (distance(a, b) > count * most_m) count *= 2;
   return {a, b, count};
 }
 
@@ -67,19 +63,21 @@ struct Station {
 };
 
 // Places in the middle of a piece where the ground bends, halving it.
-void add_bends(const Carving& carving, const Station& a, const Station& b, std::vector<Vec2>& bends) {
-  if (distance(a.at, b.at) < kShortest_m) return;
+void add_bends(const Carving& carving, const Fineness& fineness, const Station& a, const Station& b,
+               std::vector<Vec2>& bends) {
+  if (distance(a.at, b.at) < fineness.shortest_m) return;
   const Vec2 p = snapped((a.at + b.at) * 0.5);
   const Station middle{p, carved_at(carving, p)};
-  if (stray_m(a.carved, b.carved, middle.carved, 0.5) <= kFollow_m) return;
-  add_bends(carving, a, middle, bends);
+  if (stray_m(a.carved, b.carved, middle.carved, 0.5) <= fineness.stray_m) return;
+  add_bends(carving, fineness, a, middle, bends);
   bends.push_back(middle.at);
-  add_bends(carving, middle, b, bends);
+  add_bends(carving, fineness, middle, b, bends);
 }
 
 // The joints of a line, each asked for at most once.
 struct Joints {
   const Carving& carving;
+  Fineness fineness;
   Pieces pieces;
   std::vector<std::optional<Heights>> carved;
 
@@ -89,7 +87,10 @@ struct Joints {
     return *known;
   }
 
-  bool is_bent(int i) { return i > 0 && i < pieces.count && stray_m(at(i - 1), at(i + 1), at(i), 0.5) > kBend_m; }
+  bool is_bent(int i) {
+    const double allowed_m = fineness.stray_m * kBendShare;
+    return i > 0 && i < pieces.count && stray_m(at(i - 1), at(i + 1), at(i), 0.5) > allowed_m;
+  }
 };
 
 // What one piece of a line asks for: its ends, points between them.
@@ -106,7 +107,7 @@ Asked asked_of(Joints& joints, int i) {
   const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
   if (pieces.count > 1) asked.first = asked.last = crosses_cells(a, b);
   if (!is_carved(joints.carving, pieces.box(i))) return asked;
-  add_bends(joints.carving, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
+  add_bends(joints.carving, joints.fineness, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
   asked.first |= !asked.between.empty() || joints.is_bent(i);
   asked.last |= !asked.between.empty() || joints.is_bent(i + 1);
   return asked;
@@ -162,12 +163,12 @@ void split_side(const Side& side, std::size_t first, std::size_t last, std::vect
 
 }  // namespace
 
-std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2& cell) {
+std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2& cell, const Fineness& fineness) {
   std::vector<Vec2> bends;
   const Box2 near = cell.widened(kNear_m);
-  if (distance(a, b) < kShortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
-  const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b));
-  Joints joints{carving, pieces, {}};
+  if (distance(a, b) < fineness.shortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
+  const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b), fineness.piece_m);
+  Joints joints{carving, fineness, pieces, {}};
   joints.carved.resize(static_cast<std::size_t>(pieces.count) + 1);
   const auto add = [&](Vec2 p) {
     if (p != a && p != b && (bends.empty() || bends.back() != p)) bends.push_back(p);

@@ -158,6 +158,13 @@ bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner
 
 double squared(double x) { return x * x; }
 
+// To the nearest place of a bucket.
+double squared_distance(const SurfaceMap& map, int column, int row, Vec2 p) {
+  const Vec2 low = corner_of(map, column, row), high = corner_of(map, column + 1, row + 1);
+  const double aside = std::max({low.x - p.x, p.x - high.x, 0.0}), above = std::max({low.y - p.y, p.y - high.y, 0.0});
+  return squared(aside) + squared(above);
+}
+
 // The square of the distance to a border, if it is below `nearest`; else that. Squares alone are compared, so it does
 // not matter which border comes first.
 double squared_distance(const SurfaceMap& map, const BucketSurface& entry, Vec2 p, double nearest) {
@@ -232,11 +239,13 @@ double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) 
   const double near_m = std::sqrt(nearest);
   const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)
-    for (int column = range.first_column; column <= range.last_column; ++column)
+    for (int column = range.first_column; column <= range.last_column; ++column) {
+      if ((column == own_column && row == own_row) || squared_distance(map, column, row, p) >= nearest) continue;
       for (const BucketSurface& entry : entries_at(map, column, row)) {
-        if (entry.priority < priority || (column == own_column && row == own_row)) break;
+        if (entry.priority < priority) break;
         nearest = squared_distance(map, entry, p, nearest);
       }
+    }
   return nearest < squared(reach_m) ? std::sqrt(nearest) : reach_m;
 }
 

@@ -9,6 +9,7 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
+#include "compiler/map/growth.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/map/lanes.h"
 #include "compiler/map/surface_class.h"
@@ -57,6 +58,7 @@ struct Track {
   std::vector<TrackPoint> points;  ///< Sorted. Those of a closed axis at its first vertex, once.
   CrossSection section;            ///< As the tags tell it.
   DrivingSide side{};              ///< Of its traffic.
+  TreeSides trees{};               ///< Left and right along the axis.
 };
 
 /// A building's outline, or a part of one.
@@ -84,6 +86,7 @@ struct AreaFeature {
   Polygon polygon;  ///< Trimmed to what is near the region.
   SurfaceClass surface{};
   double area_m2 = 0;  ///< Of the whole.
+  Growth growth{};
 };
 
 /// A river, stream, canal or ditch as a line.
@@ -105,7 +108,7 @@ struct Barrier {
 };
 
 enum class PointKind : std::uint8_t {
-  kTree,
+  kTree,  ///< Or a shrub.
   kStreetLamp,
   kBench,
   kBollard,
@@ -125,8 +128,24 @@ struct PointFeature {
   ObjectId id;
   Vec2 at;
   PointKind kind{};
-  double height_m = 0;           ///< 0: not tagged.
-  bool is_needleleaved = false;  ///< Trees.
+  double height_m = 0;  ///< 0: not tagged.
+  Growth growth{};      ///< Trees and shrubs.
+};
+
+/// Trees in a line.
+struct TreeRow {
+  ObjectId id;
+  Polyline axis;
+  double height_m = 0;   ///< 0: not tagged.
+  double spacing_m = 0;  ///< Likewise.
+  Growth growth{};
+};
+
+/// A line above the ground, below which no tall trees are let grow.
+struct PowerLine {
+  ObjectId id;
+  Polyline axis;
+  double lane_m = 0;  ///< How wide the lane is in which none stand.
 };
 
 /// Everything citykiln draws, each vector sorted by id, all coordinates snapped to 2^-10 m.
@@ -138,6 +157,8 @@ struct Features {
   std::vector<Waterway> waterways;
   std::vector<Barrier> barriers;
   std::vector<PointFeature> points;
+  std::vector<TreeRow> tree_rows;
+  std::vector<PowerLine> power_lines;
 };
 
 }  // namespace citykiln::map

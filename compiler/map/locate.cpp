@@ -98,12 +98,16 @@ Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox&
   features.waterways = locate_waterways(reading);
   features.barriers = locate_barriers(reading);
   features.points = locate_points(reading);
+  features.tree_rows = locate_tree_rows(reading);
+  features.power_lines = locate_power_lines(reading);
   sort_by_id(features.tracks);
   sort_by_id(features.footprints);
   sort_by_id(features.areas);
   sort_by_id(features.waterways);
   sort_by_id(features.barriers);
   sort_by_id(features.points);
+  sort_by_id(features.tree_rows);
+  sort_by_id(features.power_lines);
   return features;
 }
 

@@ -29,7 +29,8 @@ source::LonLatBox choose_box(const source::OsmData& osm, const Options& options)
 LonLat default_origin(const source::LonLatBox& box);
 
 /// Puts every element into the plane and reads its tags, by the tables in surface_rules.inc and its neighbours.
-/// Total. Ledger "map/track", "map/footprint", "map/area", "map/waterway", "map/barrier", "map/point": what no row
+/// Total. Ledger "map/track", "map/footprint", "map/area", "map/waterway", "map/barrier", "map/point",
+/// "map/tree row", "map/power": what no row
 /// knows, what lies outside the region, and what has no extent is dropped and diagnosed. Cost: linear in nodes, but for
 /// coastlines (sorted by place along the region's border).
 Features locate(const source::OsmData& osm, const Plane& plane, const source::LonLatBox& box, const Options& options,

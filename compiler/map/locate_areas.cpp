@@ -1,6 +1,7 @@
 #include <array>
 
 #include "compiler/map/locate_parts.h"
+#include "compiler/map/plant_tags.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -42,16 +43,16 @@ bool is_line(const Reading& reading, source::Range tags, OsmType type) {
   return road || hedge || reading.tag(tags, "natural") == "coastline";
 }
 
-// leaf_type=* tells what a forest is.
-SurfaceClass with_leaves(SurfaceClass surface, std::string_view leaf_type) {
+// Leaves tell what a forest is.
+SurfaceClass with_leaves(SurfaceClass surface, LeafType leaves) {
   if (surface != SurfaceClass::kForest) return surface;
-  if (leaf_type == "broadleaved") return SurfaceClass::kBroadLeavedForest;
-  if (leaf_type == "needleleaved") return SurfaceClass::kNeedleLeavedForest;
-  return leaf_type == "mixed" ? SurfaceClass::kMixedForest : surface;
+  if (leaves == LeafType::kBroad) return SurfaceClass::kBroadLeavedForest;
+  if (leaves == LeafType::kNeedle) return SurfaceClass::kNeedleLeavedForest;
+  return leaves == LeafType::kMixed ? SurfaceClass::kMixedForest : surface;
 }
 
 // What further tags tell about a class.
-SurfaceClass refined(const Reading& reading, source::Range tags, SurfaceClass surface) {
+SurfaceClass refined(const Reading& reading, source::Range tags, SurfaceClass surface, const Growth& growth) {
   const std::string_view wetland = reading.tag(tags, "wetland"), water = reading.tag(tags, "water"),
                          sport = reading.tag(tags, "sport");
   if (surface == SurfaceClass::kWetland && wetland == "marsh") return SurfaceClass::kMarsh;
@@ -60,7 +61,16 @@ SurfaceClass refined(const Reading& reading, source::Range tags, SurfaceClass su
     return SurfaceClass::kRiver;
   if (surface == SurfaceClass::kPitch && (sport == "tennis" || sport == "basketball" || sport == "skateboard"))
     return SurfaceClass::kHardCourt;
-  return with_leaves(surface, reading.tag(tags, "leaf_type"));
+  return with_leaves(surface, growth.leaves);
+}
+
+// Where plants are grown or grow wild.
+Growth growth_on(const Reading& reading, const source::Area& area, SurfaceClass surface) {
+  const SurfaceGroup group = values_of(surface).group;
+  const bool is_green = group == SurfaceGroup::kForest || group == SurfaceGroup::kFarm ||
+                        group == SurfaceGroup::kGarden || group == SurfaceGroup::kScrubland ||
+                        group == SurfaceGroup::kGrassland || group == SurfaceGroup::kWetland;
+  return is_green ? tagged_growth(reading, area.from, area.tags) : Growth{};
 }
 
 bool is_underground(const Reading& reading, source::Range tags) {
@@ -87,6 +97,7 @@ std::vector<AreaFeature> locate_areas(const Reading& reading) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(reading, area);
+    const Growth growth = growth_on(reading, area, row->surface);
     account.split += polygons.size();
     if (polygons.empty())
       reading.report.drop(account, Code::kDegenerateRing, area.from);
@@ -98,8 +109,11 @@ std::vector<AreaFeature> locate_areas(const Reading& reading) {
         continue;
       }
       ++account.out;
-      areas.push_back(
-          {{area.from, polygon.part}, polygon.polygon, refined(reading, area.tags, row->surface), polygon.area_m2});
+      areas.push_back({{area.from, polygon.part},
+                       polygon.polygon,
+                       refined(reading, area.tags, row->surface, growth),
+                       polygon.area_m2,
+                       growth});
     }
   }
   reading.report.account("map", "area") = account;

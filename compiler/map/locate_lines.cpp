@@ -3,6 +3,7 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_tags.h"
 #include "compiler/map/each_line.h"
+#include "compiler/map/plant_tags.h"
 
 namespace citykiln::map {
 namespace {
@@ -32,6 +33,7 @@ struct PointRow {
   PointKind kind;
 };
 constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
+                                {"natural", "shrub", PointKind::kTree},
                                 {"highway", "street_lamp", PointKind::kStreetLamp},
                                 {"amenity", "bench", PointKind::kBench},
                                 {"barrier", "bollard", PointKind::kBollard},
@@ -65,6 +67,20 @@ const PointRow* point_row(const Reading& reading, source::Range tags) {
 }
 
 constexpr double kTallest_m = 400;
+
+// What a tree or shrub is; a shrub is no tree, whatever it is called.
+Growth growth_of(const Reading& reading, OsmId id, source::Range tags) {
+  Growth growth = tagged_growth(reading, id, tags);
+  if (reading.tag(tags, "natural") == "shrub") growth.kind = PlantKind::kBush;
+  return growth;
+}
+
+struct PowerRow {
+  std::string_view value;
+  double lane_m;
+};
+// Pylons carry wires some 8 m out, which swing; poles of minor lines hardly more than a metre.
+constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
 
 }  // namespace
 
@@ -110,11 +126,47 @@ std::vector<PointFeature> locate_points(const Reading& reading) {
       continue;
     }
     ++account.out;
-    const double height = tagged_length_m(reading, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
-    points.push_back({{id, 0}, at, row->kind, snapped(height), reading.tag(node.tags, "leaf_type") == "needleleaved"});
+    const double height = row->kind == PointKind::kTree
+                              ? tagged_plant_height_m(reading, id, node.tags)
+                              : tagged_length_m(reading, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
+    points.push_back({{id, 0}, at, row->kind, snapped(height)});
+    if (row->kind == PointKind::kTree) points.back().growth = growth_of(reading, id, node.tags);
   }
   reading.report.account("map", "point") = account;
   return points;
+}
+
+std::vector<TreeRow> locate_tree_rows(const Reading& reading) {
+  constexpr PowerRow kAny{"tree_row", 0};
+  std::vector<TreeRow> rows;
+  const auto is_row = [&](const source::Way& way) { return reading.tag(way.tags, "natural") == kAny.value; };
+  for_each_line(
+      reading, "tree row", is_row, [&](const source::Way&) { return &kAny; },
+      [&](const source::Way& way, const PowerRow&, LocatedLine&& line) {
+        const OsmId id{OsmType::kWay, way.id};
+        const double spacing_m = tagged_length_m(reading, id, way.tags, "spacing", 1, 100).value_or(0);
+        rows.push_back({{id, 0},
+                        std::move(line.axis),
+                        snapped(tagged_plant_height_m(reading, id, way.tags)),
+                        snapped(spacing_m),
+                        tagged_growth(reading, id, way.tags)});
+      });
+  return rows;
+}
+
+std::vector<PowerLine> locate_power_lines(const Reading& reading) {
+  std::vector<PowerLine> lines;
+  const auto row_of = [&](const source::Way& way) -> const PowerRow* {
+    return reading.tag(way.tags, "location") == "underground" ? nullptr
+                                                              : row_with(kPowerLines, reading.tag(way.tags, "power"));
+  };
+  for_each_line(
+      reading, "power", [&](const source::Way& way) { return row_with(kPowerLines, reading.tag(way.tags, "power")); },
+      row_of,
+      [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
+        lines.push_back({{{OsmType::kWay, way.id}, 0}, std::move(line.axis), row.lane_m});
+      });
+  return lines;
 }
 
 }  // namespace citykiln::map

@@ -15,8 +15,10 @@ std::vector<Footprint> locate_footprints(const Reading& reading);  ///< building
 std::vector<AreaFeature> locate_areas(const Reading& reading);     ///< By area_rules.inc; without the sea.
 std::vector<AreaFeature> locate_sea(
     const Reading& reading);  ///< natural=coastline, closed along the region. Ledger "map/coastline".
-std::vector<Waterway> locate_waterways(const Reading& reading);   ///< waterway=* lines.
-std::vector<Barrier> locate_barriers(const Reading& reading);     ///< barrier=* lines.
-std::vector<PointFeature> locate_points(const Reading& reading);  ///< Trees, lamps and the like.
+std::vector<Waterway> locate_waterways(const Reading& reading);     ///< waterway=* lines.
+std::vector<Barrier> locate_barriers(const Reading& reading);       ///< barrier=* lines.
+std::vector<PointFeature> locate_points(const Reading& reading);    ///< Trees, lamps and the like.
+std::vector<TreeRow> locate_tree_rows(const Reading& reading);      ///< natural=tree_row lines.
+std::vector<PowerLine> locate_power_lines(const Reading& reading);  ///< power=line, minor_line above the ground.
 
 }  // namespace citykiln::map

@@ -5,6 +5,7 @@
 #include "compiler/map/each_line.h"
 #include "compiler/map/lane_tags.h"
 #include "compiler/map/lanes.h"
+#include "compiler/map/plant_tags.h"
 #include "compiler/map/track_points.h"
 #include "compiler/map/track_rules.h"
 
@@ -62,6 +63,7 @@ Track track_of(const Reading& reading, DrivingSide side, const source::Way& way,
   track.is_oneway = told_traffic(reading.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
   track.is_lit = says_yes(reading.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
+  track.trees = tree_sides_of(reading.tag(way.tags, "tree_lined"));
   const std::string_view junction = reading.tag(way.tags, "junction");
   track.is_roundabout = junction == "roundabout" || junction == "circular";
   track.is_link = row.value.ends_with("_link");

@@ -15,7 +15,8 @@ namespace citykiln::materials {
 enum class Coloured : std::uint8_t {
   kByMaterial,  ///< One colour, or a texture that repeats (texture.h).
   kBySheet,     ///< The tile's sheet (sheet.h).
-  kByAtlas      ///< The tile's atlas of imprints (compiler/imprint/atlas.h), which says roughness and metalness too.
+  kByAtlas,     ///< The tile's atlas of imprints (compiler/imprint/atlas.h), which says roughness and metalness too.
+  kByCutout     ///< The prototype's own picture (compiler/imprint/cutout.h), which also says where there is nothing.
 };
 
 struct DressedMesh {
@@ -24,7 +25,7 @@ struct DressedMesh {
   Tint tint = kNoTint;
   OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
   /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. On the atlas:
-  /// x along its rows, y along its columns. Elsewhere where the material's texture is shown: across and along a road;
+  /// x along its rows, y along its columns; likewise on a cutout. Elsewhere where the material's texture is shown: across and along a road;
   /// east and north, or a field's rows, on land.
   std::vector<Vec2> uvs{};
   std::vector<Tint> tints{};                  ///< One a position, instead of `tint`; or empty.

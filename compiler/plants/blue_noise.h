@@ -1,39 +1,63 @@
-// Points at even distances, decided by a hash alone: no order, no neighbour beyond the reach.
+// Points at even distances, decided by a hash alone: no order, no neighbour beyond the reach. Measured on the ground,
+// not in projection.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/box.h"
+#include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
 
-/// A point, and the number of its lattice cell for further draws.
+/// What may stand at a place.
+struct Seat {
+  double spacing_m = 0;  ///< To the next, on the ground; 0: nothing may stand there. At most kWidest_m.
+  double share = 1;      ///< Of the sites that are kept, so that fewer than one a spacing can be asked for.
+  double height_m = 0;   ///< Of the ground.
+  double upright = 1;    ///< The vertical part of the ground's unit normal.
+  std::uint32_t owner = 0;
+};
+
 struct Site {
   Vec2 at;  ///< Plane metres, snapped.
   StableId id;
-  double height_m = 0;  ///< Of the ground there.
+  Seat seat;
 };
 
-/// Whether a site may be at a place; where it may, sets how high the ground is there.
-using Allowed = std::function<bool(Vec2 at, double& height_m)>;
+/// Sites need no more than this between them; those who want fewer take a share.
+inline constexpr double kWidest_m = 7.75;
 
-struct Sites {
-  std::vector<Site> accepted;  ///< In the half-open box, by lattice row, then column.
-  std::size_t undecided = 0;   ///< Places in it whose turn did not come; no site.
-};
+/// In each candidates are accepted and reject their neighbours: what stays undecided after them is empty.
+inline constexpr int kRounds = 6;
 
-/// Sites at even distances in the half-open box.
+/// Whether a site is accepted depends on nothing farther off.
+inline constexpr double kSiteReach_m = kRounds * kWidest_m;
+
+/// Ground steeper than 60 degrees has no sites.
+inline constexpr double kLeastUpright = 0.5;
+
+/// The spacing and share that give so many sites a hectare of ground, on any slope up to 45 degrees, within 3 %, from
+/// kLeastPerHa to kMostPerHa.
+Seat seat_for(double per_ha);
+
+/// The least spacing of any seat that a block may hold; 0 where it holds none. Too small is allowed, too large is not.
+using LeastSpacing = std::function<double(const Box2& block)>;
+/// The seat at a place, asked for places in the box widened by kSiteReach_m only.
+using SeatAt = std::function<Seat(Vec2 at)>;
+
+/// Sites at even distances in the half-open box, by rows of a lattice.
 ///
-/// @param allowed  Asked for places in the box widened by reach_m only.
-/// Guarantees: any two accepted sites are at least `spacing_m` apart from foot to foot, heights counted; whether a site
-/// is accepted depends on nothing beyond reach_m. Method: a jittered candidate in each cell of a fixed lattice of the
-/// plane; in each round a candidate with the highest priority among the undecided within spacing is accepted, and
-/// rejects those about it in the next; what is undecided after the rounds that fit the reach (at most 12) is rejected.
+/// Guarantees: two accepted sites are at least the mean of their spacings apart from foot to foot, heights counted;
+/// whether one is accepted depends on seats within kSiteReach_m alone. Method: a fixed lattice of the plane has a
+/// jittered candidate in each cell; as many are kept, by hash, as make the same number a spacing's square of ground
+/// everywhere; in each round a candidate with the highest priority among the undecided within spacing is accepted, and
+/// rejects those about it in the next. Cost: O(cells of blocks with seats + candidates · neighbours).
 /// Source: priority-based parallel Poisson disks, after Bowers, Wang, Wei, Maletz, "Parallel Poisson disk sampling with
 /// spectrum analysis on surfaces", 2010.
-Sites blue_noise(std::uint64_t seed, StableId owner, double spacing_m, const Box2& box, double reach_m,
-                 const Allowed& allowed);
+std::vector<Site> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,
+                             const SeatAt& seat_at);
 
 }  // namespace citykiln::plants

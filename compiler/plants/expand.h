@@ -1,4 +1,4 @@
-// From trees and woods to placed trees.
+// From recipes of plants to where each one stands.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,12 @@
 #include "compiler/geometry/placement.h"
 #include "compiler/ground/carving.h"
 #include "compiler/ground/surface_map.h"
-#include "compiler/materials/dressed_mesh.h"
 #include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {
 
 /// A trunk's least distance to roads, paths, rails, water and buildings, and to what else lies on top of land (priority
-/// 50 and more).
+/// 50 and more), in woods and plantings.
 inline constexpr double kTrunkClearance_m = 1.25;
 
 /// Where plants stand, by shape; scale is the height in metres.
@@ -25,29 +24,53 @@ using Placed = std::map<Prototype, std::vector<Placement>>;
 /// How far outside the box surfaces must be known for a wood's trees to be decided (a named reach, DESIGN section 8.4).
 inline constexpr double kReach_m = 48;
 
-/// The trees whose trunks stand in the half-open box.
-///
-/// @param surfaces  Covers the box widened by kReach_m.
-/// @param ground    Carved in the box; its terrain covers as much as the surfaces. Trees of a wood keep apart on the
-///                  terrain, and stand on the carved ground.
-/// Guarantees: no trunk of a wood within kTrunkClearance_m of a road, building or water; trunks of one wood at least
-/// spacing_m apart on the ground; a tree depends on nothing beyond kReach_m. Single trees on a building, road or water
-/// are dropped, diagnosed kTreeOnRoad. Method: blue_noise.h; what stays undecided is diagnosed kTreesUndecided. Ledger
-/// "bake/tree" for single trees.
-Placed expand(std::span<const Tree> trees, std::span<const Wood> woods, const ground::SurfaceMap& surfaces,
-              const ground::Carving& ground, const Box2& box, std::uint64_t seed, Report& report);
+/// The tallest that a tree can be drawn, metres: whatever the map says.
+inline constexpr double kTallestTree_m = 40;
 
-struct PrototypeMesh {
-  std::vector<materials::DressedMesh>
-      meshes;  ///< Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
-  double error_per_m = 0;  ///< Deviation for a tree 1 m tall.
+/// What stands in a tile and kNear_m around it.
+struct Recipes {
+  std::span<const Tree> trees;
+  std::span<const Wood> woods;
+  std::span<const Planting> plantings;
+  std::span<const Row> rows;
+  std::span<const Lane> lanes;
 };
 
-/// A prototype, cut so that a tree of `height_m` is within the tolerance; dropped (with error 1) where the tree itself
-/// is lower than it.
-PrototypeMesh prototype_mesh(Prototype prototype, double height_m, double tolerance_m);
+/// Where it stands.
+struct Land {
+  const ground::SurfaceMap& surfaces;  ///< Covers the box widened by kReach_m.
+  const ground::Carving& ground;       ///< Carved in the box; its terrain covers as much as the surfaces.
+  Box2 box;                            ///< What is in it is placed; half-open.
+  std::uint64_t seed = 0;
+  double latitude_deg = 0;  ///< Shifts belts of altitude.
+};
 
-/// The tallest that a tree can be drawn, metres: what prototype_mesh is to be asked for.
-inline constexpr double kTallestTree_m = 40;
+/// The plants that stand in the box, but for blades. Trees of woods keep apart on the terrain, and stand on the carved
+/// ground.
+///
+/// Guarantees: no trunk of a wood or planting within kTrunkClearance_m of a road, building or water; trees of all woods
+/// at even distances (blue_noise.h), clear of mapped trees, rows and lanes; a plant depends on nothing beyond kReach_m.
+/// Single trees on a building, road or water are dropped, diagnosed kTreeOnRoad; those of rows are left out. Ledger
+/// "bake/tree" for single trees. O(n log n).
+Placed expand(const Recipes& recipes, const Land& land, Report& report);
+
+/// Grass, reed and corn: seen by tolerances up to kBlades_m, one plant for a tuft.
+inline constexpr double kBlades_m = 0.05;
+
+/// At most so many of them stand on a square kilometre; where recipes ask for more, some of all are left out.
+inline constexpr double kMostBladesPerKm2 = 200'000;
+
+/// Those that stand in the box. O(plants asked for).
+Placed expand_blades(std::span<const Planting> plantings, const Land& land);
+
+/// A hedge as mapped.
+struct HedgeLine {
+  const Polyline& axis;
+  double height_m = 0;
+  OsmId feature;
+};
+
+/// The pieces in the box of a row along the axis, each as long as high, on whatever is there. O(length).
+void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed);
 
 }  // namespace citykiln::plants

@@ -1,41 +1,181 @@
 #include "compiler/plants/plan.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/plants/contour.h"
+#include "compiler/plants/habit.h"
 
 namespace citykiln::plants {
 namespace {
 
-struct WoodRow {
-  map::SurfaceClass surface;
-  double spacing_m, height_m;
-  int needle_255ths;
-};
+using map::SurfaceClass;
 
+struct WoodRow {
+  SurfaceClass surface;
+  Mix mix;
+  std::uint16_t per_ha;
+  double height_m;
+};
 constexpr WoodRow kWoods[] = {
-#define WOOD(surface, spacing_m, height_m, needles) {map::SurfaceClass::surface, spacing_m, height_m, needles},
+#define WOOD(surface, mix, per_ha, height_m) {SurfaceClass::surface, Mix::mix, per_ha, height_m},
 #include "compiler/plants/woods_of.inc"
 #undef WOOD
 };
 
-}  // namespace
+struct PlantingRow {
+  SurfaceClass surface;
+  Species species;
+  double row_m, plant_m, height_m;
+};
+constexpr PlantingRow kPlantings[] = {
+#define PLANTING(surface, species, row_m, plant_m, height_m) \
+  {SurfaceClass::surface, Species::species, row_m, plant_m, height_m},
+#include "compiler/plants/plantings_of.inc"
+#undef PLANTING
+};
 
-Plants plan(const map::Features& features, std::span<const ground::Surface> surfaces, Report& report) {
-  Plants plants;
+// What fields grow where they tell it.
+constexpr PlantingRow kCrops[] = {{SurfaceClass::kFarmland, Species::kWheat, 0.5, 0.375, 0.875},
+                                  {SurfaceClass::kFarmland, Species::kMaize, 0.75, 0.375, 2.25},
+                                  {SurfaceClass::kFarmland, Species::kGrass, 1, 1, 0.375}};
+
+// Trunks of an avenue stand so far behind the kerb.
+constexpr double kBehindKerb_m = 1;
+
+double in_eighths(double v) { return std::floor(v * 8 + 0.5) / 8; }
+
+// As told, else by what else is told; a crown tells as much of trees whose kind nobody knows, taken for the commonest.
+double height_m_of(double told_m, Stock stock, const map::Growth& growth) {
+  if (told_m > 0) return told_m;
+  return told_height_m(is_species(stock) ? species_of(stock) : Species::kLime, growth);
+}
+
+std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
+  std::vector<Tree> trees;
   Account account;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
-    plants.trees.push_back(
-        {point.id, point.at, point.height_m, point.is_needleleaved ? Species::kSpruce : Species::kLime});
+    const Stock stock = stock_for(point.growth, stock_of(Mix::kTownTrees));
+    trees.push_back({point.id, point.at, height_m_of(point.height_m, stock, point.growth), stock});
   }
+  report.account("plants", "tree") = account;
+  return trees;
+}
+
+const map::Growth& growth_of(const map::Features& features, const ground::Surface& surface) {
+  static constexpr map::Growth kNothingTold;
+  const auto found = std::ranges::lower_bound(features.areas, surface.id, {}, &map::AreaFeature::id);
+  return found != features.areas.end() && found->id == surface.id ? found->growth : kNothingTold;
+}
+
+std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::Surface> surfaces) {
+  std::vector<Wood> woods;
   for (const ground::Surface& surface : surfaces)
     for (const WoodRow& row : kWoods)
       if (row.surface == surface.surface)
-        plants.woods.push_back({surface.id, row.spacing_m, row.needle_255ths / 255.0, row.height_m});
-  std::sort(plants.trees.begin(), plants.trees.end(), [](const Tree& a, const Tree& b) { return a.id < b.id; });
-  std::sort(plants.woods.begin(), plants.woods.end(),
-            [](const Wood& a, const Wood& b) { return a.surface < b.surface; });
-  report.account("plants", "tree") = account;
+        woods.push_back(
+            {surface.id, stock_for(growth_of(features, surface), stock_of(row.mix)), row.per_ha, row.height_m});
+  return woods;
+}
+
+// Orchards and nurseries grow what they tell, at distances for its crowns.
+Planting planting_on(const ground::Surface& surface, const PlantingRow& row, const map::Growth& growth,
+                     const map::Heightfield& terrain) {
+  const Stock usual = stock_of(row.species);
+  Planting planting{surface.id, usual, heading_of_rows(surface, terrain), row.row_m, row.plant_m, row.height_m};
+  const Stock told = stock_for(growth, usual);
+  const bool is_told = growth.kind != map::PlantKind::kUntold && told != usual;
+  if (!is_told || (row.surface != SurfaceClass::kOrchard && row.surface != SurfaceClass::kPlantNursery))
+    return planting;
+  const Species species = species_of(planting.stock = told);
+  planting.height_m = in_eighths(usual_height_m(species));
+  planting.row_m = planting.plant_m = std::max(in_eighths(planting.height_m * crown_share(species)), kLeastPlant_m);
+  return planting;
+}
+
+std::vector<Planting> plan_plantings(const map::Features& features, std::span<const ground::Surface> surfaces,
+                                     const map::Heightfield& terrain) {
+  std::vector<Planting> plantings;
+  for (const ground::Surface& surface : surfaces) {
+    const map::Growth& growth = growth_of(features, surface);
+    for (const PlantingRow& row : kPlantings)
+      if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, growth, terrain));
+    for (const PlantingRow& row : kCrops)
+      if (row.surface == surface.surface && growth.kind != map::PlantKind::kUntold &&
+          stock_for(growth, {}) == stock_of(row.species))
+        plantings.push_back(planting_on(surface, row, growth, terrain));
+  }
+  return plantings;
+}
+
+// The line so far to the left of another, with its bends mitred.
+Polyline beside(const Polyline& axis, double left_m) {
+  constexpr double kLeastCosine = 0.5;
+  Polyline line;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    const Vec2 before = unit(axis[std::max<std::size_t>(i, 1)] - axis[std::max<std::size_t>(i, 1) - 1]);
+    const Vec2 after = i + 1 < axis.size() ? unit(axis[i + 1] - axis[i]) : before;
+    const Vec2 first = i > 0 ? before : after, middle = unit(first + after);
+    const double mitre = std::max(dot(middle, after), kLeastCosine);
+    const Vec2 p = snapped(axis[i] + left_of(middle) * (left_m / mitre));
+    if (line.empty() || line.back() != p) line.push_back(p);
+  }
+  return line;
+}
+
+// Left ones are named apart from those on the right.
+void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<Row>& rows) {
+  const std::uint32_t part = 2 * road.id.part;
+  const auto add = [&](double left_m, std::uint32_t number) {
+    Polyline line = beside(road.axis, left_m);
+    if (line.size() >= 2)
+      rows.push_back({{road.id.osm, part + number}, std::move(line), stock_of(Mix::kTownTrees), 0, 0});
+  };
+  if (sides != map::TreeSides::kRight) add(roads::left_m(road) + kBehindKerb_m, 0);
+  if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) - kBehindKerb_m, 1);
+}
+
+void add_avenues(const map::Features& features, std::span<const roads::Road> roads, std::vector<Row>& rows) {
+  for (const roads::Road& road : roads) {
+    const auto found = std::ranges::lower_bound(features.tracks, ObjectId{road.id.osm, 0}, {}, &map::Track::id);
+    if (found == features.tracks.end() || found->id.osm != road.id.osm || found->trees == map::TreeSides::kNone)
+      continue;
+    add_avenue(road, found->trees, rows);
+  }
+}
+
+std::vector<Row> plan_rows(const map::Features& features, std::span<const roads::Road> roads, Report& report) {
+  std::vector<Row> rows;
+  Account account;
+  for (const map::TreeRow& row : features.tree_rows) {
+    ++account.in, ++account.out;
+    const Stock stock = stock_for(row.growth, stock_of(Mix::kTownTrees));
+    rows.push_back(
+        {row.id, row.axis, stock, in_eighths(height_m_of(row.height_m, stock, row.growth)), in_eighths(row.spacing_m)});
+  }
+  report.account("plants", "row") = account;
+  add_avenues(features, roads, rows);
+  return rows;
+}
+
+}  // namespace
+
+Plants plan(const map::Features& features, std::span<const ground::Surface> surfaces,
+            std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report) {
+  Plants plants{plan_trees(features, report),
+                plan_woods(features, surfaces),
+                plan_plantings(features, surfaces, terrain),
+                plan_rows(features, roads, report),
+                {}};
+  for (const map::PowerLine& line : features.power_lines)
+    plants.lanes.push_back({line.id, line.axis, in_eighths(line.lane_m)});
+  std::ranges::stable_sort(plants.trees, {}, &Tree::id);
+  std::ranges::stable_sort(plants.woods, {}, &Wood::surface);
+  std::ranges::stable_sort(plants.plantings, {}, &Planting::surface);
+  std::ranges::stable_sort(plants.rows, {}, &Row::id);
   return plants;
 }
 

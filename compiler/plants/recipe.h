@@ -1,30 +1,67 @@
-// Plants: single trees, and woods as a spacing on a surface.
+// Plants: single trees and rows as mapped; woods and what is grown in rows as a surface and a stock, never as plants.
 #pragma once
 
 #include <cstdint>
 
 #include "compiler/contract/stable_id.h"
-#include "compiler/geometry/vec.h"
-#include "compiler/plants/species.h"
+#include "compiler/geometry/polygon.h"
+#include "compiler/plants/stock.h"
 
 namespace citykiln::plants {
 
-/// natural=tree.
+/// natural=tree, natural=shrub.
 struct Tree {
   ObjectId id;
   Vec2 at;              ///< Plane metres, snapped.
-  double height_m = 0;  ///< As tagged, or drawn from the seed when 0.
-  Species species{};
+  double height_m = 0;  ///< As told, or drawn from the seed when 0.
+  Stock stock{};
   bool operator==(const Tree&) const = default;
 };
 
-/// A wood: trees at even spacing on the surface of the same id, wherever nothing else covers it.
+/// What may be asked of a wood.
+inline constexpr double kLeastPerHa = 1, kMostPerHa = 300;
+
+/// A wood: trees at even distances on the surface of the same id, wherever nothing else covers it.
 struct Wood {
-  ObjectId surface;         ///< A ground::Surface of the same chunk.
-  double spacing_m = 0;     ///< Least distance between trunks, measured on the ground.
-  double needle_share = 0;  ///< Share of needle-leaved trees, 0 to 1, in steps of 1/255.
-  double height_m = 0;      ///< Mean height.
+  ObjectId surface;  ///< A ground::Surface of the same chunk.
+  Stock stock{};
+  std::uint16_t per_ha = 0;  ///< Trees a hectare of ground, not of map; kLeastPerHa to kMostPerHa.
+  double height_m = 0;       ///< Of its trees where they grow best, mean; in eighths.
   bool operator==(const Wood&) const = default;
 };
+
+/// Nothing stands closer in rows.
+inline constexpr double kLeastPlant_m = 0.25;
+
+/// What is grown in straight rows on a surface: fruit trees, vines, hedges, corn.
+struct Planting {
+  ObjectId surface;
+  Stock stock{};
+  std::uint8_t heading = 0;       ///< Of the rows: 256ths of half a turn, counter-clockwise of east.
+  double row_m = 0, plant_m = 0;  ///< From row to row, and from plant to plant along one; in eighths.
+  double height_m = 0;            ///< Mean; in eighths.
+  bool operator==(const Planting&) const = default;
+};
+
+/// Trees at equal distances along a line: natural=tree_row, tree_lined streets.
+struct Row {
+  ObjectId id;
+  Polyline axis;  ///< Plane metres, snapped, at least two points.
+  Stock stock{};
+  double height_m = 0;   ///< Mean; drawn from the seed when 0; in eighths.
+  double spacing_m = 0;  ///< At most, in eighths; by the crowns when 0.
+  bool operator==(const Row&) const = default;
+};
+
+/// A lane below a power line, in which no wood stands.
+struct Lane {
+  ObjectId id;
+  Polyline axis;
+  double width_m = 0;  ///< In eighths.
+  bool operator==(const Lane&) const = default;
+};
+
+/// Trees, rows and lanes matter to woods this far off: they are known so far about a tile.
+inline constexpr double kNear_m = 16;
 
 }  // namespace citykiln::plants

@@ -68,7 +68,8 @@ ByTile by_touch(const TileGrid& grid, std::span<const Object> objects, BoxOf box
 constexpr double kRoadHalo_m = 56;
 
 struct Sorted {
-  ByTile surfaces, roads, junctions, streams, near_buildings, buildings, bridges, tunnels, trees, barriers, lamps;
+  ByTile surfaces, roads, junctions, streams, near_buildings, buildings, bridges, tunnels, trees, tree_rows, lanes,
+      barriers, lamps;
 };
 
 Box2 box_of_surface(const ground::Surface& surface) {
@@ -86,6 +87,9 @@ Box2 box_of_strip(const roads::Strip& strip) {
   return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kCarve_m);
 }
 
+// by_touch() widens by more than matters to plants.
+Box2 near_tile(const Box2& box) { return box.widened(plants::kNear_m - kHalo_m); }
+
 // Where they carve the ground, and in the tile that they are part of, even if that is far off.
 ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span> spans) {
   ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
@@ -100,11 +104,24 @@ ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span
   return tiles;
 }
 
+// Into the tile of their first point; hedges into all that they touch.
+ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> barriers) {
+  const auto is_hedge = [&](std::uint32_t i) { return barriers[i].kind == map::BarrierKind::kHedge; };
+  ByTile tiles = by_anchor(grid, barriers, [](const props::Barrier& b) { return b.axis.front(); });
+  const ByTile touching =
+      by_touch(grid, barriers, [](const props::Barrier& b) { return near_tile(citykiln::box_of(b.axis)); });
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    std::ranges::copy_if(touching[t], std::back_inserter(tiles[t]), is_hedge);
+    std::ranges::sort(tiles[t]);
+    tiles[t].erase(std::unique(tiles[t].begin(), tiles[t].end()), tiles[t].end());
+  }
+  return tiles;
+}
+
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::Surface> junctions) {
   const auto stands = [](const auto& object) { return object.at; };
-  const auto starts = [](const auto& object) { return object.axis.front(); };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
           by_touch(grid, std::span(recipes.roads), box_of_road),
           by_touch(grid, junctions, box_of_surface),
@@ -114,8 +131,15 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
           by_anchor(grid, std::span(recipes.buildings), anchor_of),
           by_touch_or_anchor(grid, recipes.structures.bridges),
           by_touch_or_anchor(grid, recipes.structures.tunnels),
-          by_anchor(grid, std::span(recipes.plants.trees), stands),
-          by_anchor(grid, std::span(recipes.props.barriers), starts),
+          by_touch(grid, std::span(recipes.plants.trees),
+                   [](const plants::Tree& t) {
+                     return near_tile(Box2{t.at, t.at});
+                   }),
+          by_touch(grid, std::span(recipes.plants.rows),
+                   [](const plants::Row& r) { return near_tile(citykiln::box_of(r.axis)); }),
+          by_touch(grid, std::span(recipes.plants.lanes),
+                   [](const plants::Lane& l) { return near_tile(citykiln::box_of(l.axis).widened(l.width_m / 2)); }),
+          barriers_by_tile(grid, recipes.props.barriers),
           by_anchor(grid, std::span(recipes.props.lamps), stands)};
 }
 
@@ -192,13 +216,14 @@ JunctionCovers junction_covers(const Recipes& recipes, int threads) {
   return {each(junction_surface), each(corner_pavement_surface)};
 }
 
-std::vector<plants::Wood> woods_on(const std::vector<plants::Wood>& woods,
-                                   const std::vector<ground::Surface>& surfaces) {
-  std::vector<plants::Wood> here;
-  for (const plants::Wood& wood : woods) {
-    const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), wood.surface,
+// What grows on them: woods, plantings.
+template <typename Growing>
+std::vector<Growing> growing_on(const std::vector<ground::Surface>& surfaces, const std::vector<Growing>& all) {
+  std::vector<Growing> here;
+  for (const Growing& growing : all) {
+    const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), growing.surface,
                                         [](const auto& s, ObjectId id) { return s.id < id; });
-    if (found != surfaces.end() && found->id == wood.surface) here.push_back(wood);
+    if (found != surfaces.end() && found->id == growing.surface) here.push_back(growing);
   }
   return here;
 }
@@ -217,7 +242,10 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
   chunk.trees = pick(recipes.plants.trees, sorted.trees[t]);
-  chunk.woods = woods_on(recipes.plants.woods, chunk.surfaces);
+  chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
+  chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
+  chunk.tree_rows = pick(recipes.plants.rows, sorted.tree_rows[t]);
+  chunk.lanes = pick(recipes.plants.lanes, sorted.lanes[t]);
   chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
   chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
   return chunk;

@@ -13,6 +13,7 @@
 #include "compiler/map/heightfield.h"
 #include "compiler/map/plane.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/plants/species_texts.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/junction.h"
 #include "compiler/sky/recipe.h"
@@ -37,17 +38,19 @@ struct Header {
   std::uint64_t seed = 0;
   double resampling_error_m = 0;  ///< Of the heightfield against its sources.
   sky::Sky sky;
-  std::vector<std::string> sources;          ///< File names of map and heightmaps, without folders.
-  std::vector<std::string> attributions;     ///< "© OpenStreetMap contributors", then the heightmaps' credits.
-  std::optional<double> snow_line_m{};       ///< Land above it, in the heights' datum, is under snow.
-  std::vector<buildings::RuleText> rules{};  ///< Those that the buildings' styles need, sorted by name.
+  std::vector<std::string> sources;            ///< File names of map and heightmaps, without folders.
+  std::vector<std::string> attributions;       ///< "© OpenStreetMap contributors", then the heightmaps' credits.
+  std::optional<double> snow_line_m{};         ///< Land above it, in the heights' datum, is under snow.
+  std::vector<buildings::RuleText> rules{};    ///< Those that the buildings' styles need, sorted by name.
+  std::vector<plants::SpeciesText> species{};  ///< Those that plants grow from, sorted by name.
   bool operator==(const Header&) const = default;
 };
 
 /// One tile, readable and expandable without any other. Each vector is sorted by id. What crosses a border: surfaces,
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
 /// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
-/// which they are part (is_anchored); everything else is in the chunk of its anchor alone.
+/// which they are part (is_anchored); trees, tree rows, hedges and lanes, whole, in every chunk they touch widened by
+/// plants::kNear_m; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
@@ -61,6 +64,9 @@ struct Chunk {
   std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
   std::vector<plants::Tree> trees;
   std::vector<plants::Wood> woods;
+  std::vector<plants::Planting> plantings;
+  std::vector<plants::Row> tree_rows;
+  std::vector<plants::Lane> lanes;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
   bool operator==(const Chunk&) const = default;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <random>
 
 #include "exporters/streams.h"
@@ -150,7 +149,6 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
     return wrong_in(encode_chunk(changed));
   };
   const ObjectId id{{OsmType::kWay, 7}, 0};
-  const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {one_lane(id, {{1, 2}})}; }), "road points");
   EXPECT_EQ(wrong_with([&](auto& c) { c.roads = {one_lane(id, {{1, 2}, {3, 4}})}; }), "");
   EXPECT_EQ(wrong_with([&](auto& c) {
@@ -169,9 +167,12 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
             }),
             "track vertex");
   EXPECT_EQ(wrong_with([&](auto& c) { c.surfaces = {{id, {}, 3, {}}}; }), "surface rings");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 4, 0.5, 12}}; }), "");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 0.1, 0.5, 12}}; }), "wood");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, 4, 0.5, none}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{}, 120, 12}}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{}, 9999, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{100}, 120, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::Stock{}, 7, 2, 2, 3}}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::Stock{}, 7, 2, 0.125, 3}}; }), "planting");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.tree_rows = {{id, {{1, 2}}, plants::Stock{}, 7, 2}}; }), "tree row points");
   EXPECT_EQ(wrong_with([&](auto& c) { c.heights.resampling_error_m = -1; }), "field");
 }
 

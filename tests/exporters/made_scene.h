@@ -29,8 +29,13 @@ class SceneMaker {
     for (auto i = below(3); i > 0; --i) c.bridges.push_back(span());
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back(span());
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
-    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), pick(plants::Species::kCount)});
-    for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), 1.0 + below(9), below(256) / 255.0, 5.3 + below(20)});
+    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), stock()});
+    for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), stock(), hectare(), eighths(200)});
+    for (auto i = below(3); i > 0; --i)
+      c.plantings.push_back(
+          {id(), stock(), static_cast<std::uint8_t>(below(256)), eighths(40), eighths(40), eighths(20)});
+    for (auto i = below(3); i > 0; --i) c.tree_rows.push_back({id(), line(), stock(), eighths(90), eighths(90)});
+    for (auto i = below(2); i > 0; --i) c.lanes.push_back({id(), line(), eighths(300)});
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9)});
@@ -46,6 +51,7 @@ class SceneMaker {
     h.sky.to_sun = {629146 * 0x1p-20, 0, 838861 * 0x1p-20};
     if (h.seed % 2 == 0) h.snow_line_m = 2200.5;
     h.rules = {{"house.cga", "Building --> Wall."}, {"parts/door.cga", "Door --> NIL\n"}};
+    h.species = {{"oak", "n: 1\naxiom: F\n"}, {"reed", ""}};
     h.sources = {"town.osm", "hills.tif"}, h.attributions = {"© OpenStreetMap contributors"};
     return {h, {chunk({-1, 0}, 0x1p-7), chunk({0, 0}, kQuantum_m)}};
   }
@@ -54,6 +60,12 @@ class SceneMaker {
   static constexpr double kQuantum_m = 0x1p-10;
 
   std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(dice_() % count); }
+  plants::Stock stock() {
+    return below(2) == 0 ? plants::stock_of(pick(plants::Species::kCount))
+                         : plants::stock_of(pick(plants::Mix::kCount));
+  }
+  std::uint16_t hectare() { return static_cast<std::uint16_t>(1 + below(300)); }
+  double eighths(std::uint32_t most) { return (2 + below(most)) / 8.0; }
   std::uint32_t number(std::uint32_t most) { return below(most); }
   template <typename Enum>
   Enum pick(Enum count) {

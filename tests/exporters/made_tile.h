@@ -77,7 +77,19 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   return tile;
 }
 
-/// The same with facades on an atlas, beside the sheet.
+/// Leaves cut out of cards; every other time with normals.
+inline void make_leafy(std::mt19937& dice, bake::Instanced& tree, bool has_normals) {
+  bake::Primitive leaves = made_primitive(dice, materials::Material::kBroadLeaf, 12, 0);
+  for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
+  leaves.coloured = materials::Coloured::kByCutout;
+  tree.primitives.push_back(leaves);
+  tree.cutout.colour = made_sheet(dice);
+  for (std::size_t i = 0; i < tree.cutout.colour.texels.size(); ++i)
+    tree.cutout.opacity.push_back(static_cast<std::uint8_t>(dice()));
+  if (has_normals) tree.cutout.normal = made_sheet(dice);
+}
+
+/// The same with facades on an atlas, beside the sheet, and leaves on cutouts, two alike.
 inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 3000);
   bake::BakedTile tile = made_marked_tile(seed);
@@ -89,6 +101,9 @@ inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
   for (const bake::Float3& at : facades.positions) facades.uvs.push_back({at[0], at[2]});
   facades.coloured = materials::Coloured::kByAtlas;
   tile.primitives.push_back(facades);
+  tile.instanced.push_back(made_instances(dice, "oak_0", 2, 4));
+  for (bake::Instanced& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
+  tile.instanced.back().cutout = tile.instanced.front().cutout;
   return tile;
 }
 

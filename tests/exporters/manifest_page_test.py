@@ -139,13 +139,19 @@ class Chunk:
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
         self.buildings = self.all("buildings", self.building)
-        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree species")))
-        self.woods = self.all("woods", lambda: (self.id(), [self.streams["wood"].real() for _ in range(3)]))
+        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree stock")))
+        self.woods = self.all("woods", lambda: (self.id(), self.several("wood", 3)))
+        self.plantings = self.all("plantings", lambda: (self.id(), self.several("planting", 5)))
+        self.tree_rows = self.all("tree rows", lambda: (self.id(), self.points("tree row points"), self.several("tree row", 3)))
+        self.lanes = self.all("power lanes", lambda: (self.id(), self.points("power lane points"), self.plain("power lane")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
 
     def plain(self, name):
         return self.streams[name].plain()
+
+    def several(self, name, count):
+        return [self.plain(name) for _ in range(count)]
 
     def metres(self, name):
         return self.streams[name].step() / 1024

@@ -1,6 +1,7 @@
 // The species we ship grow into what their head comments say: "15 to 25 m high, crown 12 to 24 m wide, trunk 0.6 to 1.2
 // m thick".
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -102,6 +103,17 @@ double asked_height_m(const Species& species) {
   return match.empty() ? 1 : std::stod(match[1]);
 }
 
+/// Herbs, and what is no higher: many in a scene, and few leaves each.
+bool is_small(const Species& species) {
+  constexpr std::array kSmall = {"grass", "hedge", "maize", "reed", "vine", "wheat"};
+  return std::ranges::find(kSmall, species.name) != kSmall.end();
+}
+
+bool has_many_stems(const Species& species) {
+  constexpr std::array kMany = {"bush", "grass", "hedge", "reed", "wheat"};
+  return std::ranges::find(kMany, species.name) != kMany.end();
+}
+
 class EachSpecies : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachSpecies, StandsOnTheGroundAsHighAndWideAsItsHeadSays) {
@@ -122,13 +134,13 @@ TEST_P(EachSpecies, StandsOnTheGroundAsHighAndWideAsItsHeadSays) {
 // where a trunk is measured, at 1.3 m, and no later than at its first quarter; of a bush each rod
 TEST_P(EachSpecies, HasTheTrunkOfItsHead) {
   const Species species = read_species(GetParam());
-  const std::int32_t order = species.name == "bush" ? 1 : 0;
+  const std::int32_t order = has_many_stems(species) ? 1 : 0;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Plant plant = grown_plant(species, seed);
     const double breast_m = std::min(1.3, asked_height_m(species) / 4);
     const auto found = std::find_if(
         plant.skeleton.segments.begin(), plant.skeleton.segments.end(),
-        [&](const Segment& s) { return s.order == order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
+        [&](const Segment& s) { return s.order <= order && s.start.at.z <= breast_m && s.end().at.z >= breast_m; });
     ASSERT_NE(found, plant.skeleton.segments.end());
     const double diameter_m = found->start_radius + found->end_radius;
     EXPECT_TRUE(species.trunk_m.hold(diameter_m)) << diameter_m << " m, seed " << seed;
@@ -139,10 +151,11 @@ TEST_P(EachSpecies, KeepsItsBudgetAtFullDetail) {
   const Species species = read_species(GetParam());
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Skeleton skeleton = grown_plant(species, seed).skeleton;
-    EXPECT_GE(skeleton.segments.size(), 1'000u);
-    EXPECT_LE(skeleton.segments.size(), 20'000u);
-    EXPECT_LE(skeleton.instances.size() + skeleton.polygons.size(), 11'000u);
-    EXPECT_GE(skeleton.instances.size() + skeleton.polygons.size(), 2'000u);
+    const std::size_t leaves = skeleton.instances.size() + skeleton.polygons.size();
+    EXPECT_GE(skeleton.segments.size(), is_small(species) ? 20u : 1'000u);
+    EXPECT_LE(skeleton.segments.size(), is_small(species) ? 1'000u : 20'000u);
+    EXPECT_LE(leaves, is_small(species) ? 5'000u : 11'000u);
+    EXPECT_GE(leaves, is_small(species) ? 50u : 2'000u);
   }
 }
 
@@ -155,7 +168,7 @@ TEST_P(EachSpecies, GrowsAsHighAsAskedAtAnyAge) {
       const Extent extent = extent_of(points_of(plant.skeleton));
       EXPECT_NEAR(extent.high.z, height_m, 0.1 * height_m) << "age " << age;
       EXPECT_GE(extent.low.z, -0.1) << "age " << age;
-      EXPECT_LE(extent.width(), 1.3 * height_m) << "age " << age;
+      EXPECT_LE(extent.width(), (is_small(species) ? 1.8 : 1.3) * height_m) << "age " << age;
     }
 }
 
@@ -171,7 +184,8 @@ TEST_P(EachSpecies, IsAnotherPlantForAnotherSeedAndTheSameForTheSame) {
 TEST_P(EachSpecies, HasBarkAndLeavesAsAMesh) {
   const Species species = read_species(GetParam());
   const PlantMesh mesh = mesh_plant(grown_plant(species, 0).skeleton);
-  EXPECT_GT(mesh.leaf.triangles.size(), 2'000u);
+  EXPECT_GT(mesh.leaf.triangles.size(), is_small(species) ? 80u : 2'000u);
+  if (is_small(species)) return;
   EXPECT_GT(mesh.bark.triangles.size(), 1'000u);
   // nothing but the trunk stands alone: no two roots, no more than four branches from one place
   EXPECT_EQ(mesh.unjoined, 1u);
@@ -182,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),
 
 TEST(Species, AreNoFewerThanTheReadmeLists) {
   const std::string readme = text_of_tree("lsystems/README.md");
-  EXPECT_GE(names().size(), 15u);
+  EXPECT_GE(names().size(), 21u);
   for (const std::string& name : names()) EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
 }
 

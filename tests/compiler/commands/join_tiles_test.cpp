@@ -51,6 +51,19 @@ TEST(JoinTiles, KeepsWhoseEverythingIs) {
   EXPECT_EQ(joined->instanced[0].features, (std::vector<std::uint32_t>{2, 1}));
 }
 
+TEST(JoinTiles, TellsShapesApartByWhatTheyAreCutOutBy) {
+  std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
+                       tile_at({2048, 0, 0}, way(4), 0)};
+  const materials::Sheet sheet{0.5, 1, 1, {{1, 2, 3}}};
+  for (bake::BakedTile& tile : tiles) tile.instanced[0].cutout.colour = sheet;
+  tiles[1].instanced[0].cutout.opacity = {0};
+  const Result<bake::BakedTile> joined = join_tiles(tiles);
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->instanced.size(), 2u);
+  EXPECT_EQ(joined->instanced[0].translations.size(), 2u);
+  EXPECT_EQ(joined->instanced[1].cutout, tiles[1].instanced[0].cutout);
+}
+
 TEST(JoinTiles, HasEachMaterialsTextureOnceInOrder) {
   using materials::Material;
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0)};

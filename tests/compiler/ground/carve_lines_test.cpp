@@ -42,6 +42,27 @@ TEST(CarveLines, HaveTheAxisOfARoadWhereItTwists) {
   EXPECT_GT(lines_along({road}, 40), 0);
 }
 
+// Lines that go across x from so far on one side to so far on the other, no farther.
+long lines_across(const std::vector<roads::Road>& roads, double x, double most_m) {
+  map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
+  const Box2 cell{{0, 0}, {128, 128}};
+  const Carving carving = carve(std::move(flat), {roads, {}, {}, cell.widened(kCarve_m), false});
+  return std::ranges::count_if(carve_lines(carving, cell), [&](const auto& line) {
+    const double a = plane_point(line.first).x - x, b = plane_point(line.second).x - x;
+    return a * b < 0 && std::max(std::abs(a), std::abs(b)) <= most_m;
+  });
+}
+
+// a path that meets a street of another height has its heights mixed with the street's before it gets there
+TEST(CarveLines, GoAcrossNarrowPathsWhereTheirHeightsAreMixed) {
+  roads::Road path = street(40, 0);
+  path.section = {{{map::LaneKind::kFoot, map::LaneWay::kBoth, 1}}, 0.5};
+  const long alone = lines_across({path}, 40, 1);
+  roads::Road crossing = street(0, 0.5);
+  crossing.axis = {{-32, 64}, {160, 64}};
+  EXPECT_GE(lines_across({path, crossing}, 40, 1), alone + 2);
+}
+
 // Where lines cross the plane's y axis.
 std::set<double> crossings_of_axis(const map::Heightfield& terrain, const Box2& cell) {
   const std::vector<roads::Road> roads = {street(40, 1)};

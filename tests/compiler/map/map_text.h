@@ -184,7 +184,7 @@ inline std::string text_of(const Features& f) {
                         line(b.axis));
   for (const PointFeature& p : f.points)
     text += fmt::format("point {} {} {:a}:{:a} {:a} {}\n", id(p.id), static_cast<int>(p.kind), p.at.x, p.at.y,
-                        p.height_m, p.is_needleleaved);
+                        p.height_m, static_cast<int>(p.growth.leaves));
   return text;
 }
 

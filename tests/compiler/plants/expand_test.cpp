@@ -8,7 +8,6 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/blue_noise.h"
-#include "compiler/plants/plan.h"
 
 namespace citykiln::plants {
 namespace {
@@ -39,13 +38,40 @@ std::vector<Surface> wooded() {
           surface(4, SurfaceClass::kBuilding, block(-100, 50, -80, 70))};
 }
 
-const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, 7.5, 0.4, 15}};
+const std::vector<Wood> kWoods = {{{{OsmType::kWay, 1}, 0}, stock_of(Mix::kMixedWood), 95, 15}};
 constexpr Box2 kAll = {{-256, -256}, {256, 256}};
+constexpr double kLatitude_deg = 42.5;
+
+// What stands in a box of the wood above.
+struct Scene {
+  std::vector<Tree> trees;
+  std::vector<Wood> woods = kWoods;
+  std::vector<Planting> plantings;
+  std::vector<Row> rows;
+  std::vector<Lane> lanes;
+  std::vector<Surface> surfaces = wooded();
+  double grade = 0, base_m = 0;
+
+  map::Heightfield heights() const {
+    map::Heightfield field = sloping(grade);
+    for (std::int32_t& height : field.heights) height += static_cast<std::int32_t>(base_m / map::kHeightQuantum_m);
+    return field;
+  }
+  Placed in(const Box2& box, Report& report) const {
+    const ground::SurfaceMap map = map_surfaces(surfaces, box.widened(kReach_m));
+    const ground::Carving ground(heights());
+    return expand({trees, woods, plantings, rows, lanes}, {map, ground, box, 7, kLatitude_deg}, report);
+  }
+  Placed in(const Box2& box) const {
+    Report ignored;
+    return in(box, ignored);
+  }
+};
 
 Placed placed_in(const Box2& box, double grade, Report& report, std::span<const Tree> trees = {}) {
-  const std::vector<Surface> surfaces = wooded();
-  return expand(trees, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), ground::Carving(sloping(grade)), box, 7,
-                report);
+  Scene scene;
+  scene.grade = grade, scene.trees.assign(trees.begin(), trees.end());
+  return scene.in(box, report);
 }
 
 std::vector<Placement> joined(const Placed& placed) {
@@ -53,6 +79,19 @@ std::vector<Placement> joined(const Placed& placed) {
   for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
   std::sort(all.begin(), all.end(), [](const Placement& a, const Placement& b) { return a.at < b.at; });
   return all;
+}
+
+std::size_t count_of(const Placed& placed, Species species) {
+  std::size_t count = 0;
+  for (const auto& [prototype, some] : placed)
+    if (prototype.species == species) count += some.size();
+  return count;
+}
+
+double share_of(const Placed& placed, std::initializer_list<Species> some) {
+  double count = 0;
+  for (const Species species : some) count += static_cast<double>(count_of(placed, species));
+  return count / static_cast<double>(joined(placed).size());
 }
 
 TEST(Expand, KeepsTrunksApartOnTheGround) {
@@ -63,8 +102,9 @@ TEST(Expand, KeepsTrunksApartOnTheGround) {
     for (std::size_t i = 0; i < trees.size(); ++i)
       for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 8; ++j)
         nearest = std::min(nearest, length(trees[j].at - trees[i].at));
-    EXPECT_GE(nearest, 7.5 - 0.01);
-    EXPECT_LT(nearest, 8);
+    const double spacing_m = seat_for(kWoods[0].per_ha).spacing_m;
+    EXPECT_GE(nearest, spacing_m - 0.01);
+    EXPECT_LT(nearest, spacing_m + 0.4);
   }
 }
 
@@ -75,19 +115,10 @@ TEST(Expand, StandsDenserInPlanWhereTheGroundIsSteep) {
   EXPECT_NEAR(steep / flat, std::sqrt(2.0), 0.12);
 }
 
-TEST(Expand, FillsTheWood) {
-  Report report;
-  const auto trees = joined(placed_in(kAll, 0, report));
+TEST(Expand, IsAsDenseAsTheWoodAsks) {
   const double wood_m2 = 490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5;
-  // disks of the spacing cover a plane to 0.907 at most, by random dart throwing to 0.547, in circles of half the
-  // spacing
-  const double cover = static_cast<double>(trees.size()) * 3.14159 * 3.75 * 3.75 / wood_m2;
-  EXPECT_GT(cover, 0.38);
-  EXPECT_LT(cover, 0.6);
-  std::size_t needles = 0;
-  for (const auto& [prototype, placements] : placed_in(kAll, 0, report))
-    if (prototype.species == Species::kSpruce) needles += placements.size();
-  EXPECT_NEAR(static_cast<double>(needles) / static_cast<double>(trees.size()), 0.4, 0.05);
+  const auto trees = static_cast<double>(joined(Scene{}.in(kAll)).size());
+  EXPECT_NEAR(trees / (wood_m2 / 1e4 * kWoods[0].per_ha), 1, 0.03);
 }
 
 TEST(Expand, KeepsTrunksClearOfRoadsBuildingsAndWater) {
@@ -117,33 +148,172 @@ TEST(Expand, PlantsTheSameTreesInHalvesAsInTheWhole) {
 }
 
 TEST(Expand, DependsOnNothingBeyondItsReach) {
-  Report report;
   const Box2 box = {{-64, -64}, {64, 64}};
-  std::vector<Surface> surfaces = wooded();
-  const auto plant = [&] {
-    return joined(expand({}, kWoods, map_surfaces(surfaces, box.widened(kReach_m)), ground::Carving(sloping(0.1)), box,
-                         7, report));
-  };
-  const auto before = plant();
+  Scene scene;
+  scene.grade = 0.1;
+  const auto before = joined(scene.in(box));
   // a clearing that begins just beyond
-  surfaces.push_back(surface(5, SurfaceClass::kBuilding, block(128.5, -200, 230, 200)));
-  const auto after = plant();
+  scene.surfaces.push_back(surface(5, SurfaceClass::kBuilding, block(112.5, -200, 230, 200)));
+  const auto after = joined(scene.in(box));
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(before[i].at, after[i].at);
 }
 
-TEST(Expand, CountsThePlacesThatStayUndecided) {
+TEST(Expand, WoodsFollowTheBeltsOfAltitude) {
+  Scene scene;
+  scene.woods[0].stock = stock_of(Mix::kAnyWood);
+  scene.base_m = 1000;
+  EXPECT_GT(
+      share_of(scene.in(kAll), {Species::kOak, Species::kMaple, Species::kLime, Species::kBeech, Species::kBirch}),
+      0.6);
+  scene.base_m = 1800;
+  EXPECT_GT(share_of(scene.in(kAll), {Species::kPine, Species::kFir, Species::kSpruce}), 0.8);
+  EXPECT_EQ(count_of(scene.in(kAll), Species::kOak), 0u);
+}
+
+TEST(Expand, WoodsAreLowAndThinAtTheTreeLine) {
+  Scene scene;
+  scene.woods[0].stock = stock_of(Mix::kNeedleWood);
+  const auto low = joined(scene.in(kAll));
+  scene.base_m = 2400;
+  const auto high = joined(scene.in(kAll));
+  EXPECT_LT(high.size(), 0.6 * static_cast<double>(low.size()));
+  const auto tallest = [](const auto& trees) { return std::ranges::max(trees, {}, &Placement::scale).scale; };
+  EXPECT_LT(tallest(high), 0.6 * tallest(low));
+}
+
+TEST(Expand, WillowsAndPoplarsStandByWater) {
+  Scene scene;
+  scene.woods[0].stock = stock_of(Mix::kBroadWood);
+  const ground::SurfaceMap map = map_surfaces(scene.surfaces, kAll.widened(kReach_m));
+  ground::CarvingParts parts{{}, {}, scene.surfaces, kAll};
+  const ground::Carving ground = carve(scene.heights(), parts);
   Report report;
-  const auto trees = joined(placed_in(kAll, 0, report));
-  double undecided = 0;
-  for (const Diagnosis& d : report.diagnoses())
-    if (d.code == Code::kTreesUndecided) undecided += d.size;
-  EXPECT_LT(undecided, 0.02 * static_cast<double>(trees.size()));
+  const Placed placed = expand({{}, scene.woods, {}, {}, {}}, {map, ground, kAll, 7, kLatitude_deg}, report);
+  std::size_t by_water = 0, elsewhere = 0;
+  for (const auto& [prototype, some] : placed)
+    if (prototype.species == Species::kWillow || prototype.species == Species::kPoplar)
+      for (const Placement& p : some) {
+        const Box2 about_lake = {{46, 26}, {154, 124}};
+        ++(about_lake.contains(in_plan(p.at)) ? by_water : elsewhere);
+      }
+  EXPECT_GT(by_water, 10u);
+  EXPECT_LT(elsewhere, 3 * by_water);
+}
+
+TEST(Expand, WoodsKeepClearOfMappedTreesRowsAndLanes) {
+  Scene scene;
+  scene.trees = {{{{OsmType::kNode, 9}, 0}, {-150, -100}, 18, stock_of(Species::kOak)}};
+  scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, -50}, {-60, -40}}, stock_of(Species::kLime), 14, 0}};
+  scene.lanes = {{{{OsmType::kWay, 7}, 0}, {{-250, 150}, {240, 190}}, 24}};
+  const auto all = joined(scene.in(kAll));
+  const Vec2 along = unit(Vec2{490, 40});
+  std::size_t in_row = 0;
+  for (const Placement& tree : all) {
+    const Vec2 p = in_plan(tree.at);
+    if (tree.feature.id == 8) ++in_row;
+    if (tree.feature.id != 1) continue;
+    EXPECT_GE(distance(p, {-150, -100}), 6.9);
+    EXPECT_GE(std::abs(cross(along, p - Vec2{-250, 150})), 12);
+    for (const Placement& other : all)
+      EXPECT_GE(distance(p, in_plan(other.at)), other.feature.id == 8 ? 4 : 0);
+  }
+  EXPECT_GT(in_row, 12u);
+}
+
+TEST(Expand, WoodsBesideEachOtherAreOneWood) {
+  Scene scene;
+  scene.surfaces = {surface(1, SurfaceClass::kForest, block(-250, -230, 0, 250)),
+                    surface(2, SurfaceClass::kForest, block(0, -230, 240, 250))};
+  scene.woods = {kWoods[0], kWoods[0]};
+  scene.woods[1].surface = scene.surfaces[1].id;
+  const auto trees = joined(scene.in(kAll));
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    for (std::size_t j = i + 1; j < trees.size() && trees[j].at.x < trees[i].at.x + 7; ++j)
+      EXPECT_GE(length(trees[j].at - trees[i].at), seat_for(kWoods[0].per_ha).spacing_m - 0.01);
+}
+
+TEST(Expand, RowsStandRegularlyAndEndToEnd) {
+  Scene scene;
+  scene.woods.clear();
+  scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-250, 20}, {-190, 20}, {-190, 110}}, stock_of(Species::kPoplar), 20, 10}};
+  auto trees = joined(scene.in(kAll));
+  ASSERT_EQ(trees.size(), 16u);
+  std::ranges::sort(trees, {}, [](const Placement& p) { return p.at.x + p.at.y; });
+  EXPECT_EQ(in_plan(trees.front().at), (Vec2{-250, 20}));
+  EXPECT_EQ(in_plan(trees.back().at), (Vec2{-190, 110}));
+  for (std::size_t i = 1; i < trees.size(); ++i) EXPECT_NEAR(length(trees[i].at - trees[i - 1].at), 10, 0.01);
+  EXPECT_EQ(count_of(scene.in(kAll), Species::kPoplar), 16u);
+  // half of it in either tile
+  EXPECT_EQ(joined(scene.in({{-256, -256}, {-190, 256}})).size() + joined(scene.in({{-190, -256}, {256, 256}})).size(),
+            16u);
+}
+
+TEST(Expand, RowsLeaveOutRoadsAndTreesThatAreMapped) {
+  Scene scene;
+  scene.woods.clear();
+  scene.trees = {{{{OsmType::kNode, 9}, 0}, {-200, 41}, 12, stock_of(Species::kLime)}};
+  scene.rows = {{{{OsmType::kWay, 8}, 0}, {{-200, -50}, {-200, 50}}, stock_of(Species::kLime), 12, 10}};
+  std::size_t of_row = 0;
+  for (const Placement& p : joined(scene.in(kAll))) {
+    if (p.feature.id != 8) continue;
+    ++of_row;
+    EXPECT_GT(std::abs(p.at.y), 3);
+    EXPECT_GT(std::abs(p.at.y - 41), 2);
+  }
+  EXPECT_EQ(of_row, 9u);  // eleven but for the one on the road and the one that is mapped
+}
+
+TEST(Expand, PlantingsAreRowsAlongTheirHeadingInAnyBox) {
+  Scene scene;
+  scene.woods.clear();
+  scene.surfaces[0].surface = SurfaceClass::kOrchard;
+  scene.plantings = {{scene.surfaces[0].id, stock_of(Species::kApple), 64, 8, 5, 4.5}};  // north-east
+  const Placed whole = scene.in(kAll);
+  const auto trees = joined(whole);
+  EXPECT_NEAR(static_cast<double>(trees.size()), (490.0 * 480 - 490 * 8.5 - 82.5 * 72.5 - 22.5 * 22.5) / 40, 150);
+  for (const Placement& tree : trees) {
+    const double row = cross(Vec2{std::sqrt(0.5), std::sqrt(0.5)}, in_plan(tree.at)) / 8;
+    EXPECT_LT(std::abs(row - std::round(row)), 0.06);
+    EXPECT_GE(clearance_m(map_surfaces(scene.surfaces, kAll), in_plan(tree.at), 50, 4), kTrunkClearance_m);
+  }
+  EXPECT_EQ(joined(scene.in({{-256, -256}, {11, 256}})).size() + joined(scene.in({{11, -256}, {256, 256}})).size(),
+            trees.size());
+}
+
+TEST(ExpandBlades, AreNoMoreThanTheLimit) {
+  Scene scene;
+  scene.surfaces[0].surface = SurfaceClass::kFarmland;
+  scene.plantings = {{scene.surfaces[0].id, stock_of(Species::kWheat), 64, 0.5, 0.375, 0.875}};
+  EXPECT_TRUE(joined(scene.in(kAll)).size() == joined(Scene{}.in(kAll)).size());
+  const ground::SurfaceMap map = map_surfaces(scene.surfaces, kAll.widened(kReach_m));
+  const ground::Carving ground(scene.heights());
+  const Placed blades = expand_blades(scene.plantings, {map, ground, kAll, 7, kLatitude_deg});
+  const double most = kMostBladesPerKm2 * 0.512 * 0.512;
+  EXPECT_LT(static_cast<double>(joined(blades).size()), 1.05 * most);
+  EXPECT_GT(static_cast<double>(joined(blades).size()), 0.85 * most);
+}
+
+TEST(AddHedge, PutsPiecesAsLongAsHighAlongTheLine) {
+  const Scene scene;
+  const ground::SurfaceMap map = map_surfaces(scene.surfaces, kAll.widened(kReach_m));
+  const ground::Carving ground(scene.heights());
+  Placed placed;
+  const Polyline axis = {{-200, 100}, {-188, 100}, {-188, 91}};
+  add_hedge({axis, 1.5, {OsmType::kWay, 6}}, {map, ground, kAll, 7, kLatitude_deg}, placed);
+  ASSERT_EQ(count_of(placed, Species::kHedge), 14u);
+  for (const Placement& piece : joined(placed)) {
+    EXPECT_EQ(piece.scale, 1.5);
+    const bool is_on_first = std::abs(piece.at.y - 100) < 0.01;
+    EXPECT_NEAR(std::abs(is_on_first ? piece.cos_yaw : piece.sin_yaw), 1, 0.01);
+  }
 }
 
 TEST(Expand, DropsSingleTreesOnRoadsBuildingsAndWaterAndBalances) {
   Report report;
-  const auto tree = [](std::int64_t id, Vec2 at) { return Tree{{{OsmType::kNode, id}, 0}, at, 11, Species::kOak}; };
+  const auto tree = [](std::int64_t id, Vec2 at) {
+    return Tree{{{OsmType::kNode, id}, 0}, at, 11, stock_of(Species::kOak)};
+  };
   const std::vector<Tree> trees = {tree(1, {0, 0}), tree(2, {100, 80}), tree(3, {-90, 60}), tree(4, {-290, 20}),
                                    tree(5, {10, 10})};
   const auto broad = joined(placed_in({{-256, -64}, {256, 256}}, 0, report, trees));
@@ -163,20 +333,6 @@ TEST(Expand, StandsTreesOnTheGroundOnTheGrid) {
     EXPECT_NEAR(tree.cos_yaw * tree.cos_yaw + tree.sin_yaw * tree.sin_yaw, 1, 1e-12);
     EXPECT_LE(tree.scale, kTallestTree_m);
   }
-}
-
-TEST(Plan, KeepsEveryTreeAndFindsTheWoods) {
-  map::Features features;
-  features.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, true},
-                     {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench, 0, false}};
-  Report report;
-  const Plants plants = plan(features, wooded(), report);
-  ASSERT_EQ(plants.trees.size(), 1u);
-  EXPECT_EQ(plants.trees[0].species, Species::kSpruce);
-  ASSERT_EQ(plants.woods.size(), 1u);
-  EXPECT_EQ(plants.woods[0].surface, (ObjectId{{OsmType::kWay, 1}, 0}));
-  EXPECT_EQ(report.ledger().at("plants/tree").out, 1u);
-  EXPECT_TRUE(report.balances());
 }
 
 }  // namespace

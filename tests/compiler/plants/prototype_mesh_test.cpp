@@ -1,144 +1,168 @@
+#include "compiler/plants/prototype_mesh.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
-#include "compiler/geometry/snap.h"
-#include "compiler/plants/expand.h"
+#include "compiler/plants/crown_hull.h"
+#include "compiler/plants/leaf_clusters.h"
+#include "compiler/plants/sprays.h"
 
 namespace citykiln::plants {
 namespace {
 
-constexpr Prototype kAll[] = {{Species::kLime, 0}, {Species::kSpruce, 0}};
+using materials::Coloured;
 
-// Tolerances that ask for each detail of a tree 1 m tall, full first.
-constexpr double kDetails[] = {0.001, 0.08, 0.5};
-
-using Corners = std::array<Vec3, 3>;
-
-// Ericson, "Real-Time Collision Detection", 5.1.5.
-Vec3 nearest_on(const Corners& t, Vec3 p) {
-  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0], bp = p - t[1], cp = p - t[2];
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
-               d6 = dot(ac, cp);
-  if (d1 <= 0 && d2 <= 0) return t[0];
-  if (d3 >= 0 && d4 <= d3) return t[1];
-  if (d6 >= 0 && d5 <= d6) return t[2];
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return t[0] + ab * (d1 / (d1 - d3));
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return t[0] + ac * (d2 / (d2 - d6));
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return t[1] + (t[2] - t[1]) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  return t[0] + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc));
+const Nursery& nursery() {
+  static const Nursery nursery(shipped_species());
+  return nursery;
 }
 
-std::vector<Corners> triangles_of(const PrototypeMesh& tree) {
-  std::vector<Corners> all;
-  for (const auto& dressed : tree.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles)
-      all.push_back({dressed.mesh.positions[a], dressed.mesh.positions[b], dressed.mesh.positions[c]});
+std::vector<Species> all_species() {
+  std::vector<Species> all;
+  for (const SpeciesText& text : shipped_species())
+    for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
+      if (values_of(static_cast<Species>(s)).file == text.name) all.push_back(static_cast<Species>(s));
   return all;
 }
 
-// No point of the piece is farther from the shape: the distance to one triangle is convex, so its corners tell. Cut in
-// four `times` times for a closer bound.
-double bound_on(const Corners& piece, const std::vector<Corners>& shape, int times) {
-  if (times > 0) {
-    const Vec3 ab = (piece[0] + piece[1]) * 0.5, bc = (piece[1] + piece[2]) * 0.5, ca = (piece[2] + piece[0]) * 0.5;
-    return std::max({bound_on({piece[0], ab, ca}, shape, times - 1), bound_on({ab, piece[1], bc}, shape, times - 1),
-                     bound_on({ca, bc, piece[2]}, shape, times - 1), bound_on({ab, bc, ca}, shape, times - 1)});
-  }
-  double best = 10;
-  for (const Corners& t : shape) {
-    double worst = 0;
-    for (const Vec3 p : piece) worst = std::max(worst, length(p - nearest_on(t, p)));
-    best = std::min(best, worst);
-  }
-  return best;
+PrototypeMesh mesh_of(Species species, double tolerance_m) {
+  return prototype_mesh(nursery().grown({species, 0}), species, values_of(species).tallest_m, tolerance_m);
 }
 
-double bound_on(const std::vector<Corners>& from, const std::vector<Corners>& to) {
-  double worst = 0;
-  for (const Corners& piece : from) worst = std::max(worst, bound_on(piece, to, 2));
-  return worst;
+std::size_t triangles_of(const PrototypeMesh& plant) {
+  std::size_t sum = 0;
+  for (const auto& dressed : plant.meshes) sum += dressed.mesh.triangles.size();
+  return sum;
 }
 
-TEST(PrototypeMesh, DeviatesByNoMoreThanItsError) {
-  for (const Prototype prototype : kAll) {
-    const auto full = triangles_of(prototype_mesh(prototype, 1, kDetails[0]));
-    for (const double tolerance : {kDetails[1], kDetails[2]}) {
-      const PrototypeMesh cut = prototype_mesh(prototype, 1, tolerance);
-      const double there = bound_on(full, triangles_of(cut)), back = bound_on(triangles_of(cut), full);
-      EXPECT_LE(std::max(there, back), cut.error_per_m) << there << " there, " << back << " back";
-      EXPECT_LE(cut.error_per_m, tolerance);
-    }
-  }
+double area_of(const std::vector<Card>& cards) {
+  double sum = 0;
+  for (const Card& card : cards) sum += area_of(card);
+  return sum;
 }
 
-TEST(PrototypeMesh, TakesFewerTrianglesTheCoarserItMayBe) {
-  for (const Prototype prototype : kAll) {
-    std::vector<std::size_t> counts;
-    for (const double tolerance : kDetails)
-      counts.push_back(triangles_of(prototype_mesh(prototype, 1, tolerance)).size());
-    EXPECT_GE(counts[0], 100u);
-    EXPECT_LE(counts[0], 350u);
-    EXPECT_GE(counts[0], 2 * counts[1]);
-    EXPECT_GE(counts[1], 2 * counts[2]);
+class EachPlant : public testing::TestWithParam<Species> {};
+
+TEST_P(EachPlant, HasLeaves) {
+  const Grown& grown = nursery().grown({GetParam(), 0});
+  EXPECT_GT(grown.foliage.cards.size(), 10u);
+  EXPECT_GT(grown.height_m, 0);
+}
+
+TEST_P(EachPlant, IsAMetreTallAndStandsOnTheGround) {
+  for (const double share : {0.001, 0.02, 0.1}) {
+    double low = 1, high = 0;
+    for (const auto& dressed : mesh_of(GetParam(), share * values_of(GetParam()).tallest_m).meshes)
+      for (const Vec3 p : dressed.mesh.positions) low = std::min(low, p.z), high = std::max(high, p.z);
+    EXPECT_NEAR(high, 1, 0.03 + share) << share;
+    EXPECT_NEAR(low, 0, 0.06 + share) << share;
   }
 }
 
-TEST(PrototypeMesh, KeepsTheTallestTreeWithinEachLevelOfTheLadder) {
-  for (const Prototype prototype : kAll)
-    for (const double tolerance : kDefaultLadder_m) {
-      const PrototypeMesh tree = prototype_mesh(prototype, kTallestTree_m, tolerance);
-      EXPECT_FALSE(tree.meshes.empty());
-      EXPECT_LE(tree.error_per_m * kTallestTree_m, tolerance);
-    }
-  // 2.5 m is where cutting begins to pay
-  EXPECT_GT(prototype_mesh(kAll[0], kTallestTree_m, 2.5).error_per_m, 0);
-}
-
-TEST(PrototypeMesh, DropsTreesLowerThanTheTolerance) {
-  const PrototypeMesh dropped = prototype_mesh(kAll[0], 10, 12.5);
-  EXPECT_TRUE(dropped.meshes.empty());
-  EXPECT_EQ(dropped.error_per_m, 1);
-}
-
-TEST(PrototypeMesh, IsOneMetreTallOnItsFootAndOnTheGrid) {
-  for (const Prototype prototype : kAll) {
-    double top = 0;
-    for (const auto& dressed : prototype_mesh(prototype, 1, kDetails[0]).meshes) {
-      ASSERT_EQ(dressed.mesh.normals.size(), dressed.mesh.positions.size());
-      for (const Vec3 n : dressed.mesh.normals) EXPECT_NEAR(length(n), 1, 1e-12);
-      for (const Vec3 p : dressed.mesh.positions) {
-        EXPECT_EQ(p, snapped(p));
-        EXPECT_LT(length(in_plan(p)), 0.45);
-        top = std::max(top, p.z);
-      }
-    }
-    EXPECT_NEAR(top, 1, 0.04);
+TEST_P(EachPlant, HasTheErrorItStates) {
+  const double tallest_m = values_of(GetParam()).tallest_m;
+  for (const double share : {0.0005, 0.002, 0.01, 0.03}) {
+    const PrototypeMesh plant = mesh_of(GetParam(), share * tallest_m);
+    // sharp bends of stems may exceed it, and say so
+    EXPECT_LE(plant.error_per_m, share * 2.5) << share;
   }
 }
 
-TEST(PrototypeMesh, ClosesItsCrowns) {
-  for (const Prototype prototype : kAll)
-    for (const double tolerance : kDetails) {
-      const PrototypeMesh tree = prototype_mesh(prototype, 1, tolerance);
-      const Mesh& crown = tree.meshes[1].mesh;
-      std::map<std::pair<Vec3, Vec3>, int> open;
-      double six = 0;
-      for (const Triangle& t : crown.triangles) {
-        six += dot(crown.positions[t[0]], cross(crown.positions[t[1]], crown.positions[t[2]]));
-        for (int i = 0; i < 3; ++i) {
-          const Vec3 a = crown.positions[t[i]], b = crown.positions[t[(i + 1) % 3]];
-          if (a < b)
-            ++open[{a, b}];
-          else
-            --open[{b, a}];
+TEST_P(EachPlant, GetsNoLargerWithTheTolerance) {
+  std::size_t last = triangles_of(mesh_of(GetParam(), 0.0005 * values_of(GetParam()).tallest_m));
+  for (const double share : {0.002, 0.01, 0.03, 0.1, 0.5}) {
+    const std::size_t now = triangles_of(mesh_of(GetParam(), share * values_of(GetParam()).tallest_m));
+    EXPECT_LE(now, std::max<std::size_t>(last, 40)) << share;
+    last = now;
+  }
+}
+
+TEST_P(EachPlant, LooksTheSameTwice) {
+  const Grown again =
+      grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name), {GetParam(), 3});
+  EXPECT_EQ(again.skeleton.segments.size(), nursery().grown({GetParam(), 3}).skeleton.segments.size());
+  const double tolerance_m = 0.1 * values_of(GetParam()).tallest_m;
+  const PrototypeMesh a = prototype_mesh(again, GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
+  const PrototypeMesh b =
+      prototype_mesh(nursery().grown({GetParam(), 3}), GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
+  EXPECT_EQ(a.cutout, b.cutout);
+}
+
+// every place of each card, sampled, against all of the others
+TEST_P(EachPlant, ClustersKeepTheirDistanceAreaAndSide) {
+  const Foliage& foliage = nursery().grown({GetParam(), 0}).foliage;
+  const double tolerance_m = 0.02 * values_of(GetParam()).height_m;
+  const Clusters clusters = cluster(foliage, tolerance_m);
+  EXPECT_LE(clusters.error_m, tolerance_m);
+  EXPECT_LE(clusters.cards.size(), foliage.cards.size());
+  EXPECT_NEAR(area_of(clusters.cards) / area_of(foliage.cards), 1, 0.2);
+  const auto worst = [](const std::vector<Card>& from, const std::vector<Card>& to) {
+    double farthest = 0;
+    for (std::size_t i = 0; i < from.size(); i += from.size() / 60 + 1)
+      for (const double u : {0.0, 0.5, 1.0})
+        for (const double v : {0.0, 0.5, 1.0}) {
+          const Vec3 p = from[i].corner + from[i].across * u + from[i].along * v;
+          double nearest = 1e300;
+          for (const Card& card : to) nearest = std::min(nearest, distance(card, p));
+          farthest = std::max(farthest, nearest);
         }
-      }
-      EXPECT_GT(six, 0);
-      for (const auto& [edge, count] : open) EXPECT_EQ(count, 0);
+    return farthest;
+  };
+  EXPECT_LE(worst(foliage.cards, clusters.cards), clusters.error_m + 1e-9);
+  EXPECT_LE(worst(clusters.cards, foliage.cards), clusters.error_m + 1e-9);
+}
+
+TEST_P(EachPlant, IsCardsFromAfarWhichAreNeitherEmptyNorFull) {
+  const PrototypeMesh plant = mesh_of(GetParam(), 0.1 * values_of(GetParam()).tallest_m);
+  ASSERT_EQ(plant.meshes.size(), 1u);
+  EXPECT_EQ(plant.meshes[0].coloured, Coloured::kByCutout);
+  EXPECT_LE(plant.meshes[0].mesh.triangles.size(), 16u);
+  const auto there = std::ranges::count_if(plant.cutout.opacity, [](std::uint8_t o) { return o >= imprint::kCutoff; });
+  const double share = static_cast<double>(there) / static_cast<double>(plant.cutout.opacity.size());
+  EXPECT_GT(share, 0.02);
+  EXPECT_LT(share, 0.9);
+}
+
+TEST_P(EachPlant, IsAClosedBodyFromVeryFar) {
+  const CrownHull hull = crown_hull(nursery().grown({GetParam(), 0}).foliage);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Triangle& t : hull.mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++sides[{t[i], t[(i + 1) % 3]}];
+      --sides[{t[(i + 1) % 3], t[i]}];
     }
+  for (const auto& [side, count] : sides) EXPECT_EQ(count, 0);
+  double volume = 0;
+  for (const Triangle& t : hull.mesh.triangles)
+    volume += dot(hull.mesh.positions[t[0]], cross(hull.mesh.positions[t[1]], hull.mesh.positions[t[2]])) / 6;
+  EXPECT_GT(volume, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, EachPlant, testing::ValuesIn(all_species()),
+                         [](const auto& info) { return std::string(values_of(info.param).file); });
+
+TEST(PrototypeMesh, IsDroppedWhereThePlantIsLowerThanTheTolerance) {
+  const PrototypeMesh plant = mesh_of(Species::kBush, 12.5);
+  EXPECT_TRUE(plant.meshes.empty());
+  EXPECT_EQ(plant.error_per_m, 1);
+}
+
+TEST(PrototypeMesh, OfATextThatCannotBeReadIsNothing) {
+  const Grown grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
+  EXPECT_TRUE(prototype_mesh(grown, Species::kOak, 20, 0.1).meshes.empty());
+}
+
+TEST(Sprays, CoverAPartOfTheirCard) {
+  for (const char* name : {"oak_leaf", "spruce_needles", "willow_leaf", "palm", ""}) {
+    const imprint::Picture picture = picture_of_spray(name, materials::Material::kBroadLeaf);
+    std::uint64_t shown = 0;
+    for (const imprint::Texel& texel : picture.texels) shown += texel.shown;
+    const double share =
+        static_cast<double>(shown) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
+    EXPECT_GT(share, 0.2) << name;
+  }
 }
 
 }  // namespace

@@ -112,10 +112,10 @@ TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
   map::Features f;
   f.barriers = {{{{OsmType::kWay, 9}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kHedge, 1.5, 0.75},
                 {{{OsmType::kWay, 2}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kWall, 1.5, 0.75}};
-  f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree, 0, false},
-              {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench, 0, false},
-              {{{OsmType::kNode, 3}, 0}, {5, 4}, map::PointKind::kStreetLamp, 0, false},
-              {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9, false}};
+  f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
+              {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench},
+              {{{OsmType::kNode, 3}, 0}, {5, 4}, map::PointKind::kStreetLamp},
+              {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9}};
   Report report;
   const Props props = plan(f, report);
   ASSERT_EQ(props.barriers.size(), 2u);

@@ -1,0 +1,49 @@
+// The plants' shapes, each made once a run, when the first tile asks for it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+
+#include "compiler/bake/baked.h"
+#include "compiler/plants/nursery.h"
+#include "compiler/plants/prototype_mesh.h"
+
+namespace citykiln::bake {
+
+/// Shapes are of plants so tall that packed places, on a grid of 2^-10 m, tell a twig; a power of two, so that scales
+/// stay exact.
+inline constexpr double kShape_m = 32;
+
+/// What stands in many places, of a plant kShape_m tall.
+struct PlantShape {
+  std::vector<Primitive> primitives;  ///< Empty: the tolerance drops it.
+  imprint::Cutout cutout;
+  double error_per_m = 0;
+};
+
+/// From any thread. Logically const: a shape is a function of the header's texts and what is asked for. Memory: what
+/// has been asked for; at 0.02 m some 2 MB a shape.
+class Grove {
+ public:
+  explicit Grove(const scene::Header& header) : nursery_(header.species) {}
+
+  /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
+  const PlantShape& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;
+
+ private:
+  using Key = std::tuple<plants::Prototype, double, double>;
+  struct Slot {
+    std::once_flag once;
+    PlantShape shape;
+  };
+
+  Slot& slot(const Key& key) const;
+
+  plants::Nursery nursery_;
+  mutable std::mutex mutex_;
+  mutable std::map<Key, Slot> slots_;
+};
+
+}  // namespace citykiln::bake

@@ -1,0 +1,66 @@
+#include "compiler/map/plant_tags.h"
+
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+namespace {
+
+// The most exact first; names in a language where the Latin one tells nothing.
+constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",      "genus:de", "species:de",
+                                           "taxon:de",   "genus:en", "species:en", "taxon:en", "genus:fr",
+                                           "species:fr", "genus:es", "species:es", "genus:ca", "species:ca",
+                                           "trees",      "crop",     "produce"};
+
+constexpr double kTallest_m = 130, kWidest_m = 60, kThickest_m = 40;
+
+PlantKind tagged_kind(const Reading& reading, source::Range tags) {
+  for (const std::string_view key : kTaxonKeys)
+    if (const std::string_view text = reading.tag(tags, key); !text.empty())
+      if (const PlantKind kind = kind_named(text); kind != PlantKind::kUntold) return kind;
+  return PlantKind::kUntold;
+}
+
+LeafType leaves_named(std::string_view word) {
+  if (word == "broadleaved" || word == "deciduous" || word == "broad_leaved") return LeafType::kBroad;
+  if (word == "needleleaved" || word == "coniferous" || word == "conifer" || word == "evergreen")
+    return LeafType::kNeedle;
+  if (word == "palm") return LeafType::kPalm;
+  return word == "mixed" ? LeafType::kMixed : LeafType::kUntold;
+}
+
+LeafType tagged_leaves(const Reading& reading, source::Range tags) {
+  for (const std::string_view key : {"leaf_type", "wood", "type", "leaf_cycle"})
+    if (const LeafType leaves = leaves_named(reading.tag(tags, key)); leaves != LeafType::kUntold) return leaves;
+  return LeafType::kUntold;
+}
+
+// In metres; larger numbers without a unit are centimetres.
+double girth_m_of(const Reading& reading, OsmId id, source::Range tags) {
+  const double girth_m = tagged_length_m(reading, id, tags, "circumference", 0.05, 1000).value_or(0);
+  return girth_m > kThickest_m / 2 ? girth_m / 100 : girth_m;
+}
+
+}  // namespace
+
+Growth tagged_growth(const Reading& reading, OsmId id, source::Range tags) {
+  Growth growth{tagged_kind(reading, tags), tagged_leaves(reading, tags)};
+  growth.crown_m = tagged_length_m(reading, id, tags, "diameter_crown", 0.2, kWidest_m).value_or(0);
+  growth.girth_m = girth_m_of(reading, id, tags);
+  growth.year = year_of(reading.tag(tags, "start_date")).value_or(0);
+  return growth;
+}
+
+double tagged_plant_height_m(const Reading& reading, OsmId id, source::Range tags) {
+  const auto height_m = tagged_length_m(reading, id, tags, "height", 0.1, kTallest_m);
+  return height_m ? *height_m : tagged_length_m(reading, id, tags, "est_height", 0.1, kTallest_m).value_or(0);
+}
+
+TreeSides tree_sides_of(std::string_view tree_lined) {
+  if (tree_lined == "left") return TreeSides::kLeft;
+  if (tree_lined == "right") return TreeSides::kRight;
+  // trees that are mapped apart are there already
+  const bool is_both = tree_lined == "both" || tree_lined == "yes" || tree_lined == "avenue";
+  return is_both ? TreeSides::kBoth : TreeSides::kNone;
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,118 @@
+#include "compiler/plants/crown_hull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/geometry/trig.h"
+
+namespace citykiln::plants {
+namespace {
+
+constexpr int kSides = 6, kBands = 3, kPieces = 4;
+// Of a band's leaves, so many reach no farther than its ring; twigs that stand out do not widen it.
+constexpr double kWithin = 0.7;
+// Every so many-th card is enough to bound the hull's distance from all.
+constexpr std::size_t kMostAsked = 400;
+
+struct Ring {
+  double height = 0, radius = 0;
+};
+
+double radius_of(std::vector<double>& reaches) {
+  if (reaches.empty()) return 0;
+  const auto at = static_cast<std::size_t>(kWithin * static_cast<double>(reaches.size() - 1));
+  std::ranges::nth_element(reaches, reaches.begin() + static_cast<std::ptrdiff_t>(at));
+  return reaches[at];
+}
+
+// From the crown's foot to its top: both drawn in.
+std::vector<Ring> rings_of(const Foliage& foliage) {
+  const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
+  const double foot = low.centre().z, top = high.centre().z;
+  std::array<std::vector<double>, kBands> reaches;
+  for (const Card& card : foliage.cards) {
+    const double share = (card.centre().z - foot) / std::max(1e-9, top - foot);
+    reaches[static_cast<std::size_t>(std::clamp(static_cast<int>(share * kBands), 0, kBands - 1))].push_back(
+        length(in_plan(card.centre())));
+  }
+  std::vector<Ring> rings;
+  for (int b = 0; b < kBands; ++b)
+    rings.push_back({foot + (top - foot) * (b + 0.5) / kBands, radius_of(reaches[static_cast<std::size_t>(b)])});
+  return rings;
+}
+
+Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
+  Mesh mesh;
+  const auto n = static_cast<std::uint32_t>(kSides);
+  const auto push = [&](Vec3 at) { mesh.positions.push_back(at); };
+  push({0, 0, foot});
+  for (const Ring& ring : rings)
+    for (int i = 0; i < kSides; ++i) push(at_height(direction_of(i / double{kSides}) * ring.radius, ring.height));
+  push({0, 0, top});
+  const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.triangles.push_back({0, 1 + j, 1 + i});
+    for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
+      const std::uint32_t a = 1 + r * n + i, b = 1 + r * n + j;
+      mesh.triangles.push_back({a, b, b + n});
+      mesh.triangles.push_back({a, b + n, a + n});
+    }
+    mesh.triangles.push_back({last, last - n + i, last - n + j});
+  }
+  const Vec3 heart{0, 0, foot + 0.4 * (top - foot)};
+  for (const Vec3 p : mesh.positions) mesh.normals.push_back(unit(p - heart));
+  return mesh;
+}
+
+// Corners of the pieces that triangles are cut into.
+std::vector<Vec3> places_on(const Mesh& mesh) {
+  std::vector<Vec3> places;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 corner = mesh.positions[a], u = mesh.positions[b] - corner, v = mesh.positions[c] - corner;
+    for (int i = 0; i <= kPieces; ++i)
+      for (int j = 0; i + j <= kPieces; ++j)
+        places.push_back(corner + u * (i / double{kPieces}) + v * (j / double{kPieces}));
+  }
+  return places;
+}
+
+// From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
+// than a piece's side over √3.
+double error_m_of(const Mesh& mesh, const Foliage& foliage) {
+  const std::size_t step = foliage.cards.size() / kMostAsked + 1;
+  const std::vector<Vec3> places = places_on(mesh);
+  double there = length(mesh.positions.front()), back = 0, longest = 0;
+  for (const Card& card : foliage.cards)
+    for (const Vec3 corner : corners_of(card)) {
+      double nearest = 1e300;
+      for (const Vec3 p : places) nearest = std::min(nearest, length(p - corner));
+      there = std::max(there, nearest);
+    }
+  for (const Vec3 p : places) {
+    double nearest = 1e300;
+    for (std::size_t i = 0; i < foliage.cards.size(); i += step)
+      nearest = std::min(nearest, distance(foliage.cards[i], p));
+    back = std::max(back, nearest);
+  }
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, length(mesh.positions[t[i]] - mesh.positions[t[(i + 1) % 3]]));
+  return std::max(there, back + longest / kPieces / std::sqrt(3.0));
+}
+
+}  // namespace
+
+CrownHull crown_hull(const Foliage& foliage) {
+  CrownHull hull;
+  if (foliage.cards.empty()) return hull;
+  const auto [low, high] = std::ranges::minmax(foliage.cards, {}, [](const Card& c) { return c.centre().z; });
+  const double foot = low.centre().z, top = high.centre().z;
+  // not far above the ground, so that the trunk has something near
+  hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
+  hull.error_m = error_m_of(hull.mesh, foliage);
+  return hull;
+}
+
+}  // namespace citykiln::plants

@@ -1,0 +1,20 @@
+// A plant from very far: a closed body of a few triangles, turned about the trunk to the crown's outline.
+#pragma once
+
+#include <span>
+
+#include "compiler/geometry/mesh.h"
+#include "compiler/plants/foliage.h"
+
+namespace citykiln::plants {
+
+struct CrownHull {
+  Mesh mesh;
+  double error_m = 0;  ///< Hausdorff, both ways, to the cards and the trunk's foot; bounded by pieces.
+};
+
+/// Rings of six at shares of the crown's height, each as wide as most of the leaves there reach.
+/// Total: no cards give no mesh.
+CrownHull crown_hull(const Foliage& foliage);
+
+}  // namespace citykiln::plants

@@ -1,0 +1,10 @@
+# Writes lsystems/species as a C++ table: cmake -DSPECIES=<folder> -DOUT=<file> -P shipped_species.cmake
+file(GLOB files RELATIVE ${SPECIES} ${SPECIES}/*.lsys)
+list(SORT files COMPARE STRING)
+set(rows "")
+foreach(name ${files})
+  file(READ ${SPECIES}/${name} text)
+  string(REGEX REPLACE "\\.lsys$" "" species ${name})
+  string(APPEND rows "{\"${species}\", R\"species(${text})species\"},\n")
+endforeach()
+file(WRITE ${OUT} "${rows}")

@@ -1,0 +1,23 @@
+// Sprays: a twig's leaves as one flat picture, which cards of leaves are cut out by.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "compiler/imprint/picture.h"
+#include "compiler/materials/material.h"
+
+namespace citykiln::plants {
+
+/// Texels along a spray; it is as long as 1.
+inline constexpr std::uint32_t kSprayTexels = 64;
+inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
+
+/// Width of a spray that is as long as 1; 1 where nothing of the name is known.
+double width_of_spray(std::string_view name);
+
+/// Leaves left and right of a twig, the tip on top, in three shades of grey: cards' tints colour them. What has no name
+/// is opaque all over; what is not known is a round fruit. A function of its arguments alone.
+imprint::Picture picture_of_spray(std::string_view name, materials::Material material);
+
+}  // namespace citykiln::plants

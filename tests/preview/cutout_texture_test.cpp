@@ -1,0 +1,64 @@
+// Rays pass where a cutout has nothing; leaves are lit through.
+#include "preview/cutout_texture.h"
+
+#include <gtest/gtest.h>
+
+#include "preview/shade.h"
+#include "preview/world.h"
+#include "tests/preview/solids.h"
+
+namespace citykiln::preview {
+namespace {
+
+// A square of 2 m upright over the origin, of which the left half is there.
+bake::BakedTile half_leaf() {
+  bake::Primitive leaf{materials::Material::kBroadLeaf, {}, {}, {}, {}, {}};
+  add_quad(leaf, {-1, 0, 0}, {1, 0, 0}, {1, 0, 2}, {-1, 0, 2});
+  leaf.features.clear();
+  leaf.uvs = {{0, 2}, {2, 2}, {2, 0}, {0, 0}};
+  leaf.coloured = materials::Coloured::kByCutout;
+  bake::BakedTile tile;
+  tile.features = {OsmId{}};
+  tile.instanced = {{"leaf", {leaf}, {{0, 0, 0}}, {{0, 0, 0, 1}}, {1}, {0}}};
+  imprint::Cutout& cutout = tile.instanced[0].cutout;
+  cutout.colour = {1, 2, 2, std::vector<materials::Sheet::Texel>(4, {255, 0, 0})};
+  cutout.opacity = {255, 0, 255, 0};
+  return tile;
+}
+
+TEST(CutoutTexture, IsThereOnOneSideOfTheMiddle) {
+  const bake::BakedTile tile = half_leaf();
+  const CutoutTexture texture(tile.instanced[0].cutout);
+  EXPECT_TRUE(texture.is_there({0.6, 1}));
+  EXPECT_FALSE(texture.is_there({1.2, 1}));
+  EXPECT_FALSE(texture.is_there({-40, 1}));
+}
+
+TEST(CutoutTexture, LetsRaysAndShadowsThrough) {
+  const bake::BakedTile tile = half_leaf();
+  const World world(std::span(&tile, 1), {});
+  const auto hit = world.first_hit({-0.5, -5, 1}, {0, 1, 0});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->albedo[0], 1, 1e-3);
+  EXPECT_NEAR(hit->albedo[1], 0, 1e-3);
+  EXPECT_GT(hit->translucency, 0);
+  EXPECT_FALSE(world.first_hit({0.5, -5, 1}, {0, 1, 0}));
+  EXPECT_TRUE(world.is_blocked({-0.5, -5, 1}, {0, 1, 0}));
+  EXPECT_FALSE(world.is_blocked({0.5, -5, 1}, {0, 1, 0}));
+}
+
+// The map's normal leans along u, east; from either side it is east.
+TEST(CutoutTexture, KeepsItsNormalsSeenFromBehind) {
+  bake::BakedTile tile = half_leaf();
+  tile.instanced[0].cutout.normal = {2, 1, 1, {{218, 128, 218}}};
+  const World world(std::span(&tile, 1), {});
+  const auto before = world.first_hit({-0.5, -5, 1}, {0, 1, 0}), behind = world.first_hit({-0.5, 5, 1}, {0, -1, 0});
+  ASSERT_TRUE(before && behind);
+  EXPECT_NEAR(before->shading_normal.x, std::sqrt(0.5), 0.02);
+  EXPECT_NEAR(behind->shading_normal.x, std::sqrt(0.5), 0.02);
+  EXPECT_NEAR(before->shading_normal.y, -std::sqrt(0.5), 0.02);
+  EXPECT_NEAR(behind->shading_normal.y, std::sqrt(0.5), 0.02);
+}
+
+}  // namespace
+}  // namespace citykiln::preview
