@@ -113,7 +113,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
-  header->species = plants::species_for(recipes.plants.trees, recipes.plants.woods);
+  header->species = plants::species_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }

@@ -12,12 +12,20 @@ std::span<const SpeciesText> shipped_species() {
   return texts;
 }
 
-std::vector<SpeciesText> species_for(std::span<const Tree> trees, std::span<const Wood> woods) {
-  std::set<std::string_view> names;
-  for (const Tree& tree : trees) names.insert(values_of(tree.species).file);
+std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges) {
+  std::set<Species> drawn;
+  const auto add_all = [&](const auto& recipes) {
+    for (const auto& recipe : recipes)
+      for (const Species species : all_of(recipe.stock)) drawn.insert(species);
+  };
+  add_all(plants.trees), add_all(plants.woods), add_all(plants.plantings), add_all(plants.rows);
+  // at the rims of forests
+  if (!plants.woods.empty()) drawn.insert(Species::kBush);
+  if (has_hedges) drawn.insert(Species::kHedge);
   std::vector<SpeciesText> texts;
   for (const SpeciesText& text : shipped_species())
-    if (!woods.empty() || names.contains(text.name)) texts.push_back(text);
+    if (std::ranges::any_of(drawn, [&](Species species) { return values_of(species).file == text.name; }))
+      texts.push_back(text);
   return texts;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/plants/recipe.h"
+#include "compiler/plants/plan.h"
 
 namespace citykiln::plants {
 
@@ -19,8 +19,7 @@ struct SpeciesText {
 /// What citykiln ships: lsystems/species, built in. Sorted by name.
 std::span<const SpeciesText> shipped_species();
 
-/// The files of what may stand in a scene, sorted by name: of the trees' species, and, where there are woods, which
-/// draw theirs when they are fired, all.
-std::vector<SpeciesText> species_for(std::span<const Tree> trees, std::span<const Wood> woods);
+/// The files of all that may be drawn in a scene, sorted by name.
+std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants

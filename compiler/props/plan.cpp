@@ -29,4 +29,8 @@ Props plan(const map::Features& features, Report& report) {
   return props;
 }
 
+bool has_hedges(const Props& props) {
+  return std::ranges::any_of(props.barriers, [](const Barrier& b) { return b.kind == map::BarrierKind::kHedge; });
+}
+
 }  // namespace citykiln::props

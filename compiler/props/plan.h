@@ -13,6 +13,8 @@ struct Props {
   std::vector<Lamp> lamps;        ///< Sorted by id.
 };
 
+bool has_hedges(const Props& props);
+
 /// Ledger "props/barrier", "props/point" (points that are not yet modelled are dropped with a code). Total.
 Props plan(const map::Features& features, Report& report);
 
