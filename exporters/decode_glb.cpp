@@ -319,21 +319,26 @@ void read_cutouts(Source& source, std::size_t first, std::span<const std::option
 }
 
 bool are_one_size(const imprint::Atlas& atlas) {
-  const auto& [colour, surface] = atlas;
-  return colour.columns == surface.columns && colour.rows == surface.rows && colour.texel_m == surface.texel_m;
+  const auto& [colour, surface, emission] = atlas;
+  const auto is_as_large = [&](const materials::Sheet& other) {
+    return colour.columns == other.columns && colour.rows == other.rows && colour.texel_m == other.texel_m;
+  };
+  return is_as_large(surface) && (emission.texels.empty() || is_as_large(emission));
 }
 
-// The sheet, if any, the atlas's two, if any, then colours and normals of materials, then cutouts.
+// The sheet, if any, the atlas's two or three, if any, then colours and normals of materials, then cutouts.
 void read_pictures(Source& source, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
-  const std::pair<const char*, materials::Sheet*> sheets[] = {
-      {"sheet", &tile.sheet}, {"imprints", &tile.imprints.colour}, {"imprintsSurface", &tile.imprints.surface}};
+  const std::pair<const char*, materials::Sheet*> sheets[] = {{"sheet", &tile.sheet},
+                                                              {"imprints", &tile.imprints.colour},
+                                                              {"imprintsSurface", &tile.imprints.surface},
+                                                              {"imprintsEmission", &tile.imprints.emission}};
   const auto& images = source.model.images;
   std::size_t i = 0;
   for (const auto& [name, place] : sheets)
     if (i < images.size() && images[i].name == name) *place = picture_of(source, images[i++]);
   for (; i < images.size() && images[i].name != "cutout"; ++i) read_texture(source, images[i], tile.textures);
   read_cutouts(source, i, cutouts, tile);
-  expect(are_one_size(tile.imprints), "an atlas of two pictures of one size");
+  expect(are_one_size(tile.imprints), "an atlas whose pictures are of one size");
 }
 
 Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {

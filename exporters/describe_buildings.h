@@ -31,11 +31,11 @@ void describe(auto& io, roofs::RoofShape& roof) {
 }
 
 void describe(auto& io, buildings::Front& f) {
-  auto number = static_cast<std::uint16_t>(2 * f.buried_storeys + (f.faces_street ? 1 : 0));
+  auto number = 512u * f.doors + 2u * f.buried_storeys + (f.faces_street ? 1 : 0);
   io.number("front", number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (number > 511) io.fail("front");
-  f = {(number & 1) != 0, static_cast<std::uint8_t>(number / 2)};
+    if (number >> 9 > 0xffff) io.fail("front");
+  f = {(number & 1) != 0, static_cast<std::uint8_t>(number / 2 & 0xff), static_cast<std::uint16_t>(number >> 9)};
 }
 
 void describe(auto& io, buildings::PartyWall& w, std::size_t edges) {

@@ -149,7 +149,8 @@ int picture_number(const Filling& f, const materials::Sheet* picture) {
     number += other.texels.empty() ? 0 : 1;
     return false;
   };
-  if (is_it(tile.sheet) || is_it(tile.imprints.colour) || is_it(tile.imprints.surface)) return number;
+  if (is_it(tile.sheet) || is_it(tile.imprints.colour) || is_it(tile.imprints.surface) || is_it(tile.imprints.emission))
+    return number;
   for (const materials::Texture& texture : tile.textures)
     if (is_it(texture.colour) || is_it(texture.normal)) return number;
   for (const imprint::Cutout* cutout : f.cutouts)
@@ -202,6 +203,17 @@ void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m
   m.roughnessFactor = values.roughness, m.metallicFactor = values.metallic;
 }
 
+// What it sends out by itself: 1 is kEmission_cd_m2.
+void set_emission(Filling& f, const Look& look, tinygltf::Material& m) {
+  if (look.key.coloured == Coloured::kByAtlas && !f.tile.imprints.emission.texels.empty()) {
+    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.emission, 1);
+    m.emissiveFactor = {1, 1, 1};
+  }
+  const auto own = emission_of(look.key.material);
+  if (look.key.coloured == Coloured::kByMaterial && emits(look.key.material))
+    m.emissiveFactor = {own[0], own[1], own[2]};
+}
+
 int material_number(Filling& f, const Look& look) {
   const auto same = std::ranges::find(f.looks, look);
   if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
@@ -215,6 +227,7 @@ int material_number(Filling& f, const Look& look) {
   // leaves are flat; what is less than half there is not
   if (look.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
   set_surface(f, look, m.pbrMetallicRoughness);
+  set_emission(f, look, m);
   f.model.materials.push_back(m), f.looks.push_back(look);
   return static_cast<int>(f.looks.size()) - 1;
 }
@@ -354,6 +367,7 @@ void add_pictures(Filling& f) {
     const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
     add_picture(f, f.tile.imprints.colour, "imprints", clamped);
     add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
+    add_picture(f, f.tile.imprints.emission, "imprintsEmission", clamped);
   }
   add_textures(f);
   if (f.cutouts.empty()) return;

@@ -7,7 +7,7 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr const char* kOfShapesOrDice = " rand p inside overlaps touches ";
+constexpr const char* kOfShapesOrDice = " rand p inside overlaps touches has_entrance ";
 
 bool is_constant(const Program& program, const Expression& expression);
 

@@ -105,10 +105,17 @@ Patch take_largest_plane(Patch& patch) {
   return taken;
 }
 
+/// Where rings are told from holes. What does not stand upright is seen from above or below: there slivers show their
+/// right side, whatever their own planes are.
+Vec3 seen_from(const Patch& patch) {
+  const Vec3 normal = unit(twice_area(patch));
+  return normal.z == 0 ? normal : Vec3{0, 0, normal.z > 0 ? 1.0 : -1.0};
+}
+
 void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
   std::vector<Edge3> edges;
   for (const auto& [a, b, c] : patch) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
-  for (Face& face : faces_along(std::move(edges), unit(twice_area(patch)))) {
+  for (Face& face : faces_along(std::move(edges), seen_from(patch))) {
     face.tag = tag;
     faces.push_back(std::move(face));
   }

@@ -70,6 +70,7 @@ bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, cons
     touches |= tally.on > 0;
     within |= tally.within > 0;
   }
+  if (query == OcclusionQuery::kHasEntrance) return false;
   if (query == OcclusionQuery::kInside) return inside;
   if (query == OcclusionQuery::kOverlaps) return overlaps && !inside;
   return touches && !within && !inside;
@@ -80,6 +81,18 @@ bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, cons
 Occlusion occlusion_by(std::vector<Neighbour> neighbours) {
   return [neighbours = std::move(neighbours)](OcclusionQuery query, const Shape& shape) {
     return answer(query, neighbours, points_of(shape));
+  };
+}
+
+Occlusion entrances_at(std::vector<Vec2> places) {
+  return [places = std::move(places)](OcclusionQuery query, const Shape& shape) {
+    constexpr double kOutOfPlane_m = 1;
+    const Scope& scope = shape.scope;
+    const Vec2 origin = in_plan(scope.origin), x = in_plan(scope.axis[0]), z = in_plan(scope.axis[2]);
+    return query == OcclusionQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 place) {
+             const double along_m = dot(place - origin, x);
+             return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(place - origin, z)) < kOutOfPlane_m;
+           });
   };
 }
 

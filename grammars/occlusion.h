@@ -1,4 +1,4 @@
-// What stands next to a shape: answers for inside(), overlaps() and touches().
+// What stands next to a shape: answers for inside(), overlaps() and touches(), and where its doors have to be.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace citykiln::grammars {
 
-enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches };
+enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance };
 
 /// Called while one derives; has to be a pure function of its arguments.
 using Occlusion = std::function<bool(OcclusionQuery, const Shape&)>;
@@ -25,5 +25,9 @@ struct Neighbour {
 /// within one. On is within 1 cm, more than maps of neighbours agree to. O(points of the shape times points of the
 /// outlines).
 Occlusion occlusion_by(std::vector<Neighbour> neighbours);
+
+/// Answers kHasEntrance alone: one of these places lies before the shape: along its scope's x from 0 to before its end,
+/// and no farther than a metre out of its plane. Of pieces side by side one has it.
+Occlusion entrances_at(std::vector<Vec2> places);
 
 }  // namespace citykiln::grammars

@@ -1,5 +1,7 @@
-// An atlas of imprints as rays see it: colour and roughness, smoothed as far as what a ray covers.
+// An atlas of imprints as rays see it: colour, roughness and emission, smoothed as far as what a ray covers.
 #pragma once
+
+#include <optional>
 
 #include "compiler/imprint/atlas.h"
 #include "preview/sheet_texture.h"
@@ -16,11 +18,16 @@ class ImprintTexture {
   const imprint::Atlas& atlas() const { return *atlas_; }
   /// Linear reflectance, mean over a patch.
   std::array<double, 3> colour(const Patch& patch) const { return colour_.mean(patch); }
+  /// Linear emission, of materials::kEmission_cd_m2.
+  std::array<double, 3> emission(const Patch& patch) const {
+    return emission_ ? emission_->mean(patch) : std::array<double, 3>{};
+  }
   float roughness(const Patch& patch) const { return static_cast<float>(surface_.mean(patch)[1]); }
 
  private:
   const imprint::Atlas* atlas_;
   SheetTexture colour_, surface_;
+  std::optional<SheetTexture> emission_;
 };
 
 }  // namespace citykiln::preview

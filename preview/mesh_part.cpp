@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/sky/expand.h"
+
 namespace citykiln::preview {
 namespace {
 
@@ -91,12 +93,15 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
     colour = part.surface->colour(patch);
     if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch), {});
   }
+  const auto shining = emission_of(primitive.material);
+  std::array<double, 3> emission{shining[0], shining[1], shining[2]};
   hit.material = primitive.material;
   hit.roughness = values.roughness;
   if (part.imprint != nullptr) {
     const Patch patch = patch_on_atlas(part, corners, found, beam);
     colour = part.imprint->colour(patch);
     hit.roughness = part.imprint->roughness(patch);
+    emission = part.imprint->emission(patch);
   }
   if (part.cutout != nullptr) {
     const Patch patch = patch_on_atlas(part, corners, found, beam);
@@ -108,6 +113,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
     hit.albedo[c] = colour[c] * tint / 255;
+    hit.emission[c] = emission[c] * (materials::kEmission_cd_m2 / sky::kUnit_cd_m2);
   }
 }
 

@@ -1,4 +1,4 @@
-// A picture of a scene, of either form, by path tracing: sun, sky, diffuse surfaces.
+// A picture of a scene, of either form, by path tracing: sun, sky, lit windows, diffuse surfaces.
 #pragma once
 
 #include <optional>
@@ -40,6 +40,10 @@ Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::str
 /// Same tiles, same camera, same options: the same picture, bit for bit on one machine, for any number of threads,
 /// whichever form the tiles were read from.
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera, const Options& options);
+
+/// How much longer than by day a picture is exposed, as eyes get used to the dark: 1 while the sun is up, twice as long
+/// for each degree below the horizon, down to 6.
+double adapted_exposure(const sky::Sky& sky);
 
 /// PNG (8 bit sRGB, filmic tone curve) or EXR (linear), by the name's ending, through OpenImageIO, which is loaded only
 /// now.

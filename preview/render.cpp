@@ -66,6 +66,12 @@ void render_block(const Shot& shot, const Options& options, int block, Image& im
 
 }  // namespace
 
+double adapted_exposure(const sky::Sky& sky) {
+  constexpr double kLowest_deg = 6;
+  const double below_deg = std::asin(std::clamp(-sky.to_sun.z, 0.0, 1.0)) * 180 / std::numbers::pi;
+  return std::exp2(std::min(below_deg, kLowest_deg));
+}
+
 Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const Camera& camera,
              const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};

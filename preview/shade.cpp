@@ -88,6 +88,7 @@ Drawn draw_onward(Hit& hit, Rgb& weight, PathDraw& draw) {
 Rgb body_light(const Stage& stage, Hit hit, int bounces, PathDraw& draw) {
   Rgb light{}, weight{1, 1, 1};
   for (int bounce = 0;; ++bounce) {
+    light = light + weight * hit.emission;
     weight = weight * hit.albedo;
     const bool goes_on = bounce < bounces;
     light = light + weight * (from_sun(stage, hit, draw.next()) + from_sky(stage, hit, draw.next(), goes_on));

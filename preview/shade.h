@@ -1,4 +1,4 @@
-// Light along paths: sun and sky on diffuse surfaces; water and glass mirror too; air between.
+// Light along paths: sun and sky on diffuse surfaces, and what shines itself; water and glass mirror too; air between.
 #pragma once
 
 #include "preview/light.h"

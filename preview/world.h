@@ -12,10 +12,11 @@ namespace citykiln::preview {
 
 /// Where a ray met a surface. Frame of the world: metres from World::origin, x east, y north, z up.
 struct Hit {
-  Vec3 position;                   ///< On the triangle, not along the ray: its error does not grow with the distance.
-  Vec3 geometric_normal;           ///< Unit, towards where the ray came from.
-  Vec3 shading_normal;             ///< Unit, interpolated, on the same side.
-  std::array<double, 3> albedo{};  ///< Linear: base colour, or the sheet's, times tint.
+  Vec3 position;                     ///< On the triangle, not along the ray: its error does not grow with the distance.
+  Vec3 geometric_normal;             ///< Unit, towards where the ray came from.
+  Vec3 shading_normal;               ///< Unit, interpolated, on the same side.
+  std::array<double, 3> albedo{};    ///< Linear: base colour, or the sheet's, times tint.
+  std::array<double, 3> emission{};  ///< Radiance that it sends out by itself, in the sky's unit.
   float roughness = 1;
   double translucency = 0;  ///< What it lets through, as a share of what it throws back.
   materials::Material material{};

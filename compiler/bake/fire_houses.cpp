@@ -14,11 +14,12 @@ std::vector<Houses> expand_houses(const scene::Header& header, const scene::Chun
                                   std::span<const double> tolerances_m, int threads, std::span<Report> reports,
                                   const std::function<bool(const buildings::Building&)>& holds) {
   const std::vector<buildings::Building>& all = chunk.buildings;
+  const buildings::Setting setting{header.seed, sky::is_night(header.sky)};
   const buildings::Rulebook rulebook = buildings::rulebook_of(buildings::styles_of(all), header.rules);
   std::vector<std::vector<Report>> told(all.size(), std::vector<Report>(tolerances_m.size()));
   std::vector<Houses> by_house = for_each_slot<Houses>(all.size(), threads, [&](std::size_t i) {
     if (!holds(all[i])) return Houses(tolerances_m.size());
-    return buildings::expand(all[i], rulebook, header.seed, tolerances_m, told[i]);
+    return buildings::expand(all[i], rulebook, setting, tolerances_m, told[i]);
   });
   std::vector<Houses> by_level(tolerances_m.size());
   for (std::size_t i = 0; i < all.size(); ++i)

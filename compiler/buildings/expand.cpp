@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "compiler/buildings/doors.h"
 #include "compiler/buildings/dress.h"
 #include "compiler/buildings/dress_terminals.h"
 #include "compiler/buildings/mass.h"
@@ -65,10 +66,14 @@ std::uint64_t times_of(const grammars::Derivation& derivation) {
 }
 
 grammars::Derivation derive_on(const Building& building, const Mass& mass, const grammars::Program& program,
-                               std::uint64_t seed, double tolerance_m, bool keep_looks) {
+                               Setting setting, double tolerance_m, bool keep_looks) {
   grammars::DeriveOptions options;
   options.attributes = rule_values_of(building, mass.roof.form);
-  options.seed = seed;
+  options.attributes["night"] = setting.is_night;
+  std::vector<Vec2> doors = places_of_doors(building);
+  options.attributes["entrances"] = static_cast<double>(doors.size());
+  if (!doors.empty()) options.occlusion = grammars::entrances_at(std::move(doors));
+  options.seed = setting.seed;
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;
   // where pictures show what is left out, looks are theirs; what moves little is known ahead
@@ -86,11 +91,11 @@ double roof_tolerance_m(const Building& building, bool has_rules, double toleran
 }
 
 // What the rules make of a building at its full looks.
-imprint::Shape looks_of(const Building& building, const grammars::Program& program, std::uint64_t seed) {
+imprint::Shape looks_of(const Building& building, const grammars::Program& program, Setting setting) {
   Report told_elsewhere;
   const Mass mass = mass_of(building, roof_tolerance_m(building, true, kLooks_m), told_elsewhere);
   return imprint::shape_of(
-      meshes_of(derive_on(building, mass, program, seed, kLooks_m - mass.roof.error_m, true), building.id.osm));
+      meshes_of(derive_on(building, mass, program, setting, kLooks_m - mass.roof.error_m, true), building.id.osm));
 }
 
 // One level, and what all those that show it as pictures share.
@@ -99,11 +104,11 @@ struct LevelOf {
   const imprint::Shape* looks;
 };
 
-void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, std::uint64_t seed,
+void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, Setting setting,
                      LevelOf level, Expanded& expanded, Report& report) {
   // what the roof has left of the tolerance is for rules
   const grammars::Derivation derivation =
-      derive_on(building, mass, program, seed, level.tolerance_m - mass.roof.error_m, level.looks == nullptr);
+      derive_on(building, mass, program, setting, level.tolerance_m - mass.roof.error_m, level.looks == nullptr);
   const std::uint64_t times = times_of(derivation);
   if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
   expanded.error_m += derivation.error_m;
@@ -128,37 +133,37 @@ Expanded without_what_is_low(const Building& building, double tolerance_m, Expan
   return error_m < tolerance_m ? Expanded{{}, error_m} : std::move(expanded);
 }
 
-Expanded expand_level(const Building& building, const Rulebook& rulebook, std::uint64_t seed, LevelOf level,
+Expanded expand_level(const Building& building, const Rulebook& rulebook, Setting setting, LevelOf level,
                       Report& report) {
   const auto program = rulebook.find(building.style);
   const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), level.tolerance_m), report);
   Expanded expanded{{}, mass.roof.error_m};
-  add_foundation(building, mass, program != rulebook.end(), seed, expanded);
+  add_foundation(building, mass, program != rulebook.end(), setting.seed, expanded);
   if (program == rulebook.end()) {
-    expand_plain(building, mass, seed, expanded);
+    expand_plain(building, mass, setting.seed, expanded);
   } else {
-    expand_by_rules(building, mass, program->second, seed, level, expanded, report);
+    expand_by_rules(building, mass, program->second, setting, level, expanded, report);
   }
   return without_what_is_low(building, level.tolerance_m, std::move(expanded));
 }
 
 }  // namespace
 
-Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
+Expanded expand(const Building& building, const Rulebook& rulebook, Setting setting, double tolerance_m,
                 Report& report) {
-  return std::move(expand(building, rulebook, seed, std::span(&tolerance_m, 1), std::span(&report, 1)).front());
+  return std::move(expand(building, rulebook, setting, std::span(&tolerance_m, 1), std::span(&report, 1)).front());
 }
 
-std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed,
+std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, Setting setting,
                              std::span<const double> tolerances_m, std::span<Report> reports) {
   const auto program = rulebook.find(building.style);
   std::optional<imprint::Shape> looks;
   std::vector<Expanded> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
     const bool is_imprinted = program != rulebook.end() && tolerances_m[i] >= kImprinted_m;
-    if (is_imprinted && !looks) looks = looks_of(building, program->second, seed);
+    if (is_imprinted && !looks) looks = looks_of(building, program->second, setting);
     const LevelOf level{tolerances_m[i], is_imprinted ? &*looks : nullptr};
-    levels.push_back(expand_level(building, rulebook, seed, level, reports[i]));
+    levels.push_back(expand_level(building, rulebook, setting, level, reports[i]));
   }
   return levels;
 }

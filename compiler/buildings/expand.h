@@ -19,6 +19,12 @@ struct Expanded {
   std::vector<ImprintedMesh> imprinted{};  ///< From kImprinted_m on: the faces that show pictures.
 };
 
+/// What is the same for all houses of a scene.
+struct Setting {
+  std::uint64_t seed = 0;
+  bool is_night = false;  ///< Then rules light some windows.
+};
+
 /// From this tolerance on what is left out of facades is pictures on the faces that are left.
 inline constexpr double kImprinted_m = 0.5;
 
@@ -26,13 +32,13 @@ inline constexpr double kImprinted_m = 0.5;
 /// there are none, the bare mass. A building lower than the tolerance, chimneys and all, is dropped, with its height as
 /// error.
 ///
-/// Tints, and all chance of the rules, are drawn from (seed, id). Roofs that fell back to flat, and rules that asked
-/// for what cannot be, are diagnosed. Cost: the derivation's.
-Expanded expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed, double tolerance_m,
+/// Tints, and all chance of the rules, are drawn from (seed, id), by night the same as by day. Roofs that fell back to
+/// flat, and rules that asked for what cannot be, are diagnosed. Cost: the derivation's.
+Expanded expand(const Building& building, const Rulebook& rulebook, Setting setting, double tolerance_m,
                 Report& report);
 
 /// The same at several tolerances, in their order: what pictures are made of is derived once. One report a tolerance.
-std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, std::uint64_t seed,
+std::vector<Expanded> expand(const Building& building, const Rulebook& rulebook, Setting setting,
                              std::span<const double> tolerances_m, std::span<Report> reports);
 
 }  // namespace citykiln::buildings

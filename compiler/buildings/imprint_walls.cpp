@@ -63,6 +63,8 @@ Coat mean_coat(const Imprint& imprint) {
   return {shown, painted(shown, paint)};
 }
 
+bool shines(const imprint::Picture& picture) { return mean(picture).emission != std::array<std::uint16_t, 3>{}; }
+
 // Faces on their way to meshes.
 struct Dressing {
   const imprint::Shape& looks;
@@ -96,7 +98,8 @@ struct Dressing {
     Imprint seen = imprint::imprint(looks, view);
     if (seen.commonest_share == 0) return add_plain(face, own);
     if (seen.commonest_share >= plain_share(view)) return add_plain(face, seen.commonest);
-    if (texels < kFewTexels || std::min(view.columns, view.rows) == 1) return add_plain(face, mean_coat(seen));
+    const bool is_small = texels < kFewTexels && !shines(seen.picture);
+    if (is_small || std::min(view.columns, view.rows) == 1) return add_plain(face, mean_coat(seen));
     add_imprinted(face, view, std::move(seen.picture));
   }
 };

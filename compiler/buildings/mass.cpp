@@ -28,10 +28,13 @@ struct Run {
   double length_m() const { return distance(from(), to()); }
 };
 
-// Corners of the outer ring by place.
-std::map<Vec2, std::uint32_t> corners_of(const Ring& ring) {
+// Corners by place. Those of holes, which no edge of the outer ring starts at, count up from its size.
+std::map<Vec2, std::uint32_t> corners_of(const Polygon& footprint) {
   std::map<Vec2, std::uint32_t> corners;
-  for (std::uint32_t i = 0; i < ring.size(); ++i) corners.try_emplace(ring[i], i);
+  std::uint32_t count = 0;
+  for (const Vec2 p : footprint.outer) corners.try_emplace(p, count++);
+  for (const Ring& hole : footprint.holes)
+    for (const Vec2 p : hole) corners.try_emplace(p, count++);
   return corners;
 }
 
@@ -67,6 +70,7 @@ std::vector<Run> runs_of(const std::vector<Vec2>& ring, const Ring& outer,
   for (Run& run : runs) {
     const auto from = corners.find(run.from()), to = corners.find(run.to());
     if (from == corners.end() || to == corners.end()) continue;
+    if (std::max(from->second, to->second) >= outer.size()) continue;
     std::vector<std::uint32_t> edges = edges_between(from->second, to->second, outer.size());
     if (edges.size() < outer.size() / 2 + 1) run.edges = std::move(edges);
   }
@@ -74,7 +78,7 @@ std::vector<Run> runs_of(const std::vector<Vec2>& ring, const Ring& outer,
 }
 
 std::vector<Run> runs_of(const Building& building, const roofs::Roof& roof) {
-  const std::map<Vec2, std::uint32_t> corners = corners_of(building.footprint.outer);
+  const std::map<Vec2, std::uint32_t> corners = corners_of(building.footprint);
   std::vector<Run> runs;
   for (const std::vector<std::uint32_t>& eaves : roof.eaves) {
     std::vector<Vec2> ring;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "compiler/buildings/doors.h"
 #include "compiler/buildings/dress.h"
 #include "compiler/buildings/outline_index.h"
 #include "compiler/buildings/party_walls.h"
@@ -93,6 +94,7 @@ struct Site {
   const ground::Carving& ground;
   const OutlineIndex outlines;
   const Streets streets;
+  const ToldDoors doors;
   const std::vector<std::vector<SharedWall>> shared;
 };
 
@@ -150,13 +152,15 @@ std::size_t longest_edge(const Ring& ring) {
   return longest;
 }
 
-// A building without a street has its door in its longest wall.
-std::vector<Front> fronts_of(const Building& building, std::vector<bool> sides,
+// Doors are told of, or lie towards streets. A building without either has its door in its longest wall.
+std::vector<Front> fronts_of(const Building& building, std::vector<bool> sides, const std::vector<std::uint16_t>& doors,
                              const std::vector<GroundRange>& ground) {
+  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = sides[i] || doors[i] != 0;
   if (std::find(sides.begin(), sides.end(), true) == sides.end()) sides[longest_edge(building.footprint.outer)] = true;
   std::vector<Front> fronts;
   for (std::size_t i = 0; i < sides.size(); ++i)
-    fronts.push_back({sides[i], building.stands_on_ground ? buried_storeys(building, ground[i]) : std::uint8_t{0}});
+    fronts.push_back(
+        {sides[i], building.stands_on_ground ? buried_storeys(building, ground[i]) : std::uint8_t{0}, doors[i]});
   return fronts;
 }
 
@@ -178,7 +182,7 @@ Building build(const map::Footprint& footprint, const Site& site, const std::vec
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   building.year = footprint.year;
   building.has_shop = footprint.has_shop;
-  building.fronts = fronts_of(building, sides, walls);
+  building.fronts = fronts_of(building, sides, doors_of(footprint.polygon, site.doors), walls);
   return building;
 }
 
@@ -213,7 +217,8 @@ std::vector<PartyWall> party_walls_of(const map::Footprint& footprint, const Bui
 
 std::vector<Building> plan(const map::Features& features, const ground::Carving& ground, Report& report) {
   const std::vector<map::Footprint>& footprints = features.footprints;
-  const Site site{ground, index_outlines(footprints), index_streets(features.tracks), shared_walls(footprints)};
+  const Site site{ground, index_outlines(footprints), index_streets(features.tracks), index_doors(features.points),
+                  shared_walls(footprints)};
   std::vector<std::optional<Building>> built(footprints.size());
   Account account;
   for (std::size_t i = 0; i < footprints.size(); ++i) {

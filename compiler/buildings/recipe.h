@@ -22,10 +22,14 @@ enum class Style : std::uint8_t {
   kCount
 };
 
+inline constexpr std::uint32_t kDoorPlaces = 16;
+
 /// What lies before the wall over an edge of the outer ring, from its vertex to the next.
 struct Front {
   bool faces_street = false;
   std::uint8_t buried_storeys = 0;  ///< Counted from the floor: the ground along the wall is so high.
+  /// Where doors are told to be: bit i says in the i-th of kDoorPlaces equal parts of the edge.
+  std::uint16_t doors = 0;
   bool operator==(const Front&) const = default;
 };
 

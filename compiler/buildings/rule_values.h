@@ -9,8 +9,8 @@
 
 namespace citykiln::buildings {
 
-/// building, height, levels, shop, year, wall_colour, wall_material, roof_colour, roof_material, roof. Colours that
-/// nobody told are "".
+/// All but `night` and `entrances`: building, height, levels, shop, attached, year, wall_colour, wall_material,
+/// roof_colour, roof_material, roof. Colours that nobody told are "".
 std::map<std::string, grammars::Value> rule_values_of(const Building& building, roofs::Form roof);
 
 }  // namespace citykiln::buildings

@@ -37,6 +37,11 @@ Sheet halved(const Sheet& sheet, bool is_light) {
   return half;
 }
 
+Atlas halved(const Atlas& atlas) {
+  const bool shines = !atlas.emission.texels.empty();
+  return {halved(atlas.colour, true), halved(atlas.surface, false), shines ? halved(atlas.emission, true) : Sheet{}};
+}
+
 // Where each atlas begins, and how large all are.
 struct Layout {
   std::vector<std::array<std::uint64_t, 2>> firsts;  // column, row
@@ -50,7 +55,8 @@ struct Layout {
 Layout layout_of(std::span<const Atlas> atlases) {
   Layout layout;
   std::uint64_t left = 0, row = 0;
-  for (const auto& [colour, surface] : atlases) {
+  for (const Atlas& atlas : atlases) {
+    const Sheet& colour = atlas.colour;
     if (row + colour.rows > materials::kWidestSheet_px) left = layout.columns, row = 0;
     layout.firsts.push_back({left, row});
     row += colour.rows;
@@ -72,8 +78,9 @@ Sheet blank(double texel_m, const Layout& layout) {
 
 double finest_texel_m(std::span<const Atlas> atlases) {
   double finest_m = 0;
-  for (const auto& [colour, surface] : atlases)
-    if (!colour.texels.empty()) finest_m = finest_m > 0 ? std::min(finest_m, colour.texel_m) : colour.texel_m;
+  for (const Atlas& atlas : atlases)
+    if (!atlas.colour.texels.empty())
+      finest_m = finest_m > 0 ? std::min(finest_m, atlas.colour.texel_m) : atlas.colour.texel_m;
   return finest_m;
 }
 
@@ -91,12 +98,15 @@ JoinedAtlases join_atlases(std::span<const Atlas* const> atlases) {
   double texel_m = finest_m;
   Layout layout = layout_of(all);
   for (; !layout.fits(); layout = layout_of(all), texel_m *= 2)
-    for (Atlas& atlas : all) atlas = {halved(atlas.colour, true), halved(atlas.surface, false)};
-  joined.atlas = {blank(texel_m, layout), blank(texel_m, layout)};
+    for (Atlas& atlas : all) atlas = halved(atlas);
+  joined.atlas = {blank(texel_m, layout), blank(texel_m, layout), {}};
+  const bool any_shines = std::ranges::any_of(all, [](const Atlas& atlas) { return !atlas.emission.texels.empty(); });
+  if (any_shines) joined.atlas.emission = blank(texel_m, layout);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].colour.texels.empty()) continue;
     draw(all[i].colour, layout.firsts[i], joined.atlas.colour);
     draw(all[i].surface, layout.firsts[i], joined.atlas.surface);
+    if (!all[i].emission.texels.empty()) draw(all[i].emission, layout.firsts[i], joined.atlas.emission);
     const auto& [column, row] = layout.firsts[i];
     joined.places[i] = {{static_cast<double>(column) * texel_m, static_cast<double>(row) * texel_m},
                         finest_m / own_m[i]};

@@ -7,6 +7,7 @@
 
 #include "compiler/commands/run_report.h"
 #include "compiler/pipeline.h"
+#include "compiler/sky/plan.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
 
@@ -16,8 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_progress) {
-  const Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
+  Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
   if (!scene) return scene.error();
+  if (!request.time.empty()) {
+    Result<sky::Sky> sky = sky::plan(scene->header.origin, request.time);
+    if (!sky) return sky.error();
+    scene->header.sky = std::move(*sky);
+  }
   Loaded loaded;
   loaded.header = scene->header;
   Report report;

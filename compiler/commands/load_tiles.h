@@ -15,6 +15,7 @@ namespace citykiln::commands {
 
 struct LoadRequest {
   std::vector<std::string> paths;    ///< One .kiln, or one folder of a run, or .glb files.
+  std::string time;                  ///< At which a manifest is fired; "": the scene's.
   double tolerance_m = 0.1;          ///< Of what a manifest is fired at.
   std::size_t level = 0;             ///< Of a folder's tiles.
   std::vector<scene::TileKey> only;  ///< If not empty, only these tiles.

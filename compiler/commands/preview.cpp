@@ -18,7 +18,7 @@ namespace {
 
 struct Request {
   LoadRequest load;
-  std::string picture_path, view = "overview", time;
+  std::string picture_path, view = "overview";
   std::optional<Vec3> eye, look_at;             ///< Plane metres.
   std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Degrees, degrees, metres of height.
   std::optional<double> fov_deg;
@@ -57,8 +57,8 @@ Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) 
 
 /// The scene's sky, or that of another time; without a manifest, over a place at 45° north.
 Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
-  if (header && request.time.empty()) return header->sky;
-  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.time);
+  if (header && request.load.time.empty()) return header->sky;
+  return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
@@ -75,6 +75,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   preview::Options options = request.options;
   options.width = request.size.width, options.height = request.size.height;
   options.threads = request.load.threads;
+  options.exposure *= preview::adapted_exposure(*sky);
   const preview::Image image = preview::render(loaded->tiles, *sky, *camera, options);
   const Result<Done> written = preview::write_image(image, request.picture_path);
   if (!written) return written.error();
@@ -124,9 +125,10 @@ std::vector<Option> picture_options(Request& request) {
       {"--size", "WxH", "pixels (1280x720)", false, [&](const std::string& t) { return take_size(t, request.size); }},
       {"--spp", "N", "paths a pixel (64)", false, into_whole(request.options.samples, 1)},
       {"--bounces", "N", "of each path (3)", false, into_whole(request.options.bounces, 0)},
-      {"--exposure", "X", "brightness (1)", false,
+      {"--exposure", "X", "brightness (1); by night on top of what eyes get used to", false,
        [&](const std::string& t) { return take_positive(t, request.options.exposure); }},
-      {"--time", "ISO", "of the sky, UTC; else the scene's", false, into(request.time)},
+      {"--time", "ISO", "of the sky, UTC; else the scene's. By night a manifest is fired with lit windows", false,
+       into(request.load.time)},
       {"-o,--out", "FILE.png|FILE.exr", "the picture", false, into(request.picture_path)},
   };
 }

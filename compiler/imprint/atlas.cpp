@@ -60,10 +60,10 @@ bool fits(const Shelves& shelves) {
          std::uint64_t{shelves.columns} * shelves.rows <= kMostAtlasTexels;
 }
 
-Sheet::Texel colour_of(const Texel& texel) {
-  Sheet::Texel colour{};
-  for (std::size_t c = 0; c < colour.size(); ++c) colour[c] = materials::srgb_of_linear(texel.light[c] / 65535.0);
-  return colour;
+Sheet::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
+  Sheet::Texel srgb{};
+  for (std::size_t c = 0; c < srgb.size(); ++c) srgb[c] = materials::srgb_of_linear(linear[c] / 65535.0);
+  return srgb;
 }
 
 void draw(const Picture& picture, Place place, Atlas& atlas) {
@@ -73,8 +73,9 @@ void draw(const Picture& picture, Place place, Atlas& atlas) {
       const std::size_t row = std::clamp(y, 1u, picture.rows) - 1, column = std::clamp(x, 1u, picture.columns) - 1;
       const Texel& texel = picture.texels[row * picture.columns + column];
       const std::size_t at = std::size_t{place.row + y} * atlas.colour.columns + place.column + x;
-      atlas.colour.texels[at] = colour_of(texel);
+      atlas.colour.texels[at] = srgb_of(texel.light);
       atlas.surface.texels[at] = {255, texel.roughness, texel.metalness};
+      if (!atlas.emission.texels.empty()) atlas.emission.texels[at] = srgb_of(texel.emission);
     }
 }
 
@@ -108,6 +109,11 @@ Unique unique_of(std::span<const Picture> pictures) {
   return unique;
 }
 
+bool shine(std::span<const Picture> pictures) {
+  const auto shines = [](const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; };
+  return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, shines); });
+}
+
 bool are_single(std::span<const Picture> pictures) {
   return std::ranges::all_of(pictures, [](const Picture& p) { return p.columns == 1 && p.rows == 1; });
 }
@@ -124,7 +130,8 @@ AtlasLayout lay_out(std::span<const Picture> pictures, double texel_m) {
     texel_m *= 2;
     shelves = shelve(unique.pictures);
   }
-  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0})};
+  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0}), {}};
+  if (shine(unique.pictures)) layout.atlas.emission = blank(texel_m, shelves, {});
   for (std::size_t i = 0; i < unique.pictures.size(); ++i) draw(unique.pictures[i], shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];

@@ -17,13 +17,14 @@
 namespace citykiln::imprint {
 
 /// The budget of a tile, all of its frames counted: 3 bytes of colour and 3 of what else it is like, each, are 25 MB
-/// before they are packed. On a graphics card, with mip levels, 45 MB.
+/// before they are packed; by night half as much again. On a graphics card, with mip levels, 45 MB.
 inline constexpr std::uint64_t kMostAtlasTexels = std::uint64_t{1} << 22;
 
-/// Two sheets of the same texels, which do not repeat; or none.
+/// Sheets of the same texels, which do not repeat; or none.
 struct Atlas {
-  materials::Sheet colour;   ///< sRGB reflectance.
-  materials::Sheet surface;  ///< Linear: 255 (nothing is hidden), roughness, metalness; as glTF has them.
+  materials::Sheet colour;    ///< sRGB reflectance.
+  materials::Sheet surface;   ///< Linear: 255 (nothing is hidden), roughness, metalness; as glTF has them.
+  materials::Sheet emission;  ///< sRGB, of materials::kEmission_cd_m2; no texels where nothing shines.
   bool operator==(const Atlas&) const = default;
 };
 

@@ -22,17 +22,20 @@ struct Point {
 
 // What a coat shows.
 struct Show {
-  std::array<std::uint16_t, 3> light{};
+  std::array<std::uint16_t, 3> light{}, emission{};
   std::uint8_t roughness = 0, metalness = 0;
 };
 
 Show show_of(const Coat& coat) {
   const materials::MaterialValues& values = values_of(coat.material);
   const auto byte = [](float share) { return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255 + 0.5f); };
-  Show show{{}, byte(values.roughness), byte(values.metallic)};
-  for (std::size_t c = 0; c < show.light.size(); ++c)
-    show.light[c] = static_cast<std::uint16_t>(
-        std::clamp(static_cast<double>(values.base_colour[c]) * coat.tint[c] / 255, 0.0, 1.0) * 65535 + 0.5);
+  const auto word = [](double share) { return static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * 65535 + 0.5); };
+  const auto emission = emission_of(coat.material);
+  Show show{{}, {}, byte(values.roughness), byte(values.metallic)};
+  for (std::size_t c = 0; c < show.light.size(); ++c) {
+    show.light[c] = word(static_cast<double>(values.base_colour[c]) * coat.tint[c] / 255);
+    show.emission[c] = word(static_cast<double>(emission[c]));
+  }
   return show;
 }
 
@@ -149,7 +152,7 @@ Texel texel_of(const Canvas& canvas, std::span<const Show> shows, std::size_t co
       const Sample& sample = canvas.samples[y * static_cast<std::size_t>(canvas.columns) + x];
       if (sample.coat == Sample::kNothing) continue;
       const Show& show = shows[sample.coat];
-      sum.add({show.light, show.roughness, show.metalness, 1});
+      sum.add({show.light, show.roughness, show.metalness, 1, show.emission});
     }
   return sum.mean(1);
 }

@@ -5,7 +5,8 @@
 namespace citykiln::imprint {
 void TexelSum::add(const Texel& texel) {
   const std::uint64_t weight = texel.shown;
-  for (std::size_t c = 0; c < light_.size(); ++c) light_[c] += weight * texel.light[c];
+  for (std::size_t c = 0; c < light_.size(); ++c)
+    light_[c] += weight * texel.light[c], emission_[c] += weight * texel.emission[c];
   roughness_ += weight * texel.roughness, metalness_ += weight * texel.metalness, shown_ += weight;
 }
 
@@ -13,7 +14,10 @@ Texel TexelSum::mean(std::uint64_t texels) const {
   Texel mean;
   if (shown_ == 0) return mean;
   const auto share = [&](std::uint64_t sum) { return (2 * sum + shown_) / (2 * shown_); };
-  for (std::size_t c = 0; c < light_.size(); ++c) mean.light[c] = static_cast<std::uint16_t>(share(light_[c]));
+  for (std::size_t c = 0; c < light_.size(); ++c) {
+    mean.light[c] = static_cast<std::uint16_t>(share(light_[c]));
+    mean.emission[c] = static_cast<std::uint16_t>(share(emission_[c]));
+  }
   mean.roughness = static_cast<std::uint8_t>(share(roughness_));
   mean.metalness = static_cast<std::uint8_t>(share(metalness_));
   mean.shown = static_cast<std::uint8_t>((shown_ + texels - 1) / texels);

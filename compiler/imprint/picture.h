@@ -1,4 +1,5 @@
-// A small picture of a surface: what each of its texels sends back of the light, and how smooth it is.
+// A small picture of a surface: what each of its texels sends back of the light and sends out itself, and
+// how smooth it is.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@ struct Texel {
   std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
   std::uint8_t roughness = 0, metalness = 0;
   std::uint8_t shown = 0;  ///< How many samples show something: 0 … kSamplesOfTexel. 0: the rest is 0.
+  std::array<std::uint16_t, 3> emission{};  ///< Linear, 65535 = materials::kEmission_cd_m2.
   auto operator<=>(const Texel&) const = default;
 };
 
@@ -32,7 +34,7 @@ class TexelSum {
   Texel mean(std::uint64_t texels) const;
 
  private:
-  std::array<std::uint64_t, 3> light_{};
+  std::array<std::uint64_t, 3> light_{}, emission_{};
   std::uint64_t roughness_ = 0, metalness_ = 0, shown_ = 0;
 };
 

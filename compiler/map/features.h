@@ -119,7 +119,9 @@ enum class PointKind : std::uint8_t {
   kMast,
   kChimney,
   kFlagpole,
-  kShop  ///< Or another place where one is served.
+  kShop,      ///< Or another place where one is served.
+  kEntrance,  ///< Of a building.
+  kAddress    ///< A house number.
 };
 
 struct PointFeature {

@@ -46,6 +46,8 @@ constexpr PointRow kPoints[] = {{"natural", "tree", PointKind::kTree},
                                 {"man_made", "flagpole", PointKind::kFlagpole}};
 
 constexpr PointRow kShop{"shop", "", PointKind::kShop};
+constexpr PointRow kEntrance{"entrance", "", PointKind::kEntrance};
+constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 
 // Ways that carry a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
@@ -59,7 +61,9 @@ void for_each_with_key(const Reading& reading, std::string_view key, const Row (
 const PointRow* point_row(const Reading& reading, source::Range tags) {
   for (const PointRow& row : kPoints)
     if (reading.tag(tags, row.key) == row.value) return &row;
-  return is_shop(reading, tags) ? &kShop : nullptr;
+  if (says_yes(reading.tag(tags, kEntrance.key))) return &kEntrance;
+  if (is_shop(reading, tags)) return &kShop;
+  return reading.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
 }
 
 constexpr double kTallest_m = 400;

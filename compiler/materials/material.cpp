@@ -13,6 +13,14 @@ constexpr MaterialValues kTable[] = {
 #undef MATERIAL
 };
 
+constexpr auto kEmissions = [] {
+  std::array<std::array<float, 3>, static_cast<std::size_t>(Material::kCount)> emissions{};
+#define EMISSION(name, r, g, b) emissions[static_cast<std::size_t>(Material::name)] = {r, g, b};
+#include "compiler/materials/emission_table.inc"
+#undef EMISSION
+  return emissions;
+}();
+
 float computed_linear(int value) {
   // c^2.4 by c^2 · c^0.4, the fifth root by Newton: only + − × ÷, so that every CPU agrees
   const double c = value / 255.0;
@@ -56,6 +64,8 @@ std::optional<Material> material_named(std::string_view name) {
 }
 
 const MaterialValues& values_of(Material material) { return kTable[static_cast<std::size_t>(material)]; }
+
+std::array<float, 3> emission_of(Material material) { return kEmissions[static_cast<std::size_t>(material)]; }
 
 float linear_of_srgb(std::uint8_t value) { return linear_table()[value]; }
 

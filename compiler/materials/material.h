@@ -27,6 +27,13 @@ struct MaterialValues {
 
 const MaterialValues& values_of(Material material);
 
+/// What an emission of 1 stands for: a lit room's ceiling.
+inline constexpr double kEmission_cd_m2 = 100;
+
+/// Light that a surface sends out by itself: linear RGB, 0…1 of kEmission_cd_m2; of most none.
+std::array<float, 3> emission_of(Material material);
+inline bool emits(Material material) { return emission_of(material) != std::array<float, 3>{}; }
+
 /// By its name in rules and settings: "roof_tile" is kRoofTile. Nothing where no row has it. O(rows).
 std::optional<Material> material_named(std::string_view name);
 

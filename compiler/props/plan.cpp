@@ -12,7 +12,8 @@ Props plan(const map::Features& features, Report& report) {
     props.barriers.push_back({barrier.id, barrier.axis, barrier.kind, barrier.height_m, barrier.width_m});
   }
   for (const map::PointFeature& point : features.points) {
-    if (point.kind == map::PointKind::kTree) continue;  // plants/
+    if (point.kind == map::PointKind::kTree) continue;                                                // plants/
+    if (point.kind == map::PointKind::kEntrance || point.kind == map::PointKind::kAddress) continue;  // buildings/
     ++points.in;
     if (point.kind != map::PointKind::kStreetLamp) {
       report.drop(points, Code::kNotModelled, point.id.osm);

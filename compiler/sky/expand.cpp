@@ -12,8 +12,7 @@
 namespace citykiln::sky {
 namespace {
 
-// Luminance that counts as 1: about the mean of a clear sky at noon, with which the preview is exposed.
-constexpr double kUnit_kcd_m2 = 6.25;
+constexpr double kUnit_kcd_m2 = kUnit_cd_m2 / 1000;
 
 // The model's clear sky lights the ground with 28 klx when the sun stands at 60 degrees; measured are 14 to 17 klx.
 constexpr double kMeasuredShare = 0.55;

@@ -9,6 +9,9 @@ namespace citykiln::sky {
 
 using Rgb = std::array<double, 3>;
 
+/// Luminance that counts as 1: about the mean of a clear sky at noon.
+inline constexpr double kUnit_cd_m2 = 6250;
+
 /// A sky made ready for many questions.
 struct Dome {
   Vec3 to_sun;

@@ -14,4 +14,7 @@ struct Sky {
   bool operator==(const Sky&) const = default;
 };
 
+/// The sun has set, all of its disk: lamps are lit.
+inline bool is_night(const Sky& sky) { return sky.to_sun.z < -0.0145; }
+
 }  // namespace citykiln::sky

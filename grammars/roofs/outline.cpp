@@ -18,8 +18,27 @@ namespace {
 // would turn a sliver over.
 constexpr std::array kDrawnBack_m = {0x1p-5, 0x1p-7, 0x1p-9};
 
+// Walls of spikes that are no wider lie on each other for all that snapping knows: half again the map's step.
+constexpr double kSpike_m = 0x1.8p-7;
+
+bool is_spike(Vec2 from, Vec2 tip, Vec2 to) {
+  const Vec2 out = from - tip, back = to - tip;
+  return dot(out, back) > 0 && std::abs(cross(out, back)) <= kSpike_m * std::max(length(out), length(back));
+}
+
+// A thin spike stays where nothing crosses it.
+Ring without_crossed_spikes(Ring ring) {
+  for (std::size_t i = 0; i < ring.size() && ring.size() > 3; ++i) {
+    const std::size_t n = ring.size();
+    if (!is_spike(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) || is_simple(ring)) continue;
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    i = static_cast<std::size_t>(-1);
+  }
+  return ring;
+}
+
 Ring tidied(const Ring& ring, bool is_outer) {
-  Ring kept = without_repeats(ring);
+  Ring kept = without_crossed_spikes(without_repeats(ring));
   const double area = signed_area_m2(kept);
   if (kept.size() < 3 || area == 0) return {};
   if ((area > 0) != is_outer) std::reverse(kept.begin(), kept.end());

@@ -7,8 +7,8 @@
 
 namespace citykiln::roofs {
 
-/// Rings without repeats and spikes, outer counter-clockwise, holes clockwise; rings without area are gone. If the
-/// outer one is, nothing is left.
+/// Rings without repeats and spikes, also those a hair wide that the ring crosses; outer counter-clockwise, holes
+/// clockwise; rings without area are gone. If the outer one is, nothing is left.
 Polygon tidied(const Polygon& footprint);
 
 /// No ring crosses or touches itself or another, the outer one is counter-clockwise. Exact. O(n²).

@@ -63,7 +63,7 @@ void expand_town(benchmark::State& state) {
     const Rulebook rulebook = rulebook_of(styles_of(all), shipped_rules());
     const auto made = for_each_slot<std::uint64_t>(count, static_cast<int>(state.range(2)), [&](std::size_t i) {
       Report report;
-      return triangles_of(expand(all[i * one_in], rulebook, 1, tolerance_m, report));
+      return triangles_of(expand(all[i * one_in], rulebook, {1}, tolerance_m, report));
     });
     for (const std::uint64_t each : made) triangles += each;
   }

@@ -40,7 +40,7 @@ void expand_street(benchmark::State& state, Style style, roofs::Form form, doubl
   Report report;
   for (auto _ : state) {
     for (const Building& building : street) {
-      const Expanded house = expand(building, rulebook, 1, tolerance_m, report);
+      const Expanded house = expand(building, rulebook, {1}, tolerance_m, report);
       for (const auto& dressed : house.meshes) triangles += dressed.mesh.triangles.size();
       for (const auto& imprinted : house.imprinted) triangles += imprinted.mesh.mesh.triangles.size();
       ++houses;

@@ -133,6 +133,25 @@ TEST(GlbImprints, SayColourRoughnessAndMetalness) {
   EXPECT_EQ(picture("metallicRoughnessTexture"), "imprintsSurface");
 }
 
+TEST(GlbImprints, ShineByAPictureOfTheirOwn) {
+  const auto lit = material_called(gltf_of(made_imprinted_tile(1)), "PaintImprinted");
+  EXPECT_EQ(lit["emissiveFactor"], nlohmann::json({1.0, 1.0, 1.0}));
+  EXPECT_TRUE(lit.contains("emissiveTexture"));
+  const auto dark = material_called(gltf_of(made_imprinted_tile(2)), "PaintImprinted");
+  EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
+}
+
+TEST(GlbMaterials, ShineAsTheTableSays) {
+  std::mt19937 dice(5);
+  BakedTile tile = made_tile(1);
+  tile.primitives.push_back(made_primitive(dice, materials::Material::kRoomWall, 9, 4));
+  const auto gltf = gltf_of(tile);
+  const auto own = emission_of(materials::Material::kRoomWall);
+  EXPECT_EQ(material_called(gltf, "RoomWall")["emissiveFactor"].get<std::vector<float>>(),
+            std::vector<float>(own.begin(), own.end()));
+  EXPECT_FALSE(material_called(gltf, "Grass").contains("emissiveFactor"));
+}
+
 TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
   const BakedTile tile = made_imprinted_tile(1);
   const auto refused = [&](const char* name, const char* other) {

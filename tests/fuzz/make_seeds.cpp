@@ -1,5 +1,5 @@
 // make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles; and made-up tiles with
-// a sheet and an atlas, and their sheets.
+// a sheet and an atlas, plain and packed by Draco and meshoptimizer, and their sheets.
 #include <cstdio>
 #include <filesystem>
 
@@ -25,12 +25,22 @@ fuzz::ByteSpan span_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
+// Plain and packed.
+void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::BakedTile& tile, std::uint32_t seed) {
+  constexpr std::pair<Compression, const char*> kPacked[] = {
+      {Compression::kNone, "made_"}, {Compression::kDraco, "draco_"}, {Compression::kMeshopt, "meshopt_"}};
+  for (const auto& [compression, name] : kPacked) {
+    const auto instancing = seed % 2 == 0 ? Instancing::kExtension : Instancing::kNodes;
+    const auto glb = encode_glb(tile, {}, instancing, compression, 1);
+    write_seed(folder, name + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
+  }
+}
+
 void write_made_seeds(const std::filesystem::path& folder) {
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
     const auto tile = made_imprinted_tile(seed);
-    const auto glb = encode_glb(tile, {}, seed % 2 == 0 ? Instancing::kExtension : Instancing::kNodes);
     const auto png = encode_png(tile.sheet);
-    write_seed(folder / "glb", "made_" + std::to_string(seed), fuzz::unpacked_glb(span_of(glb)));
+    write_made_glbs(folder / "glb", tile, seed);
     write_seed(folder / "png", "made_" + std::to_string(seed), {span_of(png).begin(), span_of(png).end()});
   }
 }

@@ -143,6 +143,22 @@ TEST(Occlusion, PrismsAnswerInsideOverlapsTouches) {
   EXPECT_EQ(count_named(derivation, "FMeets"), 1u);
 }
 
+// Of pieces side by side one has it.
+TEST(Occlusion, EntrancesAreInOnePieceOfTheirWall) {
+  DeriveOptions options;
+  options.occlusion = entrances_at({{2, 0}, {7.5, 0.25}});
+  const auto derivation = derived(
+      "Lot --> extrude(5) comp(f) { side : split(x) { { 1 : Piece }* } | all : NIL }\n"
+      "Piece --> case has_entrance() : Door. else : Wall.",
+      10, 8, options);
+  std::vector<double> middles;
+  for (const Terminal& terminal : derivation.terminals)
+    if (terminal.name == "Door") middles.push_back(terminal.scope.centre().x);
+  std::sort(middles.begin(), middles.end());
+  EXPECT_EQ(middles, (std::vector<double>{2.5, 7.5}));
+  EXPECT_EQ(count_named(derivation, "Wall"), 34u);
+}
+
 // ---- limits
 // --------------------------------------------------------------------------------------------------------------
 

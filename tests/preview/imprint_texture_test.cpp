@@ -16,7 +16,7 @@ constexpr double kTexel_m = 0.5;
 
 // Black and rough on the left, white and smooth on the right.
 imprint::Atlas halves() {
-  imprint::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}};
+  imprint::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}, {}};
   for (int i = 0; i < 64 * 64; ++i) {
     const bool is_left = i % 64 < 32;
     atlas.colour.texels.push_back(is_left ? Sheet::Texel{} : Sheet::Texel{255, 255, 255});

@@ -57,6 +57,21 @@ TEST(Render, AnotherSeedIsAnotherGrainOfTheSamePicture) {
   EXPECT_NEAR(b / a, 1, 0.01);
 }
 
+// A ceiling that shines with 100 cd/m² under a sky of which 1 is 6,250.
+TEST(Render, WhatShinesIsSeenByNight) {
+  const std::vector tiles = {tile({}, {floor({-60, -60, 0}, {60, 60, 0}, Material::kOfficeCeiling)})};
+  const sky::Sky night{"", unit(Vec3{0, -0.9, -0.4}), 2.6};
+  const Image image = render(tiles, night, {{0, 0, 10}, {0, 1, 0}, 30}, small(8, 8, 4));
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) EXPECT_NEAR(image.rgb[i], 100.0 / 6250, 1e-4);
+}
+
+TEST(Render, ExposureFollowsTheSunDown) {
+  const auto at = [](double z) { return adapted_exposure({"", {0, 0, z}, 2.6}); };
+  EXPECT_EQ(at(0.5), 1);
+  EXPECT_NEAR(at(-0.0348995), 4, 1e-4);
+  EXPECT_EQ(at(-0.5), 64);
+}
+
 TEST(Render, ExposureMultiplies) {
   const std::vector tiles = {place_by_a_lake({0, 0, 0})};
   Options options = small(16, 9, 2);

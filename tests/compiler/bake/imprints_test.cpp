@@ -58,6 +58,14 @@ TEST(Imprints, FacadesLieOnTheTilesAtlas) {
   }
 }
 
+TEST(Imprints, ShineByNight) {
+  scene::Scene scene = with_blocks(2);
+  EXPECT_TRUE(baked(scene, {0.5}).front().imprints.emission.texels.empty());
+  scene.header.sky.to_sun = {0, -0.96, -0.28};
+  const imprint::Atlas atlas = baked(scene, {0.5}).front().imprints;
+  EXPECT_EQ(atlas.emission.texels.size(), atlas.colour.texels.size());
+}
+
 TEST(Imprints, FineLevelsHaveNone) {
   const BakedTile tile = std::move(baked(with_blocks(2), {0.1}).front());
   EXPECT_EQ(tile.imprints, imprint::Atlas{});

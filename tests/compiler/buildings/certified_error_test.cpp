@@ -33,7 +33,7 @@ struct Level {
 
 Level level_of(const Building& building, const Rulebook& rulebook, double tolerance_m) {
   Report report;
-  const Expanded expanded = expand(building, rulebook, 1, tolerance_m, report);
+  const Expanded expanded = expand(building, rulebook, {1}, tolerance_m, report);
   Level level{{}, expanded.error_m};
   const auto add = [&](const materials::DressedMesh& dressed) {
     const auto& p = dressed.mesh.positions;

@@ -28,7 +28,7 @@ Building with_court(bool stands) {
 // Without rules.
 Expanded bare(const Building& building, double tolerance_m) {
   Report report;
-  return expand(building, {}, 1, tolerance_m, report);
+  return expand(building, {}, {1}, tolerance_m, report);
 }
 
 std::map<std::pair<Vec3, Vec3>, int> open_edges(const Expanded& expanded) {
@@ -86,8 +86,8 @@ TEST(Expand, DropsNothingWhoseChimneyStandsOut) {
   Rulebook rulebook;
   rulebook.emplace(b.style, *grammars::read_rules_of("Building --> comp(f) { top : extrude(4) Block. | all : Wall. }"));
   Report report;
-  EXPECT_FALSE(expand(b, rulebook, 1, 16, report).meshes.empty());
-  const Expanded dropped = expand(b, rulebook, 1, 20, report);
+  EXPECT_FALSE(expand(b, rulebook, {1}, 16, report).meshes.empty());
+  const Expanded dropped = expand(b, rulebook, {1}, 20, report);
   EXPECT_TRUE(dropped.meshes.empty());
   EXPECT_EQ(dropped.error_m, 19);
 }
@@ -135,7 +135,7 @@ Building --> case roof == "gabled" : t(0, 20, 0) Told. else : Untold.
   rulebook.emplace(b.style, *program);
   double highest_m = 0;
   Report report;
-  for (const auto& dressed : expand(b, rulebook, 1, 12.5, report).meshes)
+  for (const auto& dressed : expand(b, rulebook, {1}, 12.5, report).meshes)
     for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z);
   EXPECT_GT(highest_m, 30);
 }

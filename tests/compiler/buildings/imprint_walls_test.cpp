@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/buildings/expand.h"
+#include "compiler/buildings/style.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -34,7 +35,7 @@ const Rulebook& rulebook() {
 
 Expanded expanded(const Building& building, double tolerance_m) {
   Report report;
-  return expand(building, rulebook(), 1, tolerance_m, report);
+  return expand(building, rulebook(), {1}, tolerance_m, report);
 }
 
 // Square metres, and the mean of what upright faces show, by area.
@@ -133,7 +134,7 @@ TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
   const Building block = house(Style::kCourtyardBlock, 24, 19);
   const double ladder_m[] = {0.1, 0.5, 2.5, 12.5};
   std::vector<Report> reports(std::size(ladder_m));
-  const std::vector<Expanded> together = expand(block, rulebook(), 1, ladder_m, reports);
+  const std::vector<Expanded> together = expand(block, rulebook(), {1}, ladder_m, reports);
   for (std::size_t l = 0; l < together.size(); ++l) {
     const Expanded alone = expanded(block, ladder_m[l]);
     ASSERT_EQ(together[l].meshes.size(), alone.meshes.size());
@@ -149,6 +150,79 @@ TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
 }
 
 TEST(ImprintWalls, BareHousesStayBare) { EXPECT_TRUE(expanded(house(Style::kPlain, 30, 18), 2.5).imprinted.empty()); }
+
+// ---- by night
+
+// The mean of what a picture's triangle shows, at points all over it.
+double emission_on(const ImprintedMesh& face, const Triangle& t, double texel_m) {
+  constexpr int kSteps = 64;
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; i + j < kSteps; ++j) {
+      const double a = (i + 1 / 3.0) / kSteps, b = (j + 1 / 3.0) / kSteps;
+      const Vec2 uv = face.mesh.uvs[t[0]] * (1 - a - b) + face.mesh.uvs[t[1]] * a + face.mesh.uvs[t[2]] * b;
+      const auto at = [&](double m, std::uint32_t most) { return std::clamp<int>(m / texel_m, 0, most - 1); };
+      const std::size_t row = at(uv.y, face.picture.rows), column = at(uv.x, face.picture.columns);
+      sum += face.picture.texels[row * face.picture.columns + column].emission[0] / 65535.0;
+      ++count;
+    }
+  return sum / count;
+}
+
+double area_m2(const Mesh& mesh, const Triangle& t) {
+  return length(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]])) / 2;
+}
+
+// Light that a house sends out: emission by area. Pictures have texels of the level's tolerance.
+double shone_by(const Expanded& house, double texel_m) {
+  double sum = 0;
+  for (const DressedMesh& dressed : house.meshes)
+    for (const Triangle& t : dressed.mesh.triangles) sum += area_m2(dressed.mesh, t) * emission_of(dressed.material)[0];
+  for (const ImprintedMesh& face : house.imprinted)
+    for (const Triangle& t : face.mesh.mesh.triangles)
+      sum += area_m2(face.mesh.mesh, t) * emission_on(face, t, texel_m);
+  return sum;
+}
+
+Expanded by_night(const Building& building, double tolerance_m) {
+  Report report;
+  return expand(building, rulebook(), {1, true}, tolerance_m, report);
+}
+
+TEST(LitWindows, ShineByNightAlone) {
+  for (int style = 0; style < static_cast<int>(Style::kCount); ++style)
+    EXPECT_EQ(shone_by(expanded(house(static_cast<Style>(style), 30, 18), 0.1), 0.1), 0) << style;
+  for (const Style style : {Style::kPanelBlock, Style::kCourtyardBlock, Style::kOfficeSlab, Style::kGlassTower})
+    EXPECT_GT(shone_by(by_night(house(style, 30, 18), 0.1), 0.1), 1) << static_cast<int>(style);
+}
+
+// Of windows of flats a share that is neither few nor most.
+TEST(LitWindows, AreAShareOfAll) {
+  const Building block = house(Style::kPanelBlock, 60, 30);
+  const auto glass_m2 = [](const Expanded& house) {
+    double sum = 0;
+    for (const DressedMesh& mesh : house.meshes)
+      if (mesh.material == Material::kGlass) sum += shown_by({{mesh}, 0}).wall_m2;
+    return sum;
+  };
+  const double dark = glass_m2(by_night(block, 0.1)) / glass_m2(expanded(block, 0.1));
+  EXPECT_GT(dark, 0.5);
+  EXPECT_LT(dark, 0.75);
+}
+
+// What shines on pictures is what shone there; balconies, which a coarse level paints over the windows behind them,
+// would be in the way.
+TEST(LitWindows, ShineOnPicturesAsTheyDid) {
+  for (const Style style : {Style::kOldTownHouse, Style::kOfficeSlab}) {
+    const Building block = house(style, 60, 30);
+    const double fine = shone_by(by_night(block, 0.5), 0.5);
+    EXPECT_GT(fine, 10);
+    // of a wall few texels are left
+    for (const auto& [tolerance_m, share] : {std::pair{2.5, 0.15}, {12.5, 0.35}})
+      EXPECT_NEAR(shone_by(by_night(block, tolerance_m), tolerance_m) / fine, 1, share) << rules_of(style);
+  }
+}
 
 }  // namespace
 }  // namespace citykiln::buildings

@@ -217,6 +217,34 @@ TEST_P(ShippedStyles, WearTheTaggedColours) {
   EXPECT_TRUE(has(0x65));
 }
 
+// How far the upper end of a tower's walls stands back from its lower end, at most, over some ids.
+double stands_back_m(const Program& program, double height_m, bool attached) {
+  double most_m = 0;
+  for (std::uint64_t id = 1; id <= 12; ++id) {
+    MadeMass made = made_of({"glass_tower", 26, 26, height_m, 30, "flat", 0, 0, 0});
+    made.id = StableId{id};
+    DeriveOptions options;
+    options.attributes = {{"height", height_m}, {"levels", height_m / 3.6}, {"attached", attached}};
+    double top_low_x = 26;
+    for (const Terminal& terminal : derive(program, mass_of(made), options).terminals)
+      for (const Face& face : terminal.faces)
+        each_vertex(face, [&](Vec3 p) {
+          if (p.z > height_m) top_low_x = std::min(top_low_x, p.x);
+        });
+    most_m = std::max(most_m, top_low_x);
+  }
+  return most_m;
+}
+
+// Its own top stands back behind a terrace; what a neighbour leans on goes straight up.
+TEST(GlassTower, StandsBackWhereItStandsAlone) {
+  const Result<Program> program = read_rules("glass_tower.cga", shipped);
+  ASSERT_TRUE(program);
+  EXPECT_GT(stands_back_m(*program, 110, false), 2);
+  EXPECT_LT(stands_back_m(*program, 110, true), 0.5);
+  EXPECT_LT(stands_back_m(*program, 40, false), 0.5);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ShippedStyles, testing::ValuesIn(kStyles),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -155,6 +155,86 @@ TEST(Solid, KeepsVal3ditysRulesOnMadeFootprints) {
         }
 }
 
+// ---- real footprints that once made invalid solids
+
+struct Hard {
+  const char* osm;
+  double rise_m, overhang_m;
+  Polygon footprint;
+};
+
+// Roof planes of w138590242 leave slivers that look away from each other's planes. A hole's corner of r1946699 lies
+// within a grid step of its neighbour's wall. Snapping lets a spike of w141220771 cross the wall beside it.
+const Hard kHard[] = {
+    {"w138590242",
+     2.3798828125,
+     0.375,
+     {{{3525.5, 2618.0703125},
+       {3530.171875, 2614.734375},
+       {3534.5234375, 2611.625},
+       {3533.078125, 2609.515625},
+       {3535.734375, 2607.40625},
+       {3537.265625, 2609.40625},
+       {3539.921875, 2607.515625},
+       {3542.6640625, 2606.40625},
+       {3543.703125, 2607.7421875},
+       {3544.4296875, 2609.078125},
+       {3544.265625, 2610.5234375},
+       {3543.703125, 2612.6328125},
+       {3540.078125, 2615.296875},
+       {3536.453125, 2617.9609375},
+       {3531.78125, 2621.515625},
+       {3529.4453125, 2622.9609375}},
+      {}}},
+    {"r1946699",
+     1.376953125,
+     0.375,
+     {{{-4520.265625, 3257.8671875},
+       {-4517.3671875, 3253.421875},
+       {-4516.3203125, 3253.9765625},
+       {-4513.75, 3250.0859375},
+       {-4513.0234375, 3250.53125},
+       {-4510.9375, 3246.859375},
+       {-4509.6484375, 3247.75},
+       {-4510.6875, 3252.1953125},
+       {-4506.09375, 3255.1953125},
+       {-4510.84375, 3262.0859375},
+       {-4511.3203125, 3264.859375},
+       {-4515.2734375, 3261.8671875}},
+      {{{-4518.65625, 3258.09375},
+        {-4512.1328125, 3262.53125},
+        {-4509.640625, 3258.53125},
+        {-4516.078125, 3254.203125}}}}},
+    {"w141220771",
+     2.41796875,
+     0.375,
+     {{{747.890625, 3631.40625},
+       {753.015625, 3631.1640625},
+       {753.96875, 3651.375},
+       {762.03125, 3651},
+       {762.4609375, 3660.1015625},
+       {748.328125, 3660.765625},
+       {747.90625, 3651.796875},
+       {749.125, 3651.7421875},
+       {748.8515625, 3651.7578125}},
+      {}}},
+};
+
+TEST(Solid, KeepsVal3ditysRulesOnHardFootprints) {
+  for (const Hard& hard : kHard)
+    for (const double tolerance_m : {kFinest_m, kCoarser_m}) {
+      Building building;
+      building.footprint = hard.footprint;
+      building.stands_on_ground = false;
+      building.roof_shape.form = roofs::Form::kGabled;
+      building.roof_shape.height_m = hard.rise_m, building.roof_shape.overhang_m = hard.overhang_m;
+      building.bottom_m = -3, building.top_m = 7.5 + hard.rise_m;
+      Report report;
+      EXPECT_EQ(val3dity::codes_of(solid_of(building, tolerance_m, report)), Codes{}) << hard.osm;
+      EXPECT_EQ(report.counts()[Code::kRoofFallback], 0u) << hard.osm;
+    }
+}
+
 // ---- real ones
 
 struct Tally {

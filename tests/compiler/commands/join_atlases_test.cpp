@@ -12,11 +12,13 @@ using materials::Sheet;
 
 Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std::uint32_t rows) {
   const Draw draw(seed, StableId{}, "atlas");
-  Atlas atlas{{texel_m, columns, rows, {}}, {texel_m, columns, rows, {}}};
+  Atlas atlas{{texel_m, columns, rows, {}}, {texel_m, columns, rows, {}}, {}};
   for (std::uint32_t i = 0; i < columns * rows; ++i) {
     atlas.colour.texels.push_back({static_cast<std::uint8_t>(draw.below(256, 2 * i)), 7, 9});
     atlas.surface.texels.push_back({255, static_cast<std::uint8_t>(draw.below(256, 2 * i + 1)), 0});
   }
+  // some shine
+  if (seed % 2 == 1) atlas.emission = atlas.colour;
   return atlas;
 }
 

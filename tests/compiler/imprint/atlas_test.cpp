@@ -41,7 +41,8 @@ At texel_at(const AtlasLayout& layout, std::size_t picture) {
 TEST(Atlas, EveryTexelIsOnIt) {
   const std::vector<Picture> pictures = random_pictures(60, 13);
   const AtlasLayout layout = lay_out(pictures, 0.5);
-  const auto& [colour, surface] = layout.atlas;
+  const auto& [colour, surface, emission] = layout.atlas;
+  EXPECT_TRUE(emission.texels.empty());
   EXPECT_EQ(colour.texel_m, 0.5);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     for (std::size_t y = 0; y < pictures[i].rows; ++y)
@@ -53,6 +54,20 @@ TEST(Atlas, EveryTexelIsOnIt) {
           EXPECT_EQ(colour.texels[place][c], materials::srgb_of_linear(texel.light[c] / 65535.0));
         EXPECT_EQ(surface.texels[place], (materials::Sheet::Texel{255, texel.roughness, texel.metalness}));
       }
+}
+
+// By day nothing is spent on it.
+TEST(Atlas, HasEmissionWhereAnyPictureShines) {
+  std::vector<Picture> pictures = random_pictures(20, 6);
+  pictures[7].texels[0].emission = {65535, 30000, 0};
+  const AtlasLayout layout = lay_out(pictures, 0.5);
+  const materials::Sheet& emission = layout.atlas.emission;
+  ASSERT_EQ(emission.texels.size(), layout.atlas.colour.texels.size());
+  const At at = texel_at(layout, 7);
+  const materials::Sheet::Texel shines = {255, materials::srgb_of_linear(30000 / 65535.0), 0};
+  EXPECT_EQ(emission.texels[at.row * emission.columns + at.column], shines);
+  EXPECT_EQ(emission.texels[at.row * emission.columns + at.column + pictures[7].columns + 1],
+            materials::Sheet::Texel{});
 }
 
 // Blocks of two by two texels are the texels of the next mip level.

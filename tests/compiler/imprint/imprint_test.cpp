@@ -52,6 +52,15 @@ TEST(Imprint, AFaceOfItselfIsItsOwnColour) {
   }
 }
 
+TEST(Imprint, ShowsWhatShines) {
+  const std::vector<DressedMesh> half_lit = {panel(0, 0, 1, 1, Material::kPlaster),
+                                             panel(0, 0, 0.5, 1, Material::kRoomWall, -0.25)};
+  const Texel texel = seen(half_lit, seen_from_south(1, 1)).picture.texels.front();
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(texel.emission[c] / 65535.0, emission_of(Material::kRoomWall)[c] / 2, 1e-5);
+  EXPECT_EQ(whole(Material::kPlaster).emission, (std::array<std::uint16_t, 3>{}));
+}
+
 TEST(Imprint, TintsMultiplyTheColour) {
   DressedMesh mesh = panel(0, 0, 1, 1, Material::kPlaster);
   mesh.tint = {255, 51, 0, 255};

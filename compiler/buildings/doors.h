@@ -1,0 +1,34 @@
+// Doors where a map tells of them: entrances, else house numbers, on a wall or close by it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/buildings/recipe.h"
+#include "compiler/geometry/box_grid.h"
+#include "compiler/map/features.h"
+
+namespace citykiln::buildings {
+
+/// Entrances and addresses, by place.
+struct ToldDoors {
+  std::vector<Vec2> at;
+  std::vector<bool> is_entrance;  ///< Else an address.
+  BoxGrid grid;
+};
+
+ToldDoors index_doors(std::span<const map::PointFeature> points);
+
+/// Of each edge of the outer ring, Front::doors. A door is in the wall nearest to what tells of it, no farther than
+/// 1.5 m, and not in walls that are too short for one. Where any entrance is, addresses do not count. O(edges times
+/// points near).
+std::vector<std::uint16_t> doors_of(const Polygon& footprint, const ToldDoors& told);
+
+/// Where the doors of a building are, plane metres, on its walls, at least kDoorFromCorner_m from their ends.
+std::vector<Vec2> places_of_doors(const Building& building);
+
+/// Half a door's tile.
+inline constexpr double kDoorFromCorner_m = 1.25;
+
+}  // namespace citykiln::buildings

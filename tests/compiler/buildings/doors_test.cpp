@@ -1,0 +1,83 @@
+#include "compiler/buildings/doors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compiler/buildings/expand.h"
+#include "tests/compiler/buildings/made_footprint.h"
+
+namespace citykiln::buildings {
+namespace {
+
+using map::PointKind;
+
+map::PointFeature point(double x, double y, PointKind kind = PointKind::kEntrance) {
+  map::PointFeature feature;
+  feature.at = {x, y}, feature.kind = kind;
+  return feature;
+}
+
+const Polygon kHouse{{{0, 0}, {16, 0}, {16, 12}, {0, 12}}, {}};
+
+std::vector<std::uint16_t> doors(const std::vector<map::PointFeature>& points) {
+  return doors_of(kHouse, index_doors(points));
+}
+
+Building building_with(const std::vector<std::uint16_t>& doors, Style style = Style::kPlain) {
+  Building b;
+  b.id = {{OsmType::kWay, 7}, 0};
+  b.footprint = kHouse;
+  b.top_m = 12, b.levels = 4;
+  b.wall = materials::Material::kPlaster, b.roof = materials::Material::kFlatRoof;
+  b.style = style;
+  for (const std::uint16_t mask : doors) b.fronts.push_back({true, 0, mask});
+  return b;
+}
+
+TEST(Doors, AreInTheWallNearestToWhatTellsOfThem) {
+  EXPECT_EQ(doors({point(4.5, 0)}), (std::vector<std::uint16_t>{1u << 4, 0, 0, 0}));
+  EXPECT_EQ(doors({point(15.2, 3.5)}), (std::vector<std::uint16_t>{0, 1u << 4, 0, 0}));
+  EXPECT_EQ(doors({point(4.5, 0), point(12.5, 0.25)}), (std::vector<std::uint16_t>{1u << 4 | 1u << 12, 0, 0, 0}));
+}
+
+TEST(Doors, AreNotToldFromAfarNorByWhatIsNone) {
+  EXPECT_EQ(doors({}), std::vector<std::uint16_t>(4));
+  EXPECT_EQ(doors({point(8, 6), point(40, 0), point(4, 0, PointKind::kShop)}), std::vector<std::uint16_t>(4));
+}
+
+TEST(Doors, AreAtNumbersWhereNoEntranceIs) {
+  const map::PointFeature number = point(4.5, 0, PointKind::kAddress);
+  EXPECT_EQ(doors({number}), (std::vector<std::uint16_t>{1u << 4, 0, 0, 0}));
+  EXPECT_EQ(doors({number, point(16, 6.1)}), (std::vector<std::uint16_t>{0, 1u << 8, 0, 0}));
+}
+
+TEST(Doors, AreWhereTheyAreToldToAPartOfTheWall) {
+  for (double x = 0; x <= 16; x += 0.25) {
+    const std::vector<Vec2> places = places_of_doors(building_with(doors({point(x, 0)})));
+    ASSERT_EQ(places.size(), 1u);
+    EXPECT_NEAR(places[0].x, std::clamp(x, kDoorFromCorner_m, 16 - kDoorFromCorner_m), 0.5 + 1e-9);
+    EXPECT_EQ(places[0].y, 0);
+  }
+}
+
+// A wall's door leaf lies in a niche of its own: no window's sill is below it.
+TEST(Doors, AreMadeThereByRules) {
+  const Rulebook rulebook = rulebook_of(std::vector{Style::kOldTownHouse}, shipped_rules());
+  const auto lowest_niche = [&](double from_m, double to_m, const std::vector<std::uint16_t>& told) {
+    Report report;
+    double low_m = 9;
+    for (const auto& dressed : expand(building_with(told, Style::kOldTownHouse), rulebook, {1}, 0.01, report).meshes)
+      for (const Vec3 p : dressed.mesh.positions)
+        if (p.y > 0.15 && p.y < 0.3 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
+    return low_m;
+  };
+  const std::vector<std::uint16_t> left = {1u << 3, 0, 0, 0}, right = {1u << 12, 0, 0, 0};
+  EXPECT_LT(lowest_niche(2, 5, left), 0.1);
+  EXPECT_GT(lowest_niche(5.5, 15, left), 0.1);
+  EXPECT_LT(lowest_niche(11, 14, right), 0.1);
+  EXPECT_GT(lowest_niche(1, 10.5, right), 0.1);
+}
+
+}  // namespace
+}  // namespace citykiln::buildings
