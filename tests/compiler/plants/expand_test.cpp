@@ -215,8 +215,7 @@ TEST(Expand, WoodsKeepClearOfMappedTreesRowsAndLanes) {
     if (tree.feature.id != 1) continue;
     EXPECT_GE(distance(p, {-150, -100}), 6.9);
     EXPECT_GE(std::abs(cross(along, p - Vec2{-250, 150})), 12);
-    for (const Placement& other : all)
-      EXPECT_GE(distance(p, in_plan(other.at)), other.feature.id == 8 ? 4 : 0);
+    for (const Placement& other : all) EXPECT_GE(distance(p, in_plan(other.at)), other.feature.id == 8 ? 4 : 0);
   }
   EXPECT_GT(in_row, 12u);
 }
