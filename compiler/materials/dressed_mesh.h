@@ -24,8 +24,8 @@ struct DressedMesh {
   Material material{};
   Tint tint = kNoTint;
   OsmId feature;  ///< The OSM element it stands for; type kNone where there is none.
-  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. On the atlas:
-  /// x along its rows, y along its columns; likewise on a cutout. Elsewhere where the material's texture is shown: across and along a road;
+  /// Metres, one a position, or empty. On the sheet: x across it from its left edge, y along it. On the atlas and on
+  /// cutouts: x along rows, y along columns. Elsewhere where the material's texture is shown: across and along a road;
   /// east and north, or a field's rows, on land.
   std::vector<Vec2> uvs{};
   std::vector<Tint> tints{};                  ///< One a position, instead of `tint`; or empty.

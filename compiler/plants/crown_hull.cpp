@@ -132,7 +132,8 @@ CrownHull crown_hull(const Foliage& foliage) {
 CrownHull crown_box(const Foliage& foliage) {
   CrownHull hull;
   if (foliage.cards.empty()) return hull;
-  const std::array bounds = {bounds_of(foliage, &Vec3::x), bounds_of(foliage, &Vec3::y), bounds_of(foliage, &Vec3::z)};
+  std::array bounds = {bounds_of(foliage, &Vec3::x), bounds_of(foliage, &Vec3::y), bounds_of(foliage, &Vec3::z)};
+  bounds[2][0] = 0;  // it stands on the ground
   const auto at = [&](std::size_t axis, int end) { return bounds[axis][static_cast<std::size_t>(end)]; };
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int end : {0, 1}) {

@@ -21,7 +21,7 @@ constexpr double kSprayCover = 0.42;
 
 // Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
 // much, as `chart plant` measures woods.
-constexpr double kCardShade = 0.52, kBodyShade = 0.25;
+constexpr double kCardShade = 0.52, kBodyShade = 0.25, kBoxShade = 0.6;
 
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
@@ -127,7 +127,8 @@ PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
   const Look look = look_of(species);
   CrownHull hull = is_clipped(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
-  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, kBodyShade), {}});
+  plant.meshes.push_back(
+      {std::move(hull.mesh), look.leaf_material, shaded(look.leaf, is_clipped(species) ? kBoxShade : kBodyShade), {}});
   return plant;
 }
 

@@ -21,7 +21,7 @@ scene::Chunk planted(int trees) {
   scene::Chunk chunk;
   chunk.heights = {{-64, -64}, {16, 16}, 17, 17, std::vector<std::int32_t>(17 * 17, 0), 0};
   for (int i = 0; i < trees; ++i)
-    chunk.trees.push_back({{{OsmType::kNode, i + 1}, 0}, {4.0 + 6 * i, 64}, 12, Species::kBirch});
+    chunk.trees.push_back({{{OsmType::kNode, i + 1}, 0}, {4.0 + 6 * i, 64}, 12, plants::stock_of(Species::kBirch)});
   return chunk;
 }
 
@@ -39,7 +39,8 @@ TEST(Grove, GrowsFromTheHeadersTextsAndElseFromThoseShipped) {
   const auto shipped = plants::shipped_species();
   const Grove own(header_of({shipped.begin(), shipped.end()})), none(header_of({}));
   EXPECT_EQ(own.shape({Species::kOak, 1}, 28, 0.5).primitives, none.shape({Species::kOak, 1}, 28, 0.5).primitives);
-  const Grove other(header_of({{"oak", "module oak_leaf\nn: 1\naxiom: F(5)[+(40)F(3)~oak_leaf(2)]-(30)F(3)~oak_leaf(2)\n"}}));
+  const Grove other(
+      header_of({{"oak", "module oak_leaf\nn: 1\naxiom: F(5)[+(40)F(3)~oak_leaf(2)]-(30)F(3)~oak_leaf(2)\n"}}));
   EXPECT_NE(other.shape({Species::kOak, 1}, 28, 0.5).primitives, none.shape({Species::kOak, 1}, 28, 0.5).primitives);
   EXPECT_FALSE(other.shape({Species::kOak, 1}, 28, 0.5).primitives.empty());
 }
