@@ -62,7 +62,7 @@ TEST(JoinAtlases, WhatIsTooMuchIsHalved) {
   std::vector<Atlas> atlases;
   for (int i = 0; i < 5; ++i) {
     const Sheet grey{0.5, 4096, 4096, std::vector<Sheet::Texel>(4096 * 4096, Sheet::Texel{60, 60, 60})};
-    atlases.push_back({grey, grey});
+    atlases.push_back({grey, grey, {}});
   }
   const JoinedAtlases all = joined(atlases);
   EXPECT_LE(all.atlas.colour.texels.size(), materials::kMostTexels);
