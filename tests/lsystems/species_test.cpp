@@ -155,7 +155,7 @@ TEST_P(EachSpecies, KeepsItsBudgetAtFullDetail) {
     EXPECT_GE(skeleton.segments.size(), is_small(species) ? 20u : 1'000u);
     EXPECT_LE(skeleton.segments.size(), is_small(species) ? 1'000u : 20'000u);
     EXPECT_LE(leaves, is_small(species) ? 5'000u : 11'000u);
-    EXPECT_GE(leaves, is_small(species) ? 50u : 2'000u);
+    EXPECT_GE(leaves, is_small(species) ? 50u : 1'000u);
   }
 }
 
