@@ -418,6 +418,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.tile = {whole(key.Get(0)), whole(key.Get(1))};
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
+  tile.plant_error_m = number(member(root.extras, "plant_error_m"));
   tile.seen_from = seen_from_of(root.extras);
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());

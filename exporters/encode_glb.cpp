@@ -415,6 +415,7 @@ Value extras_of(const BakedTile& tile, const scene::Header& header) {
                    {"origin_m", vector(tile.origin)},
                    {"tolerance_m", number(tile.tolerance_m)},
                    {"error_m", number(tile.error_m)},
+                   {"plant_error_m", number(tile.plant_error_m)},
                    {"rounding_m", number(rounding_m(tile.primitives))},
                    {"plane", Value(plane)}};
   if (const auto& seen = tile.seen_from)

@@ -54,7 +54,7 @@ bake::BakedTile quantised(bake::BakedTile tile) {
     const double moved_m = put_on_grid(instanced.primitives);
     for (const float scale : instanced.scales) farthest_m = std::max(farthest_m, moved_m * std::abs(scale));
   }
-  tile.error_m += before_m + farthest_m;
+  tile.error_m += before_m + farthest_m, tile.plant_error_m += farthest_m;
   return tile;
 }
 

@@ -74,7 +74,7 @@ struct BakedTile {
   scene::TileKey tile;
   Vec3 origin;                        ///< Plane metres, whole numbers; z too.
   double tolerance_m = 0;             ///< Asked for.
-  double error_m = 0;                 ///< Certified: Hausdorff, both ways, to the full-detail shape.
+  double error_m = 0;                 ///< Certified: Hausdorff, both ways, to the full-detail shape; but for plants.
   std::vector<OsmId> features;        ///< Sorted; index 0 is always the none feature.
   std::vector<Primitive> primitives;  ///< Sorted by key, at most one each.
   std::vector<Instanced> instanced;
@@ -84,6 +84,7 @@ struct BakedTile {
   /// tolerance has any.
   std::vector<materials::Texture> textures{};
   std::optional<SeenFrom> seen_from{};  ///< Then tolerance_m is the finest of many.
+  double plant_error_m = 0;  ///< Stated, not certified, and in no other error: of plants (plants/prototype_mesh.h).
   bool operator==(const BakedTile&) const = default;
 };
 

@@ -96,7 +96,7 @@ void name_placed(Firing& firing, const Placed& placed) {
 void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove) {
   for (const auto& [prototype, placements] : told_apart(placed, firing.tolerance_m)) {
     const PlantShape& shape = grove.shape(prototype, height_m_for(prototype, placements), firing.tolerance_m);
-    for (const Placement& p : placements) firing.certify(shape.error_per_m * p.scale, bounds_of(p));
+    firing.tile.plant_error_m = std::max(firing.tile.plant_error_m, shape.error_per_m * tallest(placements));
     fire_instances(firing, name_of(prototype), shape.primitives, shape.cutout, placements, kShape_m);
   }
 }

@@ -138,6 +138,7 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
     for (const bake::Instanced& i : tile.instanced) add_instanced(instanced_of(joined, i, guest), i, guest, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
+    joined.plant_error_m = std::max(joined.plant_error_m, tile.plant_error_m);
     if (tile.seen_from && (!joined.seen_from || joined.seen_from->pixel_error < tile.seen_from->pixel_error))
       joined.seen_from = tile.seen_from;
   }

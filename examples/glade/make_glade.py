@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes a glade as RPForest's default configuration (Rudzki 2020) has it: glade.osm, glade_heights.png and spec.json beside this file.
 
-Terrain by diamond-square, 300 m wide, spread 100 m, halved each time. A camera's place about 5 m high, 50 m from the edge. Honda's trees in two grids of cells of
+Terrain by diamond-square, spread 100 m, halved each time; twice as wide as there, since whole cells are compiled. A camera's place about 5 m high, 150 m from the edge. Honda's trees in two grids of cells of
 3 m before it, 2 by 2 to the left and 2 by 5 to the right, and ferns in 4 by 6 cells of half a metre; each cell is planted with probability 0.8, within the inner
 four fifths of it, 0.75 to 2.5 (ferns 0.8 to 1.2) times as high as its kind. Same file, same bytes: chance is a small generator of our own.
 """
@@ -14,7 +14,7 @@ import zlib
 HERE = os.path.dirname(os.path.abspath(__file__))
 LON0, LAT0 = 17.03, 51.11
 M_LAT, M_LON = 111250.0, 111320.0 * math.cos(math.radians(LAT0))
-POWER, SIZE, FIRST, SPREAD, REDUCTION = 7, 300.0, 5.0, 100.0, 0.5
+POWER, SIZE, FIRST, SPREAD, REDUCTION = 8, 600.0, 5.0, 100.0, 0.5
 COUNT = 2**POWER + 1
 STEP = SIZE / (COUNT - 1)
 BASE, SCALE = 200.0, 0.01  # grey 0 lies so deep; metres a step of grey
@@ -62,8 +62,8 @@ def place_of(r, c):
 
 
 def camera_vertex(h):
-    """The vertex nearest to 5 m high, 50 m and more from the edge, where the ground before it is most level."""
-    edge = int(50 / STEP) + 1
+    """The vertex nearest to 5 m high, 150 m and more from the edge, where the ground before it is most level."""
+    edge = int(150 / STEP) + 1
     ahead = int(20 / STEP)
     inner = [(r, c) for r in range(edge, COUNT - edge) for c in range(edge, COUNT - edge)]
 
@@ -105,7 +105,7 @@ def write_osm(path, plants, centre):
     for number, p in zip(ids, corners):
         lon, lat = lonlat(p)
         lines.append(f' <node id="{number}" version="1" lat="{lat:.7f}" lon="{lon:.7f}"/>')
-    lines += [' <way id="1" version="1">'] + [f'  <nd ref="{i}"/>' for i in (*ids, ids[0])] + ['  <tag k="natural" v="heath"/>', " </way>", "</osm>"]
+    lines += [' <way id="1" version="1">'] + [f'  <nd ref="{i}"/>' for i in (*ids, ids[0])] + ['  <tag k="natural" v="grassland"/>', " </way>", "</osm>"]
     with open(path, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
 
@@ -133,11 +133,11 @@ for centre, columns, rows, cell_m, kind_m, low, high, tags in (
     plants += [(p, height_m, tags) for p, height_m in cells(chance, centre, columns, rows, cell_m, kind_m, low, high)]
 write_osm(os.path.join(HERE, "glade.osm"), plants, (x, y))
 dem = write_heights(os.path.join(HERE, "glade_heights.png"), heights)
-lon, lat = lonlat((x, y))
+lon, lat = lonlat((x, y - 4))
 with open(os.path.join(HERE, "spec.json"), "w", encoding="utf-8") as file:
     json.dump({"map": "examples/glade/glade.osm", "dem": f"examples/glade/glade_heights.png,{dem}", "time": "2020-07-01T14:00", "lods": "0.02"}, file, indent=2)
     file.write("\n")
-eye_m = heights[row][column] + 0.75
+eye_m = heights[row - round(4 / STEP)][column] + 1.7
 print(f"eye {lon:.7f},{lat:.7f},{eye_m:.2f}; {sum('Honda' in t['species'] for _, _, t in plants)} trees, {len(plants)} plants")
-ahead = heights[row + round(6 / STEP)][column]
-print(f"look {lon:.7f},{lonlat((x, y + 6))[1]:.7f},{ahead + 0.9:.2f}")
+ahead = heights[row + round(8 / STEP)][column]
+print(f"look {lon:.7f},{lonlat((x, y + 8))[1]:.7f},{ahead + 1.5:.2f}")
