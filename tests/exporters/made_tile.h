@@ -40,6 +40,7 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
   std::mt19937 dice(seed);
   bake::BakedTile tile;
   tile.tile = {-3, 17}, tile.origin = {-3072 + 512, 123456789, 431}, tile.tolerance_m = 0.1, tile.error_m = 0.0625;
+  tile.plant_error_m = 0.375;
   tile.features = {{}, {OsmType::kNode, 5}, {OsmType::kWay, -12}, {OsmType::kRelation, (std::int64_t{1} << 53) + 1}};
   tile.primitives = {made_primitive(dice, materials::Material::kGrass, 9, 4),
                      made_primitive(dice, materials::Material::kAsphalt, 30, 4)};

@@ -21,6 +21,7 @@ bake::BakedTile tile_at(Vec3 origin, OsmId feature, double error_m) {
   bake::Primitive shared = primitive;
   shared.features.clear();
   bake::BakedTile tile{{0, 0}, origin, 0.1, error_m, {OsmId{}, feature}, {primitive}, {}};
+  tile.plant_error_m = error_m * 4;
   tile.instanced = {{"Tree", {shared}, {{2, 2, 0}}, {{0, 0, 0, 1}}, {5}, {1}}};
   return tile;
 }
@@ -40,6 +41,7 @@ TEST(JoinTiles, KeepsEveryVertexWhereItWas) {
   EXPECT_EQ(joined->primitives.size(), 1u);
   EXPECT_EQ(joined->primitives[0].triangles[1], (std::array<std::uint32_t, 3>{3, 4, 5}));
   EXPECT_EQ(joined->error_m, 0.2);
+  EXPECT_EQ(joined->plant_error_m, 0.8);
 }
 
 TEST(JoinTiles, KeepsWhoseEverythingIs) {
