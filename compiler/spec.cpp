@@ -89,16 +89,7 @@ Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
   return Done{};
 }
 
-Result<Done> set_only(CompileSpec& spec, std::string_view text) {
-  for (const std::string_view part : split(text, ',')) {
-    Result<scene::TileKey> tile = parse_tile(part);
-    if (!tile) return tile.error();
-    spec.only.push_back(*tile);
-  }
-  std::sort(spec.only.begin(), spec.only.end());
-  spec.only.erase(std::unique(spec.only.begin(), spec.only.end()), spec.only.end());
-  return Done{};
-}
+Result<Done> set_only(CompileSpec& spec, std::string_view text) { return add_tiles(text, spec.only); }
 
 Result<Done> set_out(CompileSpec& spec, std::string_view text) {
   spec.outputs.folder = text;
@@ -310,6 +301,16 @@ Result<scene::TileKey> parse_tile(std::string_view text) {
     return expected("a tile X_Y, as in 3_-2", text);
   }
   return tile;
+}
+
+Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles) {
+  for (const std::string_view part : split(text, ',')) {
+    const Result<scene::TileKey> tile = parse_tile(part);
+    if (!tile) return tile.error();
+    const auto place = std::ranges::lower_bound(tiles, *tile);
+    if (place == tiles.end() || *place != *tile) tiles.insert(place, *tile);
+  }
+  return Done{};
 }
 
 std::string to_string(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }

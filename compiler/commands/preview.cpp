@@ -79,13 +79,6 @@ Result<Exit> run(const Request& request, const Console& console) {
   return Exit::kDone;
 }
 
-Result<Done> take_only(const std::string& text, std::vector<scene::TileKey>& only) {
-  const Result<scene::TileKey> tile = parse_tile(text);
-  if (!tile) return tile.error();
-  only.insert(std::ranges::upper_bound(only, *tile), *tile);
-  return Done{};
-}
-
 std::vector<Option> tile_options(LoadRequest& load) {
   return {
       {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to look at", true, onto(load.paths)},
@@ -93,8 +86,8 @@ std::vector<Option> tile_options(LoadRequest& load) {
        [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
       {"--level", "N", "which of a folder's levels (0)", false,
        [&](const std::string& t) { return take_level(t, load.level); }},
-      {"--only", "X_Y", "look at these tiles alone", true,
-       [&](const std::string& t) { return take_only(t, load.only); }},
+      {"--only", "X_Y[,X_Y...]", "look at these tiles alone", true,
+       [&](const std::string& t) { return add_tiles(t, load.only); }},
       threads_option(load.threads),
   };
 }
