@@ -3,6 +3,10 @@
 #include "compiler/bake/merge.h"
 
 namespace citykiln::bake {
+
+Grove::Grove(const scene::Header& header)
+    : nursery_(header.species, plants::month_for(header.sky.time, header.origin.lat_deg)) {}
+
 // Nodes of a map stay where they are.
 Grove::Slot& Grove::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);
