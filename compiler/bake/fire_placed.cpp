@@ -87,6 +87,15 @@ Placed placed_in(const Firing& firing, const Common& common) {
   return placed;
 }
 
+void fire_canopy(Firing& firing, const Common& common, Placed& placed) {
+  const auto found = common.canopies.find(firing.tolerance_m);
+  if (firing.part || found == common.canopies.end()) return;
+  plants::Canopy canopy = found->second;
+  plants::gather(canopy, firing.chunk.woods, placed.trees);
+  firing.tile.plant_error_m = canopy.error_m;
+  firing.take(std::move(canopy.meshes));
+}
+
 void name_placed(Firing& firing, const Placed& placed) {
   for (const auto& [prototype, placements] : placed.trees)
     for (const Placement& p : placements) firing.features.insert(p.feature);

@@ -15,6 +15,10 @@ struct Placed {
 
 Placed placed_in(const Firing& firing, const Common& common);
 
+/// One surface instead of trees, where they stand closed and the tolerance is coarse (plants/canopy.h). Not for one
+/// eye: there each tree is as fine as it is near.
+void fire_canopy(Firing& firing, const Common& common, Placed& placed);
+
 /// What is placed is named before features are numbered, and fired after.
 void name_placed(Firing& firing, const Placed& placed);
 

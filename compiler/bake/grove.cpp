@@ -4,8 +4,9 @@
 
 namespace citykiln::bake {
 
-Grove::Grove(const scene::Header& header)
-    : nursery_(header.species, plants::month_for(header.sky.time, header.origin.lat_deg)) {}
+plants::Month month_of(const scene::Header& header) {
+  return plants::month_for(header.sky.time, header.origin.lat_deg);
+}
 
 // Nodes of a map stay where they are.
 Grove::Slot& Grove::slot(const Key& key) const {

@@ -23,12 +23,14 @@ struct PlantShape {
   double error_per_m = 0;
 };
 
+/// In which plants are shown: of the header's sky.
+plants::Month month_of(const scene::Header& header);
+
 /// From any thread. Logically const: a shape is a function of the header's texts and what is asked for. Memory: what
 /// has been asked for; at 0.02 m some 2 MB a shape.
 class Grove {
  public:
-  /// In the month that the header's sky tells.
-  explicit Grove(const scene::Header& header);
+  explicit Grove(const scene::Header& header) : nursery_(header.species, month_of(header)) {}
 
   /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
   const PlantShape& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;

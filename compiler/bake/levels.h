@@ -1,6 +1,7 @@
 // The levels of a tile before they are fired: what they have in common is made once, and their ground together.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include "compiler/bake/fire_ground.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/expand.h"
+#include "compiler/plants/canopy.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
 #include "compiler/scene/ground_carving.h"
@@ -31,6 +33,7 @@ struct Common {
   Report of_trees;
   Lamps lamps;
   std::vector<structures::Stairs> stairs;
+  std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances from plants::kCanopyFrom_m on.
 };
 
 /// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be
