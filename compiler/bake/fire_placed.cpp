@@ -110,6 +110,16 @@ void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove
   }
 }
 
+void fire_pits(Firing& firing, const Common& common) {
+  for (const props::TreePit& pit : common.pits) {
+    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(common.carving, pit.at)), 1, 0, pit.side_m, {}});
+    if (!firing.holds(bounds)) continue;
+    props::Expanded expanded = props::expand(pit, common.carving, firing.tolerance_m);
+    firing.certify(expanded.error_m, bounds);
+    firing.take(std::move(expanded.meshes));
+  }
+}
+
 void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report) {
   const bool is_left[] = {fire_kind(firing, lamps, carving, props::LampKind::kPostTop),
                           fire_kind(firing, lamps, carving, props::LampKind::kArm)};

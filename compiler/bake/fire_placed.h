@@ -25,6 +25,9 @@ void name_placed(Firing& firing, const Placed& placed);
 /// Of the grove's shapes; variants that the tolerance does not tell apart (plants::variants_at) are one.
 void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove);
 
+/// Those of trees that the firing holds: a pit goes with its tree.
+void fire_pits(Firing& firing, const Common& common);
+
 /// Accounts "bake/lamp", "bake/derived lamp". Only what somebody mapped is named where the tolerance drops it.
 void fire_lamps(Firing& firing, const Lamps& lamps, const ground::Carving& carving, Report& report);
 

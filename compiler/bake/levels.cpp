@@ -23,6 +23,12 @@ void add_hedges(const scene::Chunk& chunk, const plants::Land& land, plants::Pla
       plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
 }
 
+std::vector<Placement> joined(const plants::Placed& placed) {
+  std::vector<Placement> all;
+  for (const auto& [prototype, placements] : placed) all.insert(all.end(), placements.begin(), placements.end());
+  return all;
+}
+
 // What levels ask for that not all do.
 struct Wanted {
   bool blades = false, hedge_plants = false;
@@ -33,10 +39,11 @@ Common common_at(const scene::Header& header, const scene::Chunk& chunk, double 
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, {}, place_lamps(chunk, map, box), {}, {}};
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, {}, {}, place_lamps(chunk, map, box), {}, {}};
   const plants::Land land{map, common.carving, box, header.seed, header.origin.lat_deg};
   common.trees =
       plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, common.of_trees);
+  common.pits = props::tree_pits(joined(common.trees), chunk.roads, map);
   if (wanted.hedge_plants) add_hedges(chunk, land, common.trees);
   if (wanted.blades) common.blades = plants::expand_blades(chunk.plantings, land);
   for (const double canopy_m : wanted.canopies_m)

@@ -13,6 +13,7 @@
 #include "compiler/plants/canopy.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
+#include "compiler/props/tree_pits.h"
 #include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
 #include "compiler/structures/stairs.h"
@@ -31,6 +32,7 @@ struct Common {
   plants::Placed trees;
   plants::Placed blades;  ///< For levels up to plants::kBlades_m; empty where there are none.
   Report of_trees;
+  std::vector<props::TreePit> pits;
   Lamps lamps;
   std::vector<structures::Stairs> stairs;
   std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances from plants::kCanopyFrom_m on.
