@@ -4,10 +4,6 @@
 
 namespace citykiln::bake {
 
-plants::Month month_of(const scene::Header& header) {
-  return plants::month_for(header.sky.time, header.origin.lat_deg);
-}
-
 // Nodes of a map stay where they are.
 Grove::Slot& Grove::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);

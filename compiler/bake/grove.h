@@ -23,9 +23,6 @@ struct PlantShape {
   double error_per_m = 0;
 };
 
-/// In which plants are shown: of the header's sky.
-plants::Month month_of(const scene::Header& header);
-
 /// From any thread. Logically const: a shape is a function of the header's texts and what is asked for. Memory: what
 /// has been asked for; at 0.02 m some 2 MB a shape.
 class Grove {

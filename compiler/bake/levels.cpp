@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/bake/grove.h"
 #include "compiler/bake/skirt.h"
 
 namespace citykiln::bake {

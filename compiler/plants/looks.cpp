@@ -53,7 +53,9 @@ Look look_of(Prototype prototype, Month month) {
   const auto row = std::ranges::find(kRows, prototype.species, &Row::species);
   if (row == std::end(kRows)) return {leaf, materials::kNoTint, materials::kNoTint};
   const Phase phase = phase_of(prototype, month);
-  const materials::Tint bark = tint_of(Material::kBark, row->bark);
+  // stalks are as their blades
+  const bool is_blade = values_of(prototype.species).leaves == Leaves::kBlade;
+  const materials::Tint bark = tint_of(Material::kBark, is_blade ? mixed(row->bark, phase) : row->bark);
   if (phase.leafage == 0)
     return {Material::kBark, tint_of(Material::kBark, twig_of(row->bark)), bark, 0, phase.stature};
   return {leaf, tint_of(leaf, mixed(row->leaf, phase)), bark, phase.leafage, phase.stature};

@@ -98,6 +98,7 @@ TEST(Season, SowsAndReaps) {
   EXPECT_NEAR(height_of(mesh_in(kMidsummer, Species::kWheat, 0.01)), 1, 0.05);
   EXPECT_NEAR(height_of(mesh_in(kJanuary, Species::kWheat, 0.01)), 0.15, 0.02);
   EXPECT_NEAR(height_of(mesh_in(Month{9}, Species::kWheat, 0.01)), 0.2, 0.02);
+  EXPECT_NE(look_of({Species::kWheat, 0}, kMay).bark, look_of({Species::kWheat, 0}).bark);
   EXPECT_LE(mesh_in(kJanuary, Species::kWheat, 0.01).error_per_m, 0.025);
   EXPECT_EQ(mesh_in(kJanuary, Species::kWheat, 0.2).error_per_m, 0.15);
   const PrototypeMesh none = mesh_in(kJanuary, Species::kMaize, 0.01);
