@@ -79,7 +79,9 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
       firing, bands_of(firing), "barrier", report, [&](const auto& b) { return bounds_of(b, chunk.heights); },
       [&](const auto& b) { return props::expand(b, common.carving, tolerance_m); });
   report.append(common.of_trees);
-  const Placed placed = placed_in(firing, common);
+  fire_pits(firing, common);
+  Placed placed = placed_in(firing, common);
+  fire_canopy(firing, common, placed);
   name_placed(firing, placed);
 
   tile.features.assign(firing.features.begin(), firing.features.end());

@@ -34,7 +34,7 @@ std::vector<Corner> soft_corners(const ground::GroundMesh& ground, const std::ve
 }  // namespace
 
 BorderShades border_shades(const ground::GroundMesh& ground, const std::vector<ground::Surface>& surfaces,
-                           std::uint64_t seed) {
+                           std::uint64_t seed, plants::Month month) {
   const std::size_t count = ground.mesh.positions.size();
   BorderShades border{std::vector<Shade>(count), std::vector<bool>(count, false)};
   const std::vector<Corner> corners = soft_corners(ground, surfaces);
@@ -44,7 +44,7 @@ BorderShades border_shades(const ground::GroundMesh& ground, const std::vector<g
     const double share = 1.0 / static_cast<double>(end - first);
     for (auto c = first; c != end; ++c) {
       const ground::Surface& surface = surfaces[c->surface];
-      const Shade shade = shade_of(surface, values_of(surface.surface).material, seed);
+      const Shade shade = shade_of(surface, values_of(surface.surface).material, seed, month);
       sum = {sum.red + share * shade.red, sum.green + share * shade.green, sum.blue + share * shade.blue};
     }
     border.shades[first->vertex] = sum, border.is_shared[first->vertex] = end - first > 1;

@@ -20,6 +20,6 @@ struct BorderShades {
 /// What this cannot do: it carries the tints, not the materials' colours and textures, and it reaches as far as the
 /// triangles at the border do; blending colours that way would paint large triangles in their neighbour's.
 BorderShades border_shades(const ground::GroundMesh& ground, const std::vector<ground::Surface>& surfaces,
-                           std::uint64_t seed);
+                           std::uint64_t seed, plants::Month month = plants::kMidsummer);
 
 }  // namespace citykiln::bake

@@ -26,7 +26,8 @@ struct Dressing {
   const Markings& markings;
   const scene::Header& header;
   double tolerance_m;
-  BorderShades border = border_shades(ground, cover.surfaces, header.seed);
+  plants::Month month = month_of(header);
+  BorderShades border = border_shades(ground, cover.surfaces, header.seed, month);
 };
 
 // The piece that a surface is, or null.
@@ -146,7 +147,7 @@ std::optional<Places> places_of(const Dressing& d, std::uint32_t face, Material 
 materials::Tint tint_at(const Dressing& d, std::uint32_t surface, Material material, std::uint32_t v) {
   const Vec2 place = in_plan(d.ground.mesh.positions[v]);
   Shade shade;
-  if (surface != kNoSurface) shade = shade_of(d.cover.surfaces[surface], material, d.header.seed);
+  if (surface != kNoSurface) shade = shade_of(d.cover.surfaces[surface], material, d.header.seed, d.month);
   if (d.border.is_shared[v] && is_soft(class_of(d.cover, surface))) shade = d.border.shades[v];
   return tint_of(shade, shade_at(place, material, d.header.seed));
 }

@@ -87,6 +87,15 @@ Placed placed_in(const Firing& firing, const Common& common) {
   return placed;
 }
 
+void fire_canopy(Firing& firing, const Common& common, Placed& placed) {
+  const auto found = common.canopies.find(firing.tolerance_m);
+  if (firing.part || found == common.canopies.end()) return;
+  plants::Canopy canopy = found->second;
+  plants::gather(canopy, firing.chunk.woods, placed.trees);
+  firing.tile.plant_error_m = canopy.error_m;
+  firing.take(std::move(canopy.meshes));
+}
+
 void name_placed(Firing& firing, const Placed& placed) {
   for (const auto& [prototype, placements] : placed.trees)
     for (const Placement& p : placements) firing.features.insert(p.feature);
@@ -98,6 +107,16 @@ void fire_trees(Firing& firing, const plants::Placed& placed, const Grove& grove
     const PlantShape& shape = grove.shape(prototype, height_m_for(prototype, placements), firing.tolerance_m);
     firing.tile.plant_error_m = std::max(firing.tile.plant_error_m, shape.error_per_m * tallest(placements));
     fire_instances(firing, name_of(prototype), shape.primitives, shape.cutout, placements, kShape_m);
+  }
+}
+
+void fire_pits(Firing& firing, const Common& common) {
+  for (const props::TreePit& pit : common.pits) {
+    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(common.carving, pit.at)), 1, 0, pit.side_m, {}});
+    if (!firing.holds(bounds)) continue;
+    props::Expanded expanded = props::expand(pit, common.carving, firing.tolerance_m);
+    firing.certify(expanded.error_m, bounds);
+    firing.take(std::move(expanded.meshes));
   }
 }
 

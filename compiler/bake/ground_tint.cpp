@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string_view>
 
 #include "compiler/contract/draw.h"
 #include "compiler/materials/noise.h"
@@ -17,6 +18,59 @@ using materials::Material;
 // Against ripe straw, the table's farmland: stubble, ploughed, sown, green, turning, ripe.
 constexpr Shade kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
                             {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
+
+constexpr std::string_view kCropLetters = "bpogtr";
+
+struct Turf {
+  char letter;
+  Shade shade;
+};
+constexpr Turf kTurfs[] = {
+#define TURF(letter, red, green, blue) {letter, {red, green, blue}},
+#define YEAR(material, months)
+#define FIELD(month, fields)
+#include "compiler/bake/ground_years.inc"
+#undef TURF
+#undef YEAR
+#undef FIELD
+};
+
+struct Year {
+  Material material;
+  std::string_view months;
+};
+constexpr Year kYears[] = {
+#define TURF(letter, red, green, blue)
+#define YEAR(material, months) {Material::material, months},
+#define FIELD(month, fields)
+#include "compiler/bake/ground_years.inc"
+#undef TURF
+#undef YEAR
+#undef FIELD
+};
+
+constexpr std::string_view kFields[] = {
+#define TURF(letter, red, green, blue)
+#define YEAR(material, months)
+#define FIELD(month, fields) fields,
+#include "compiler/bake/ground_years.inc"
+#undef TURF
+#undef YEAR
+#undef FIELD
+};
+static_assert(std::size(kFields) == 12 && kFields[5] == kCropLetters);
+
+std::size_t index_of(plants::Month month) { return (static_cast<std::size_t>(month) + 11) % 12; }
+
+Shade crop_in(plants::Month month, std::size_t field) {
+  return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
+}
+
+Shade turf_in(plants::Month month, Material material) {
+  const auto year = std::ranges::find(kYears, material, &Year::material);
+  if (year == std::end(kYears)) return {};
+  return std::ranges::find(kTurfs, year->months[index_of(month)], &Turf::letter)->shade;
+}
 
 bool is_green(Material material) {
   switch (material) {
@@ -57,13 +111,14 @@ bool is_soft(map::SurfaceClass surface) {
          group == SurfaceGroup::kWetland || group == SurfaceGroup::kBare;
 }
 
-Shade shade_of(const Surface& surface, Material material, std::uint64_t seed) {
+Shade shade_of(const Surface& surface, Material material, std::uint64_t seed, plants::Month month) {
   if (is_paved(surface.surface)) return {};
   const Draw draw(seed, stable_id(surface.id), "ground tint");
   const double level = 1 - values_of(material).variation * draw.unit(0);
   const Shade plain{level, level, level};
-  if (material == Material::kFarmland) return times(plain, kCrops[draw.below(std::size(kCrops), 1)]);
-  return is_green(material) ? times(plain, dried(0.8 * (2 * draw.unit(1) - 1))) : plain;
+  if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));
+  if (!is_green(material)) return plain;
+  return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), turf_in(month, material));
 }
 
 Shade shade_at(Vec2 place_m, Material material, std::uint64_t seed) {

@@ -5,6 +5,7 @@
 
 #include "compiler/ground/recipe.h"
 #include "compiler/materials/material.h"
+#include "compiler/plants/season.h"
 
 namespace citykiln::bake {
 
@@ -19,8 +20,10 @@ bool is_paved(map::SurfaceClass surface);
 /// Grass, scrub, bare ground: what goes over into its neighbour without an edge. Fields and gardens have edges.
 bool is_soft(map::SurfaceClass surface);
 
-/// A surface's own: a field's crop, an area's brightness, drawn by its id. Paved ground has none.
-Shade shade_of(const ground::Surface& surface, materials::Material material, std::uint64_t seed);
+/// A surface's own: a field's crop, an area's brightness, drawn by its id, in a month (ground_years.inc). Paved ground
+/// has none.
+Shade shade_of(const ground::Surface& surface, materials::Material material, std::uint64_t seed,
+               plants::Month month = plants::kMidsummer);
 
 /// The place's own, in waves of 35 to 300 m: lighter and darker, and where things grow drier and greener. A function of
 /// the place, so that tiles agree.

@@ -3,6 +3,7 @@
 #include "compiler/bake/merge.h"
 
 namespace citykiln::bake {
+
 // Nodes of a map stay where they are.
 Grove::Slot& Grove::slot(const Key& key) const {
   const std::lock_guard lock(mutex_);

@@ -27,7 +27,7 @@ struct PlantShape {
 /// has been asked for; at 0.02 m some 2 MB a shape.
 class Grove {
  public:
-  explicit Grove(const scene::Header& header) : nursery_(header.species) {}
+  explicit Grove(const scene::Header& header) : nursery_(header.species, month_of(header)) {}
 
   /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
   const PlantShape& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;

@@ -22,27 +22,39 @@ void add_hedges(const scene::Chunk& chunk, const plants::Land& land, plants::Pla
       plants::add_hedge({barrier.axis, barrier.height_m, barrier.id.osm}, land, placed);
 }
 
+std::vector<Placement> joined(const plants::Placed& placed) {
+  std::vector<Placement> all;
+  for (const auto& [prototype, placements] : placed) all.insert(all.end(), placements.begin(), placements.end());
+  return all;
+}
+
 // What levels ask for that not all do.
 struct Wanted {
   bool blades = false, hedge_plants = false;
+  std::vector<double> canopies_m{};
 };
 
 Common common_at(const scene::Header& header, const scene::Chunk& chunk, double tolerance_m, const Wanted& wanted) {
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
   const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, {}, place_lamps(chunk, map, box), {}};
+  Common common{scene::carving_of(header, chunk, tolerance_m), {}, {}, {}, {}, place_lamps(chunk, map, box), {}, {}};
   const plants::Land land{map, common.carving, box, header.seed, header.origin.lat_deg};
   common.trees =
       plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, common.of_trees);
+  common.pits = props::tree_pits(joined(common.trees), chunk.roads, map);
   if (wanted.hedge_plants) add_hedges(chunk, land, common.trees);
   if (wanted.blades) common.blades = plants::expand_blades(chunk.plantings, land);
+  for (const double canopy_m : wanted.canopies_m)
+    common.canopies[canopy_m] = plants::canopy_over(chunk.woods, chunk.lanes, land, canopy_m, month_of(header));
   for (const roads::Road& road : chunk.roads)
     if (road.surface == map::SurfaceClass::kSteps)
       common.stairs.push_back(structures::stairs_on(road, map, common.carving, box));
   std::erase_if(common.stairs, [](const structures::Stairs& stairs) { return stairs.mesh.triangles.empty(); });
   return common;
 }
+
+bool has_canopy(double tolerance_m) { return tolerance_m >= plants::kCanopyFrom_m; }
 
 // What the tile's levels on either side of kPlainRoads_m have in common, each made when it is first asked for.
 struct Commons {
@@ -55,8 +67,9 @@ struct Commons {
   std::shared_ptr<const Common> at(double tolerance_m) {
     std::shared_ptr<const Common>& common = made[tolerance_m < scene::kPlainRoads_m ? 0 : 1];
     const bool is_fine = tolerance_m < scene::kPlainRoads_m;
-    const Wanted wanted{is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m,
-                        is_view || has_hedge_plants(tolerance_m)};
+    Wanted wanted{is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m,
+                  is_view || has_hedge_plants(tolerance_m)};
+    if (!is_fine && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     if (!common) common = std::make_shared<Common>(common_at(header, chunk, tolerance_m, wanted));
     return common;
   }

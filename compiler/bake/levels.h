@@ -1,6 +1,7 @@
 // The levels of a tile before they are fired: what they have in common is made once, and their ground together.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,8 +10,10 @@
 #include "compiler/bake/fire_ground.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/expand.h"
+#include "compiler/plants/canopy.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
+#include "compiler/props/tree_pits.h"
 #include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
 #include "compiler/structures/stairs.h"
@@ -29,8 +32,10 @@ struct Common {
   plants::Placed trees;
   plants::Placed blades;  ///< For levels up to plants::kBlades_m; empty where there are none.
   Report of_trees;
+  std::vector<props::TreePit> pits;
   Lamps lamps;
   std::vector<structures::Stairs> stairs;
+  std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances from plants::kCanopyFrom_m on.
 };
 
 /// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be

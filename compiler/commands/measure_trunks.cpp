@@ -24,7 +24,9 @@ bool is_tree(std::string_view name) {
 bool is_no_place(const ground::SurfaceMap& map, Vec2 p) {
   const std::uint32_t top = ground::surface_at(map, p);
   if (top == ground::kNoSurface) return false;
-  switch (map::values_of(map.surfaces[top].surface).group) {
+  const map::SurfaceClass surface = map.surfaces[top].surface;
+  if (surface == map::SurfaceClass::kPedestrianStreet) return false;
+  switch (map::values_of(surface).group) {
     case map::SurfaceGroup::kRoad:
     case map::SurfaceGroup::kRail:
     case map::SurfaceGroup::kBuilding:

@@ -1,4 +1,4 @@
-// Whether trees stand where none can: in roads, rails, buildings or water.
+// Whether trees stand where none can: in carriageways, rails, buildings or water.
 #pragma once
 
 #include <cstdint>

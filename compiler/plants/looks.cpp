@@ -27,15 +27,38 @@ materials::Tint tint_of(materials::Material material, const Thousandths& reflect
   return tint;
 }
 
+// Twigs are brown, however light the trunk is.
+constexpr Thousandths kLightestTwig = {135, 105, 88};
+
+Thousandths twig_of(const Thousandths& bark) {
+  Thousandths twig;
+  for (std::size_t c = 0; c < 3; ++c) twig[c] = std::min(bark[c], kLightestTwig[c]);
+  return twig;
+}
+
+Thousandths mixed(const Thousandths& summer, const Phase& phase) {
+  Thousandths leaf;
+  for (std::size_t c = 0; c < 3; ++c)
+    leaf[c] = static_cast<int>(summer[c] + phase.young * (phase.young_leaf[c] - summer[c]) +
+                               phase.turned * (phase.turned_leaf[c] - summer[c]));
+  return leaf;
+}
+
 }  // namespace
 
-Look look_of(Species species) {
+Look look_of(Prototype prototype, Month month) {
   using materials::Material;
-  const bool is_needle = values_of(species).leaves == Leaves::kNeedle;
+  const bool is_needle = values_of(prototype.species).leaves == Leaves::kNeedle;
   const Material leaf = is_needle ? Material::kNeedleLeaf : Material::kBroadLeaf;
-  const auto row = std::ranges::find(kRows, species, &Row::species);
+  const auto row = std::ranges::find(kRows, prototype.species, &Row::species);
   if (row == std::end(kRows)) return {leaf, materials::kNoTint, materials::kNoTint};
-  return {leaf, tint_of(leaf, row->leaf), tint_of(Material::kBark, row->bark)};
+  const Phase phase = phase_of(prototype, month);
+  // stalks are as their blades
+  const bool is_blade = values_of(prototype.species).leaves == Leaves::kBlade;
+  const materials::Tint bark = tint_of(Material::kBark, is_blade ? mixed(row->bark, phase) : row->bark);
+  if (phase.leafage == 0)
+    return {Material::kBark, tint_of(Material::kBark, twig_of(row->bark)), bark, 0, phase.stature};
+  return {leaf, tint_of(leaf, mixed(row->leaf, phase)), bark, phase.leafage, phase.stature};
 }
 
 }  // namespace citykiln::plants

@@ -1,17 +1,18 @@
-// What species are coloured.
+// What species are coloured, and how the season changes it.
 #pragma once
 
 #include "compiler/materials/material.h"
-#include "compiler/plants/species.h"
+#include "compiler/plants/season.h"
 
 namespace citykiln::plants {
 
 struct Look {
-  materials::Material leaf_material{};
-  materials::Tint leaf{}, bark{};  ///< Of leaf_material and of bark.
+  materials::Material leaf_material{};  ///< Of bare twigs, bark.
+  materials::Tint leaf{}, bark{};       ///< Of leaf_material and of bark.
+  double leafage = 1, stature = 1;      ///< As in season.h.
 };
 
-/// species_looks.inc, as tints.
-Look look_of(Species species);
+/// species_looks.inc, as tints, and what years.inc makes of it.
+Look look_of(Prototype prototype, Month month = kMidsummer);
 
 }  // namespace citykiln::plants

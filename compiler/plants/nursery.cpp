@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "compiler/plants/looks.h"
+#include "compiler/plants/sprays.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/turtle.h"
 
@@ -26,15 +26,20 @@ const SpeciesText* text_called(std::span<const SpeciesText> texts, std::string_v
   return found == texts.end() ? nullptr : &*found;
 }
 
+void drop_fruit(Foliage& foliage) {
+  std::erase_if(foliage.cards, [&](const Card& card) { return is_fruit(foliage.sprays[card.spray]); });
+}
+
 }  // namespace
 
-Grown grow(const SpeciesText& text, Prototype prototype) {
+Grown grow(const SpeciesText& text, Prototype prototype, Month month) {
   const Result<lsystems::LSystem> system = lsystems::read_lsystem(text.text, text.name + ".lsys");
   if (!system) return {};
   lsystems::DeriveOptions options;
   options.seed = prototype.variant;
-  Grown grown{lsystems::grow(*system, options).skeleton, {}, 0};
-  grown.foliage = foliage_of(*system, grown.skeleton, look_of(prototype.species).leaf);
+  Grown grown{lsystems::grow(*system, options).skeleton, {}, 0, look_of(prototype, month)};
+  grown.foliage = foliage_of(*system, grown.skeleton, grown.look.leaf);
+  if (grown.look.leafage < 1) drop_fruit(grown.foliage);
   grown.height_m = height_of(grown);
   return grown;
 }
@@ -44,7 +49,8 @@ struct Nursery::Slot {
   Grown grown;
 };
 
-Nursery::Nursery(std::span<const SpeciesText> texts) : slots_(std::make_unique<Slot[]>(kSpecies * kVariants)) {
+Nursery::Nursery(std::span<const SpeciesText> texts, Month month)
+    : month_(month), slots_(std::make_unique<Slot[]>(kSpecies * kVariants)) {
   for (std::size_t s = 0; s < kSpecies; ++s) {
     const std::string_view name = values_of(static_cast<Species>(s)).file;
     const SpeciesText* text = text_called(texts, name);
@@ -58,7 +64,7 @@ Nursery::~Nursery() = default;
 const Grown& Nursery::grown(Prototype prototype) const {
   const auto species = static_cast<std::size_t>(prototype.species);
   Slot& slot = slots_[species * kVariants + prototype.variant % kVariants];
-  std::call_once(slot.once, [&] { slot.grown = grow(texts_[species], prototype); });
+  std::call_once(slot.once, [&] { slot.grown = grow(texts_[species], prototype, month_); });
   return slot.grown;
 }
 

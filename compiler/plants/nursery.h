@@ -6,7 +6,7 @@
 #include <span>
 
 #include "compiler/plants/foliage.h"
-#include "compiler/plants/species.h"
+#include "compiler/plants/looks.h"
 #include "compiler/plants/species_texts.h"
 
 namespace citykiln::plants {
@@ -16,17 +16,19 @@ struct Grown {
   lsystems::Skeleton skeleton;
   Foliage foliage;
   double height_m = 0;  ///< Of its highest leaf or stem; 0: nothing grew.
+  Look look{};
 };
 
-/// The dice are of species and variant alone: the same plants in all scenes.
-Grown grow(const SpeciesText& text, Prototype prototype);
+/// The dice are of species and variant alone: the same plants in all scenes. Seasons change looks alone: where leaves
+/// have fallen there are twigs; but fruit is there only with all leaves.
+Grown grow(const SpeciesText& text, Prototype prototype, Month month = kMidsummer);
 
 /// A shape that has grown once for all who ask, from any thread. Logically const: what is asked for is a function of
 /// the texts alone.
 class Nursery {
  public:
   /// @param texts  A species without a text grows from the one that is shipped.
-  explicit Nursery(std::span<const SpeciesText> texts);
+  explicit Nursery(std::span<const SpeciesText> texts, Month month = kMidsummer);
   ~Nursery();
   Nursery(const Nursery&) = delete;
   Nursery& operator=(const Nursery&) = delete;
@@ -37,6 +39,7 @@ class Nursery {
  private:
   struct Slot;
   std::vector<SpeciesText> texts_;  // by species
+  Month month_;
   std::unique_ptr<Slot[]> slots_;
 };
 

@@ -6,7 +6,6 @@
 #include "compiler/plants/crossed_cards.h"
 #include "compiler/plants/crown_hull.h"
 #include "compiler/plants/leaf_clusters.h"
-#include "compiler/plants/looks.h"
 #include "compiler/plants/sprays.h"
 #include "compiler/plants/stems.h"
 
@@ -17,11 +16,11 @@ using materials::DressedMesh;
 using materials::Material;
 
 // A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
-constexpr double kSprayCover = 0.42;
+constexpr double kSprayCover = 0.42, kTwigsCover = 0.1;
 
 // Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
-// much, as `chart plant` measures woods.
-constexpr double kCardShade = 0.52, kBodyShade = 0.25, kBoxShade = 0.6;
+// much, as `chart plant` measures woods. Twigs do less.
+constexpr double kCardShade = 0.52, kBodyShade = 0.25, kBoxShade = 0.6, kTwigsCardShade = 0.8, kTwigsBodyShade = 0.42;
 
 void scale(PrototypeMesh& plant, double by) {
   for (DressedMesh& dressed : plant.meshes)
@@ -47,15 +46,15 @@ struct SprayedLeaves {
   std::vector<Vec2> size_m;
 };
 
-SprayedLeaves sprays_of(const Foliage& foliage, Material material) {
+SprayedLeaves sprays_of(const Foliage& foliage, const Look& look) {
   SprayedLeaves leaves;
   std::vector<imprint::Picture> pictures;
   for (const std::string& name : foliage.sprays) {
-    pictures.push_back(picture_of_spray(name, material));
+    pictures.push_back(picture_of_spray(name, look.leaf_material, look.leafage));
     leaves.size_m.push_back(Vec2{double(pictures.back().columns), double(pictures.back().rows)} * kSprayTexel);
   }
   leaves.layout = imprint::cut_out(std::move(pictures), kSprayTexel);
-  leaves.mesh.material = material, leaves.mesh.coloured = materials::Coloured::kByCutout;
+  leaves.mesh.material = look.leaf_material, leaves.mesh.coloured = materials::Coloured::kByCutout;
   return leaves;
 }
 
@@ -73,15 +72,14 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-PrototypeMesh near_mesh(const Grown& grown, Species species, double tolerance_m) {
-  const Look look = look_of(species);
+PrototypeMesh near_mesh(const Grown& grown, double tolerance_m) {
   PrototypeMesh plant;
   if (!grown.skeleton.segments.empty())
-    plant.meshes.push_back(bark_of(grown.skeleton, look.bark, tolerance_m, plant.error_per_m));
+    plant.meshes.push_back(bark_of(grown.skeleton, grown.look.bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, tolerance_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
-  SprayedLeaves leaves = sprays_of(grown.foliage, look.leaf_material);
+  SprayedLeaves leaves = sprays_of(grown.foliage, grown.look);
   for (const Card& card : clusters.cards) add_card(leaves, card);
   plant.meshes.push_back(std::move(leaves.mesh));
   plant.cutout = std::move(leaves.layout.cutout);
@@ -99,22 +97,23 @@ void add_kite(Mesh& mesh, const Card& card, double cover) {
 }
 
 // What pictures are taken of: leaves by their tints, which are few.
-std::vector<DressedMesh> sitter_of(const Grown& grown, const Look& look, double tolerance_m) {
+std::vector<DressedMesh> sitter_of(const Grown& grown, double tolerance_m) {
+  const Look& look = grown.look;
+  const double cover = std::lerp(kTwigsCover, kSprayCover, look.leafage);
   double ignored = 0;
   std::vector<DressedMesh> meshes{bark_of(grown.skeleton, look.bark, tolerance_m, ignored)};
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
     if (same == meshes.end()) same = meshes.insert(same, DressedMesh{{}, look.leaf_material, card.tint, {}});
-    add_kite(same->mesh, card, grown.foliage.sprays[card.spray].empty() ? 1 : kSprayCover);
+    add_kite(same->mesh, card, grown.foliage.sprays[card.spray].empty() ? 1 : cover);
   }
   return meshes;
 }
 
-PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) {
-  const Look look = look_of(species);
-  CrossedCards cards = crossed_cards(sitter_of(grown, look, tolerance_m / 16), tolerance_m);
-  cards.mesh.material = look.leaf_material;
-  cards.mesh.tint = shaded(materials::kNoTint, kCardShade);
+PrototypeMesh far_mesh(const Grown& grown, double tolerance_m) {
+  CrossedCards cards = crossed_cards(sitter_of(grown, tolerance_m / 16), tolerance_m);
+  cards.mesh.material = grown.look.leaf_material;
+  cards.mesh.tint = shaded(materials::kNoTint, std::lerp(kTwigsCardShade, kCardShade, grown.look.leafage));
   PrototypeMesh plant{{}, std::move(cards.cutout), cards.error_m};
   plant.meshes.push_back(std::move(cards.mesh));
   return plant;
@@ -124,26 +123,26 @@ PrototypeMesh far_mesh(const Grown& grown, Species species, double tolerance_m) 
 bool is_clipped(Species species) { return species == Species::kHedge; }
 
 PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
-  const Look look = look_of(species);
+  const Look& look = grown.look;
+  const double shade = is_clipped(species) ? kBoxShade : std::lerp(kTwigsBodyShade, kBodyShade, look.leafage);
   CrownHull hull = is_clipped(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
-  plant.meshes.push_back(
-      {std::move(hull.mesh), look.leaf_material, shaded(look.leaf, is_clipped(species) ? kBoxShade : kBodyShade), {}});
+  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, shade), {}});
   return plant;
 }
 
 }  // namespace
 
 PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_m, double tolerance_m) {
-  const double share = tolerance_m / height_m;
-  if (share >= 1 || !(grown.height_m > 0)) return {{}, {}, 1};
+  const double stature = grown.look.stature, share = tolerance_m / (height_m * stature);
+  if (!(share < 1) || !(grown.height_m > 0)) return {{}, {}, stature};
   const double own_m = share * grown.height_m;
   const double cards_from = is_clipped(species) ? kBoxFrom : kCardsFrom;
   const double body_from = is_clipped(species) ? kBoxFrom : kBodyFrom;
-  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, species, own_m)
-                        : share < body_from ? far_mesh(grown, species, own_m)
+  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, own_m)
+                        : share < body_from ? far_mesh(grown, own_m)
                                             : farthest_mesh(grown, species);
-  scale(plant, 1 / grown.height_m);
+  scale(plant, stature / grown.height_m);
   return plant;
 }
 

@@ -18,14 +18,14 @@ namespace citykiln::plants {
 inline constexpr double kCardsFrom = 0.04, kBodyFrom = 0.28, kBoxFrom = 0.12;
 
 struct PrototypeMesh {
-  /// Origin at the foot of the trunk, z up, 1 m tall (scale is the height in metres). Empty: dropped.
+  /// Origin at the foot of the trunk, z up, 1 m tall in summer (scale is the height in metres). Empty: dropped.
   std::vector<materials::DressedMesh> meshes;
   imprint::Cutout cutout{};  ///< What those on cutouts show.
   double error_per_m = 0;    ///< Deviation for a plant 1 m tall.
 };
 
 /// A prototype, cut so that a plant of `height_m` is within the tolerance; dropped (with error 1) where the plant
-/// itself is no higher than it.
+/// itself is no higher than it; without error where the season leaves nothing.
 ///
 /// Error: certified both ways for stems and cards of leaves: mesh_plant's and the clusters'; but stems of a radius
 /// below the tolerance are left out, however long they are. Of crossed cards stated, of bodies bounded.

@@ -28,6 +28,9 @@ constexpr Spray kSprays[] = {
 // Shades of leaves that differ as those of one twig do.
 constexpr std::array<std::uint8_t, 3> kShades = {196, 226, 255};
 
+// How thick a twig is, as a share of the spray's length.
+constexpr double kTwig = 0.02;
+
 const Spray* spray_called(std::string_view name) {
   const auto found = std::ranges::find(kSprays, name, &Spray::name);
   return found == std::end(kSprays) ? nullptr : &*found;
@@ -56,7 +59,7 @@ struct Shaded {
   std::array<Mesh, kShades.size()> by_shade;
 };
 
-void add_leaves(Shaded& shaded, const Spray& spray) {
+void add_leaves(Shaded& shaded, const Spray& spray, double leafage) {
   const Draw draw(1, StableId{}, "spray");
   for (int i = 0; i < spray.leaves; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
@@ -67,9 +70,10 @@ void add_leaves(Shaded& shaded, const Spray& spray) {
     const double size = spray.length * draw.between(0.85, 1.1, dice + 1) * (is_tip ? 1 : 1 - 0.25 * place);
     const Vec2 stalk{0, is_tip ? 1 - size : place * (1 - 0.5 * spray.length)};
     const auto shade = draw.below(kShades.size(), dice + 2);
-    add_leaf(shaded.by_shade[shade], stalk, direction_of(turn) * size, spray.width, 0.01 * draw.unit(dice + 3));
+    const double width = draw.unit(dice + 4) < leafage ? spray.width : kTwig;
+    add_leaf(shaded.by_shade[shade], stalk, direction_of(turn) * size, width, 0.01 * draw.unit(dice + 3));
   }
-  add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - 0.6 * spray.length}, 0.02, 0);
+  add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - 0.6 * spray.length}, kTwig, 0);
 }
 
 void add_disc(Shaded& shaded) {
@@ -91,10 +95,12 @@ double width_of_spray(std::string_view name) {
   return spray == nullptr ? 1 : spray->spread;
 }
 
-imprint::Picture picture_of_spray(std::string_view name, materials::Material material) {
+bool is_fruit(std::string_view name) { return !name.empty() && spray_called(name) == nullptr; }
+
+imprint::Picture picture_of_spray(std::string_view name, materials::Material material, double leafage) {
   Shaded shaded;
   const Spray* spray = spray_called(name);
-  if (spray != nullptr) add_leaves(shaded, *spray);
+  if (spray != nullptr) add_leaves(shaded, *spray, leafage);
   if (spray == nullptr) name.empty() ? add_card(shaded) : add_disc(shaded);
   std::vector<DressedMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)

@@ -16,8 +16,13 @@ inline constexpr double kSprayTexel = 1.0 / kSprayTexels;
 /// Width of a spray that is as long as 1; 1 where nothing of the name is known.
 double width_of_spray(std::string_view name);
 
+/// Whether it is a round fruit: what has a name that is not known.
+bool is_fruit(std::string_view name);
+
 /// Leaves left and right of a twig, the tip on top, in three shades of grey: cards' tints colour them. What has no name
-/// is opaque all over; what is not known is a round fruit. A function of its arguments alone.
-imprint::Picture picture_of_spray(std::string_view name, materials::Material material);
+/// is opaque all over. A function of its arguments alone.
+///
+/// @param leafage  Of its leaves so many are there; where one is not, there is its twig.
+imprint::Picture picture_of_spray(std::string_view name, materials::Material material, double leafage = 1);
 
 }  // namespace citykiln::plants

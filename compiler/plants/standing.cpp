@@ -38,7 +38,9 @@ bool stands_in(const Box2& box, Vec2 p) {
 bool is_covered(const ground::SurfaceMap& map, Vec2 p) {
   const std::uint32_t top = ground::surface_at(map, p);
   if (top == ground::kNoSurface) return false;
-  const map::SurfaceGroup group = map::values_of(map.surfaces[top].surface).group;
+  const map::SurfaceClass surface = map.surfaces[top].surface;
+  const map::SurfaceGroup group = map::values_of(surface).group;
+  if (surface == map::SurfaceClass::kPedestrianStreet) return false;
   return group == map::SurfaceGroup::kRoad || group == map::SurfaceGroup::kRail ||
          group == map::SurfaceGroup::kBuilding || group == map::SurfaceGroup::kWater;
 }

@@ -19,7 +19,7 @@ void stand_along(Placed& placed, const Land& land, Species species, Vec2 at, dou
 
 bool stands_in(const Box2& box, Vec2 p);
 
-/// On a road, a rail, a building or water.
+/// On a carriageway, a rail, a building or water.
 bool is_covered(const ground::SurfaceMap& map, Vec2 p);
 
 Habitat habitat_of(const Land& land, Vec2 p);

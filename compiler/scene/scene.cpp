@@ -4,6 +4,8 @@
 #include <cmath>
 
 namespace citykiln::scene {
+plants::Month month_of(const Header& header) { return plants::month_for(header.sky.time, header.origin.lat_deg); }
+
 Box2 box_of(const Header& header, TileKey tile) {
   const Vec2 min{tile.x * header.tile_m, tile.y * header.tile_m};
   return {{std::max(min.x, header.region.min.x), std::max(min.y, header.region.min.y)},

@@ -13,6 +13,7 @@
 #include "compiler/map/heightfield.h"
 #include "compiler/map/plane.h"
 #include "compiler/plants/recipe.h"
+#include "compiler/plants/season.h"
 #include "compiler/plants/species_texts.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/junction.h"
@@ -77,6 +78,9 @@ struct Scene {
   std::vector<Chunk> chunks;  ///< Sorted by tile.
   bool operator==(const Scene&) const = default;
 };
+
+/// In which plants and fields are shown: of the sky's time.
+plants::Month month_of(const Header& header);
 
 /// The part of the region that belongs to a tile.
 Box2 box_of(const Header& header, TileKey tile);

@@ -1,5 +1,5 @@
 // Draws species beside each other at several tolerances, one row a species, and says what each costs:
-//   plant_sheet OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights]
+//   plant_sheet OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights [TIME]]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -60,12 +60,13 @@ void put(const preview::Image& from, int x0, int y0, preview::Image& to) {
           from.rgb[static_cast<std::size_t>(y) * from.width * 3 + i];
 }
 
-int run(char** argv, double away) {
+int run(char** argv, double away, const std::string& time) {
   const int pixels = std::atoi(argv[2]);
   const auto tolerances = parts_of(argv[3]), names = parts_of(argv[4]);
-  const scene::Header header;
+  scene::Header header;
+  header.origin = {11, 48}, header.sky.time = time;
   const bake::Grove grove(header);
-  const auto sky = sky::plan({11, 48}, "2026-06-21T09:30");
+  const auto sky = sky::plan(header.origin, "2026-06-21T09:30");
   preview::Image sheet{pixels * static_cast<int>(tolerances.size()), pixels * static_cast<int>(names.size()), {}};
   sheet.rgb.resize(static_cast<std::size_t>(sheet.width) * sheet.height * 3);
   for (std::size_t row = 0; row < names.size(); ++row)
@@ -98,5 +99,5 @@ int run(char** argv, double away) {
 
 int main(int argc, char** argv) {
   if (argc < 5) return 2;
-  return citykiln::run(argv, argc > 5 ? std::atof(argv[5]) : 3);
+  return citykiln::run(argv, argc > 5 ? std::atof(argv[5]) : 3, argc > 6 ? argv[6] : "");
 }

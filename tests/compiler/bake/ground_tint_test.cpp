@@ -9,6 +9,7 @@
 namespace citykiln::bake {
 namespace {
 
+using ground::Surface;
 using map::SurfaceClass;
 using materials::Material;
 using materials::Tint;
@@ -20,6 +21,21 @@ TEST(GroundTint, FieldsDiffer) {
   for (int id = 0; id < 40; ++id)
     tints.insert(tint_of(shade_of(surface_of(SurfaceClass::kFarmland, id), Material::kFarmland, 1), {}));
   EXPECT_GT(tints.size(), 30u);
+}
+
+TEST(GroundTint, GrassIsDullerInWinterAndFieldsAreBarer) {
+  const plants::Month january{1};
+  double winter = 0, summer = 0;
+  for (int id = 0; id < 40; ++id) {
+    const Surface lawn = surface_of(SurfaceClass::kGrass, id), field = surface_of(SurfaceClass::kFarmland, id);
+    EXPECT_LT(shade_of(lawn, Material::kGrass, 1, january).green, shade_of(lawn, Material::kGrass, 1).green);
+    winter += shade_of(field, Material::kFarmland, 1, january).red;
+    summer += shade_of(field, Material::kFarmland, 1).red;
+  }
+  EXPECT_LT(winter, summer);
+  const Surface road = surface_of(SurfaceClass::kPrimaryRoad, 1), rock = surface_of(SurfaceClass::kBareRock, 1);
+  EXPECT_EQ(shade_of(road, Material::kAsphalt, 1, january).green, shade_of(road, Material::kAsphalt, 1).green);
+  EXPECT_EQ(shade_of(rock, Material::kRock, 1, january).green, shade_of(rock, Material::kRock, 1).green);
 }
 
 TEST(GroundTint, PavedSurfacesAreOneWhateverTheyWereMappedAs) {

@@ -56,6 +56,15 @@ TEST(Grove, GivesATileTheSameTreesSharedOrNot) {
   EXPECT_EQ(bake(header, chunk, ladder_m, 1, report, grove), shared);
 }
 
+TEST(Grove, GrowsInTheMonthOfTheHeadersSky) {
+  scene::Header winter = header_of({});
+  winter.origin = {13, 52}, winter.sky.time = "2026-01-15T12:00";
+  EXPECT_NE(Grove(winter).shape({Species::kOak, 0}, 28, 12.5).primitives,
+            Grove(header_of({})).shape({Species::kOak, 0}, 28, 12.5).primitives);
+  EXPECT_EQ(Grove(winter).shape({Species::kFir, 0}, 40, 12.5).primitives,
+            Grove(header_of({})).shape({Species::kFir, 0}, 40, 12.5).primitives);
+}
+
 // However few variants a level has, each tree stands, once, and where it stood, and is as high as it was.
 TEST(Grove, LosesNoTreeWhereVariantsAreFewer) {
   const scene::Chunk chunk = planted(20);

@@ -1,0 +1,178 @@
+#include "compiler/props/tree_pits.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::props {
+namespace {
+
+using map::SurfaceClass;
+using map::SurfaceGroup;
+using materials::DressedMesh;
+using materials::Material;
+
+constexpr std::array kSides_m = {1.5, 1.25, 1.0, 0.75};
+
+constexpr double kSoil_m = 0.03, kEdging_m = 0.08, kEdgingWidth_m = 0.1, kFoot_m = 0.1;
+
+// A pit farther from every road than this lies in a court or a square.
+constexpr double kRoadReach_m = 20;
+
+constexpr double kBucket_m = 32;
+
+using Corners = std::array<Vec2, 4>;
+
+// Counter-clockwise.
+Corners corners_of(const TreePit& pit, double side_m) {
+  const Vec2 along = pit.along * (side_m / 2), left = left_of(pit.along) * (side_m / 2);
+  return {pit.at - along - left, pit.at + along - left, pit.at + along + left, pit.at - along + left};
+}
+
+bool is_on_paving(const ground::SurfaceMap& surfaces, Vec2 p) {
+  const std::uint32_t top = ground::surface_at(surfaces, p);
+  return top != ground::kNoSurface && is_paving(surfaces.surfaces[top].surface);
+}
+
+// Nothing in a map is so narrow that it passes between corners and middles of sides.
+bool has_paving_about(const ground::SurfaceMap& surfaces, const TreePit& pit) {
+  const Corners corners = corners_of(pit, pit.side_m);
+  for (std::size_t i = 0; i < 4; ++i)
+    if (!is_on_paving(surfaces, corners[i]) || !is_on_paving(surfaces, (corners[i] + corners[(i + 1) % 4]) * 0.5))
+      return false;
+  return is_on_paving(surfaces, pit.at);
+}
+
+struct Segment {
+  Vec2 a, b;
+};
+
+// Axes of streets and paths by place.
+struct Axes {
+  std::vector<Segment> segments;
+  BoxGrid grid;
+};
+
+Axes axes_of(std::span<const roads::Road> roads) {
+  Axes axes;
+  std::vector<Box2> boxes;
+  for (const roads::Road& road : roads) {
+    const SurfaceGroup group = map::values_of(road.surface).group;
+    if (group != SurfaceGroup::kRoad && group != SurfaceGroup::kPath) continue;
+    for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
+      axes.segments.push_back({road.axis[i], road.axis[i + 1]});
+      boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kRoadReach_m));
+    }
+  }
+  axes.grid = grid_of(boxes, kBucket_m);
+  return axes;
+}
+
+double distance_m(const Segment& s, Vec2 p) {
+  const Vec2 along = s.b - s.a;
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(dot(p - s.a, along) / square, 0.0, 1.0) : 0;
+  return distance(p, s.a + along * share);
+}
+
+Vec2 along_at(const Axes& axes, Vec2 p) {
+  Vec2 along{1, 0};
+  double nearest_m = kRoadReach_m;
+  for (const std::uint32_t i : boxes_about(axes.grid, p)) {
+    const double away_m = distance_m(axes.segments[i], p);
+    if (away_m >= nearest_m || axes.segments[i].a == axes.segments[i].b) continue;
+    nearest_m = away_m, along = unit(axes.segments[i].b - axes.segments[i].a);
+  }
+  return along;
+}
+
+// Not one that another's pit may touch.
+bool is_apart(std::span<const TreePit> pits, std::span<const std::uint32_t> of_tree, const BoxGrid& near, Vec2 p) {
+  return std::ranges::none_of(boxes_about(near, p), [&](std::uint32_t tree) {
+    return of_tree[tree] < pits.size() && distance(pits[of_tree[tree]].at, p) < 1.5 * kSides_m[0];
+  });
+}
+
+Vec3 on_ground(const ground::Carving& ground, Vec2 p, double up_m) {
+  return snapped(at_height(p, land_m(ground, p) + up_m));
+}
+
+void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
+DressedMesh soil_of(const TreePit& pit, const ground::Carving& ground, double side_m) {
+  DressedMesh soil{{}, Material::kEarth, materials::kNoTint, pit.feature};
+  for (const Vec2 p : corners_of(pit, side_m)) soil.mesh.positions.push_back(on_ground(ground, p, kSoil_m));
+  add_quad(soil.mesh, 0, 1, 2, 3);
+  return soil;
+}
+
+// Its outside, its top and its inside.
+DressedMesh edging_of(const TreePit& pit, const ground::Carving& ground) {
+  DressedMesh edging{{}, Material::kStone, materials::kNoTint, pit.feature};
+  const double inner_m = pit.side_m - 2 * kEdgingWidth_m;
+  for (const auto& [side_m, up_m] :
+       {std::pair{pit.side_m, -kFoot_m}, {pit.side_m, kEdging_m}, {inner_m, kEdging_m}, {inner_m, kSoil_m}})
+    for (const Vec2 p : corners_of(pit, side_m)) edging.mesh.positions.push_back(on_ground(ground, p, up_m));
+  for (std::uint32_t ring = 0; ring < 12; ring += 4)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t a = ring + i, b = ring + (i + 1) % 4;
+      add_quad(edging.mesh, a, b, b + 4, a + 4);
+    }
+  return edging;
+}
+
+}  // namespace
+
+bool is_paving(SurfaceClass surface) {
+  switch (surface) {
+    case SurfaceClass::kPavement:
+    case SurfaceClass::kSquare:
+    case SurfaceClass::kPlatform:
+    case SurfaceClass::kParking:
+    case SurfaceClass::kParkingLane:
+    case SurfaceClass::kTrafficIsland:
+    case SurfaceClass::kIsland:
+    case SurfaceClass::kPavedFootPath:
+    case SurfaceClass::kPedestrianStreet:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
+                               const ground::SurfaceMap& surfaces) {
+  std::vector<Box2> boxes;
+  for (const Placement& tree : trees)
+    boxes.push_back(Box2{in_plan(tree.at), in_plan(tree.at)}.widened(2 * kSides_m[0]));
+  const BoxGrid near = grid_of(boxes, kBucket_m);
+  const Axes axes = axes_of(roads);
+  std::vector<TreePit> pits;
+  std::vector<std::uint32_t> of_tree(trees.size(), ground::kNoSurface);
+  for (std::size_t t = 0; t < trees.size(); ++t) {
+    const Vec2 at = in_plan(trees[t].at);
+    if (!is_on_paving(surfaces, at) || !is_apart(pits, of_tree, near, at)) continue;
+    TreePit pit{at, along_at(axes, at), 0, trees[t].feature};
+    const auto fits = std::ranges::find_if(kSides_m, [&](double side_m) {
+      pit.side_m = side_m;
+      return has_paving_about(surfaces, pit);
+    });
+    if (fits == kSides_m.end()) continue;
+    of_tree[t] = static_cast<std::uint32_t>(pits.size());
+    pits.push_back(pit);
+  }
+  return pits;
+}
+
+Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m) {
+  if (tolerance_m >= kPitsUpTo_m) return {{}, kEdging_m};
+  if (tolerance_m >= kEdging_m) return {{soil_of(pit, ground, pit.side_m)}, kEdging_m - kSoil_m};
+  return {{edging_of(pit, ground), soil_of(pit, ground, pit.side_m - 2 * kEdgingWidth_m)}, 0};
+}
+
+}  // namespace citykiln::props

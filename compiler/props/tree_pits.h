@@ -1,0 +1,47 @@
+// Pits of trees that stand in paving: a square of soil with an edging of stone, along the street or path.
+//
+//     ::::::::::::::::    paving
+//     ::::+------+::::
+//     ::::|  o   |::::    soil about the trunk, 3 cm above the paving; the edging, 8 cm
+//     ::::+------+::::
+//     ================    kerb: a pit is as small as keeps it off the carriageway
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/placement.h"
+#include "compiler/ground/surface_map.h"
+#include "compiler/props/expand.h"
+#include "compiler/roads/recipe.h"
+
+namespace citykiln::props {
+
+struct TreePit {
+  Vec2 at;            ///< Of its tree, plane metres.
+  Vec2 along;         ///< Of two of its sides, length 1.
+  double side_m = 0;  ///< With the edging.
+  OsmId feature;      ///< The tree's.
+  bool operator==(const TreePit&) const = default;
+};
+
+/// From this tolerance on a pit is not seen: its tree hides its colour, and nothing of it is as high.
+inline constexpr double kPitsUpTo_m = 0.25;
+
+/// Is it paving that trees stand in: pavements, squares, parking, pedestrian streets, but no carriageway?
+bool is_paving(map::SurfaceClass surface);
+
+/// The pits of those trees that have paving about them, in their order: along the nearest road or path within 20 m, or else
+/// east; as large as paving allows, from 1.5 m down to 0.75 m. A tree without so much has none, nor has one that stands
+/// in another's pit.
+///
+/// @param surfaces  Must cover the trees and a metre about them.
+/// O(trees · roads near).
+std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
+                               const ground::SurfaceMap& surfaces);
+
+/// On the ground at its corners. Where the edging is lower than the tolerance, soil alone; from kPitsUpTo_m on nothing.
+/// Error: the edging's height above what is left.
+Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m);
+
+}  // namespace citykiln::props

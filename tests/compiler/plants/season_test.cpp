@@ -1,0 +1,123 @@
+#include "compiler/plants/season.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/plants/prototype_mesh.h"
+#include "compiler/plants/sprays.h"
+
+namespace citykiln::plants {
+namespace {
+
+constexpr Month kJanuary{1}, kMay{5}, kOctober{10};
+
+Grown grown_in(Month month, Species species, std::uint8_t variant = 0) {
+  return Nursery({}, month).grown({species, variant});
+}
+
+PrototypeMesh mesh_in(Month month, Species species, double share) {
+  const double tallest_m = values_of(species).tallest_m;
+  return prototype_mesh(grown_in(month, species), species, tallest_m, share * tallest_m);
+}
+
+double height_of(const PrototypeMesh& plant) {
+  double high = 0;
+  for (const auto& dressed : plant.meshes)
+    for (const Vec3 p : dressed.mesh.positions) high = std::max(high, p.z);
+  return high;
+}
+
+double shown(const imprint::Cutout& cutout) {
+  return static_cast<double>(
+      std::ranges::count_if(cutout.opacity, [](std::uint8_t o) { return o >= imprint::kCutoff; }));
+}
+
+TEST(Season, IsHalfAYearOnInTheSouthAndNoneBetweenTheTropics) {
+  EXPECT_EQ(month_for("2026-10-21T12:00", 52), kOctober);
+  EXPECT_EQ(month_for("2026-04-21T12:00", -33), kOctober);
+  EXPECT_EQ(month_for("2026-12-21T12:00", -33), kMidsummer);
+  EXPECT_EQ(month_for("2026-01-21T12:00", 10), kMidsummer);
+  for (const char* text : {"", "2026", "2026-1", "2026-13-01T00:00", "2026-00-01T00:00", "no time at all"})
+    EXPECT_EQ(month_for(text, 52), kMidsummer) << text;
+}
+
+TEST(Season, ChangesNothingInMidsummer) {
+  for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
+    for (std::uint8_t variant = 0; variant < kVariants; ++variant) {
+      const Phase phase = phase_of({static_cast<Species>(s), variant}, kMidsummer);
+      EXPECT_EQ(phase.leafage, 1);
+      EXPECT_EQ(phase.stature, 1);
+      EXPECT_EQ(phase.young, 0);
+      EXPECT_EQ(phase.turned, 0);
+    }
+}
+
+TEST(Season, LeavesEvergreensAsTheyAre) {
+  for (const Species species : {Species::kFir, Species::kPine, Species::kSpruce, Species::kCypress, Species::kPalm}) {
+    const Look summer = look_of({species, 0}), winter = look_of({species, 0}, kJanuary);
+    EXPECT_EQ(winter.leaf, summer.leaf);
+    EXPECT_EQ(winter.leaf_material, summer.leaf_material);
+    EXPECT_EQ(winter.leafage, 1);
+  }
+}
+
+// near by, from afar and from very far: no leaf, and less of the tree than in summer
+TEST(Season, LeavesBareTreesNoLeaves) {
+  for (const Species species : {Species::kOak, Species::kBirch, Species::kMaple, Species::kWillow})
+    for (const double share : {0.005, 0.1, 0.5}) {
+      const PrototypeMesh winter = mesh_in(kJanuary, species, share), summer = mesh_in(kMidsummer, species, share);
+      for (const auto& dressed : winter.meshes) EXPECT_EQ(dressed.material, materials::Material::kBark);
+      EXPECT_TRUE(share > 0.4 || shown(winter.cutout) < 0.7 * shown(summer.cutout)) << share;
+      EXPECT_FALSE(winter.meshes.empty());
+      EXPECT_LE(winter.error_per_m, summer.error_per_m + 1e-12);
+    }
+}
+
+TEST(Season, HasNoFruitWithoutAllLeaves) {
+  const auto fruit = [](const Grown& grown) {
+    return std::ranges::count_if(grown.foliage.cards,
+                                 [&](const Card& card) { return is_fruit(grown.foliage.sprays[card.spray]); });
+  };
+  EXPECT_GT(fruit(grown_in(kMidsummer, Species::kApple)), 0);
+  EXPECT_EQ(fruit(grown_in(kJanuary, Species::kApple)), 0);
+}
+
+TEST(Season, TurnsKindsTheirOwnWayAndVariantsOneAfterTheOther) {
+  const auto redness = [](Species species, std::uint8_t variant, Month month) {
+    const materials::Tint leaf = look_of({species, variant}, month).leaf;
+    return static_cast<double>(leaf[0]) / leaf[1];
+  };
+  for (const Species species : {Species::kMaple, Species::kOak, Species::kBirch, Species::kBeech})
+    EXPECT_GT(redness(species, 1, kOctober), 1.5 * redness(species, 1, kMidsummer));
+  EXPECT_GT(redness(Species::kMaple, 1, kOctober), 2 * redness(Species::kBirch, 1, kOctober));
+  EXPECT_GT(redness(Species::kMaple, 1, kOctober), redness(Species::kMaple, 0, kOctober));
+  EXPECT_GT(look_of({Species::kBeech, 0}, kMay).leaf[1], look_of({Species::kBeech, 0}).leaf[1]);
+}
+
+// a crop's height is the month's, its error with it, and where nothing stands nothing strays
+TEST(Season, SowsAndReaps) {
+  EXPECT_NEAR(height_of(mesh_in(kMidsummer, Species::kWheat, 0.01)), 1, 0.05);
+  EXPECT_NEAR(height_of(mesh_in(kJanuary, Species::kWheat, 0.01)), 0.15, 0.02);
+  EXPECT_NEAR(height_of(mesh_in(Month{9}, Species::kWheat, 0.01)), 0.2, 0.02);
+  EXPECT_NE(look_of({Species::kWheat, 0}, kMay).bark, look_of({Species::kWheat, 0}).bark);
+  EXPECT_LE(mesh_in(kJanuary, Species::kWheat, 0.01).error_per_m, 0.025);
+  EXPECT_EQ(mesh_in(kJanuary, Species::kWheat, 0.2).error_per_m, 0.15);
+  const PrototypeMesh none = mesh_in(kJanuary, Species::kMaize, 0.01);
+  EXPECT_TRUE(none.meshes.empty());
+  EXPECT_EQ(none.error_per_m, 0);
+}
+
+TEST(Sprays, ShowTwigsWhereLeavesAreNot) {
+  const auto share = [](double leafage) {
+    const imprint::Picture picture = picture_of_spray("oak_leaf", materials::Material::kBroadLeaf, leafage);
+    std::uint64_t sum = 0;
+    for (const imprint::Texel& texel : picture.texels) sum += texel.shown;
+    return static_cast<double>(sum) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
+  };
+  EXPECT_GT(share(0), 0.05);
+  EXPECT_LT(share(0), 0.15);
+  EXPECT_LT(share(0), share(0.35));
+  EXPECT_LT(share(0.35), share(1));
+}
+
+}  // namespace
+}  // namespace citykiln::plants

@@ -1,0 +1,107 @@
+#include "compiler/props/tree_pits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace citykiln::props {
+namespace {
+
+using ground::Surface;
+using map::SurfaceClass;
+
+Surface surface(std::int64_t id, SurfaceClass kind, Ring ring) {
+  const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
+  return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
+}
+
+Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+// A carriageway and the pavement beside it, a square, a lawn, gravel, a street for walkers.
+const std::vector<Surface> kSurfaces = {surface(1, SurfaceClass::kResidentialRoad, block(-100, -4, 100, 4)),
+                                        surface(2, SurfaceClass::kPavement, block(-100, 4, 100, 7)),
+                                        surface(3, SurfaceClass::kSquare, block(-100, 40, 0, 90)),
+                                        surface(4, SurfaceClass::kGrass, block(0, 40, 100, 90)),
+                                        surface(5, SurfaceClass::kFootPath, block(-100, -30, 100, -20)),
+                                        surface(6, SurfaceClass::kPedestrianStreet, block(-100, -90, 100, -80))};
+
+roads::Road street(Polyline axis, SurfaceClass kind = SurfaceClass::kResidentialRoad) {
+  roads::Road road;
+  road.axis = std::move(axis), road.surface = kind;
+  return road;
+}
+
+std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& axis = {{-100, 0}, {100, 0}}) {
+  const ground::SurfaceMap map = map_surfaces(kSurfaces, {{-128, -128}, {128, 128}});
+  std::vector<Placement> trees;
+  for (const Vec2 p : places)
+    trees.push_back({at_height(p, 0), 1, 0, 12, {OsmType::kNode, static_cast<std::int64_t>(trees.size() + 1)}});
+  return tree_pits(trees, std::vector{street(axis)}, map);
+}
+
+ground::Carving sloping() {
+  map::Heightfield field{{-128, -128}, {16, 16}, 17, 17, {}, 0};
+  for (int j = 0; j < 17; ++j)
+    for (int i = 0; i < 17; ++i) field.heights.push_back(static_cast<std::int32_t>(i / map::kHeightQuantum_m));
+  return ground::Carving(std::move(field));
+}
+
+TEST(TreePits, AreInPavingAlone) {
+  EXPECT_EQ(pits_at({{0, 5.5}}).size(), 1u);
+  EXPECT_EQ(pits_at({{-50, 60}}).size(), 1u);
+  EXPECT_EQ(pits_at({{0, -85}}).size(), 1u);
+  EXPECT_TRUE(pits_at({{50, 60}, {0, -25}, {0, 0}, {0, 20}}).empty());
+}
+
+TEST(TreePits, KeepOffTheCarriageway) {
+  for (const double y : {4.1, 4.4, 4.6, 4.8, 5.2, 5.5, 6.0, 6.5, 6.9})
+    for (const TreePit& pit : pits_at({{0, y}})) {
+      EXPECT_GE(pit.at.y - pit.side_m / 2, 4) << y;
+      EXPECT_LE(pit.at.y + pit.side_m / 2, 7) << y;
+    }
+  EXPECT_EQ(pits_at({{0, 5.5}})[0].side_m, 1.5);
+  EXPECT_EQ(pits_at({{0, 4.55}})[0].side_m, 1.0);
+  EXPECT_TRUE(pits_at({{0, 4.2}}).empty());
+}
+
+TEST(TreePits, LieAlongTheNearestRoad) {
+  const Vec2 slanting = pits_at({{-50, 60}}, {{-90, 40}, {-20, 110}})[0].along;
+  EXPECT_NEAR(slanting.x, std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(slanting.y, std::sqrt(0.5), 1e-9);
+  EXPECT_EQ(pits_at({{-50, 80}})[0].along, (Vec2{1, 0}));
+}
+
+TEST(TreePits, DoNotTouchEachOther) {
+  EXPECT_EQ(pits_at({{-50, 60}, {-49, 60}, {-46, 60}}).size(), 2u);
+  EXPECT_EQ(pits_at({{-50, 60}, {-49, 60}})[0].feature, (OsmId{OsmType::kNode, 1}));
+}
+
+TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
+  const ground::Carving ground = sloping();
+  const TreePit pit = pits_at({{-50, 60}}, {{-90, 40}, {-20, 110}})[0];
+  const Expanded full = expand(pit, ground, 0.02), soil = expand(pit, ground, 0.1), none = expand(pit, ground, 0.5);
+  EXPECT_EQ(full.error_m, 0);
+  EXPECT_TRUE(none.meshes.empty());
+  double highest_m = 0, soil_m = 0;
+  for (const auto& dressed : full.meshes)
+    for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z - land_m(ground, in_plan(p)));
+  for (const Vec3 p : soil.meshes[0].mesh.positions) soil_m = std::max(soil_m, p.z - land_m(ground, in_plan(p)));
+  EXPECT_NEAR(none.error_m, highest_m, 0.002);
+  EXPECT_NEAR(soil.error_m, highest_m - soil_m, 0.002);
+  EXPECT_GT(soil_m, 0.02);
+}
+
+TEST(TreePits, ShowTheirFrontAbove) {
+  const Expanded pit = expand(pits_at({{-50, 60}})[0], sloping(), 0.02);
+  double up_m2 = 0;
+  for (const auto& dressed : pit.meshes)
+    for (const auto& [a, b, c] : dressed.mesh.triangles) {
+      const auto& p = dressed.mesh.positions;
+      up_m2 += cross(in_plan(p[b] - p[a]), in_plan(p[c] - p[a])) / 2;
+    }
+  EXPECT_NEAR(up_m2, 1.5 * 1.5, 0.01);
+}
+
+}  // namespace
+}  // namespace citykiln::props
