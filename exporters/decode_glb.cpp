@@ -319,19 +319,21 @@ void read_cutouts(Source& source, std::size_t first, std::span<const std::option
 }
 
 bool are_one_size(const imprint::Atlas& atlas) {
-  const auto& [colour, surface, emission] = atlas;
+  const auto& [colour, surface, emission, normal] = atlas;
   const auto is_as_large = [&](const materials::Sheet& other) {
     return colour.columns == other.columns && colour.rows == other.rows && colour.texel_m == other.texel_m;
   };
-  return is_as_large(surface) && (emission.texels.empty() || is_as_large(emission));
+  return is_as_large(surface) && (emission.texels.empty() || is_as_large(emission)) &&
+         (normal.texels.empty() || is_as_large(normal));
 }
 
-// The sheet, if any, the atlas's two or three, if any, then colours and normals of materials, then cutouts.
+// The sheet, if any, the atlas's two to four, if any, then colours and normals of materials, then cutouts.
 void read_pictures(Source& source, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
   const std::pair<const char*, materials::Sheet*> sheets[] = {{"sheet", &tile.sheet},
                                                               {"imprints", &tile.imprints.colour},
                                                               {"imprintsSurface", &tile.imprints.surface},
-                                                              {"imprintsEmission", &tile.imprints.emission}};
+                                                              {"imprintsEmission", &tile.imprints.emission},
+                                                              {"imprintsNormal", &tile.imprints.normal}};
   const auto& images = source.model.images;
   std::size_t i = 0;
   for (const auto& [name, place] : sheets)

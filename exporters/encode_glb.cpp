@@ -149,7 +149,8 @@ int picture_number(const Filling& f, const materials::Sheet* picture) {
     number += other.texels.empty() ? 0 : 1;
     return false;
   };
-  if (is_it(tile.sheet) || is_it(tile.imprints.colour) || is_it(tile.imprints.surface) || is_it(tile.imprints.emission))
+  const imprint::Atlas& atlas = tile.imprints;
+  if (is_it(tile.sheet) || is_it(atlas.colour) || is_it(atlas.surface) || is_it(atlas.emission) || is_it(atlas.normal))
     return number;
   for (const materials::Texture& texture : tile.textures)
     if (is_it(texture.colour) || is_it(texture.normal)) return number;
@@ -186,8 +187,9 @@ void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m)
   m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
 }
 
-const materials::Sheet* normals_of(const Look& look) {
+const materials::Sheet* normals_of(const Filling& f, const Look& look) {
   const materials::Sheet* normals = nullptr;
+  if (look.key.coloured == Coloured::kByAtlas) normals = &f.tile.imprints.normal;
   if (look.texture != nullptr) normals = &look.texture->normal;
   if (look.cutout != nullptr) normals = &look.cutout->normal;
   return normals == nullptr || normals->texels.empty() ? nullptr : normals;
@@ -220,7 +222,7 @@ int material_number(Filling& f, const Look& look) {
   tinygltf::Material m;
   m.name = material_name(look.key, f.tile.textures);
   set_colour(f, look, m.pbrMetallicRoughness);
-  if (const materials::Sheet* normals = normals_of(look)) {
+  if (const materials::Sheet* normals = normals_of(f, look)) {
     const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, unit_m);
   }
@@ -266,7 +268,7 @@ tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
-  if (normals_of(look) != nullptr)
+  if (normals_of(f, look) != nullptr)
     out.attributes["TANGENT"] =
         f.add_attribute(turned(tangents_of(p)), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
@@ -368,6 +370,7 @@ void add_pictures(Filling& f) {
     add_picture(f, f.tile.imprints.colour, "imprints", clamped);
     add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
     add_picture(f, f.tile.imprints.emission, "imprintsEmission", clamped);
+    add_picture(f, f.tile.imprints.normal, "imprintsNormal", clamped);
   }
   add_textures(f);
   if (f.cutouts.empty()) return;

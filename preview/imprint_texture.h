@@ -1,4 +1,4 @@
-// An atlas of imprints as rays see it: colour, roughness and emission, smoothed as far as what a ray covers.
+// An atlas of imprints as rays see it: colour, roughness, emission and normal, smoothed as far as what a ray covers.
 #pragma once
 
 #include <optional>
@@ -22,12 +22,15 @@ class ImprintTexture {
   std::array<double, 3> emission(const Patch& patch) const {
     return emission_ ? emission_->mean(patch) : std::array<double, 3>{};
   }
+  /// Unit: along u, against v, outwards.
+  Vec3 normal(const Patch& patch) const;
+  bool has_normals() const { return normal_.has_value(); }
   float roughness(const Patch& patch) const { return static_cast<float>(surface_.mean(patch)[1]); }
 
  private:
   const imprint::Atlas* atlas_;
   SheetTexture colour_, surface_;
-  std::optional<SheetTexture> emission_;
+  std::optional<SheetTexture> emission_, normal_;
 };
 
 }  // namespace citykiln::preview

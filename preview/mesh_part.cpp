@@ -102,6 +102,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
     colour = part.imprint->colour(patch);
     hit.roughness = part.imprint->roughness(patch);
     emission = part.imprint->emission(patch);
+    if (part.imprint->has_normals()) roughen(hit, part, corners, part.imprint->normal(patch), {});
   }
   if (part.cutout != nullptr) {
     const Patch patch = patch_on_atlas(part, corners, found, beam);

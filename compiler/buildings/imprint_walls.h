@@ -28,7 +28,7 @@ struct DressedFaces {
 ///
 /// A face on which all is of one material and tint takes them, and a roof where nearly all is; what is smaller than
 /// kFewTexels, and where nothing shines, or a texel wide, takes the mean colour, as paint on what most of it is made
-/// of; the rest have pictures. Faces before which nothing stands, or with more than kMostTexelsOfFace, look as the
+/// of; the rest have pictures, with slopes where texels are under 2 m. Faces before which nothing stands, or with more than kMostTexelsOfFace, look as the
 /// terminal does. The same bytes on every CPU. Total. Cost: imprint()'s, a face.
 DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
                            OsmId feature);

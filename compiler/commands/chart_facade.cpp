@@ -72,19 +72,35 @@ bake::BakedTile fired(const House& house, double tolerance_m, int threads) {
   return bake::bake(house.header, house.chunk, tolerance_m, threads, ignored);
 }
 
-/// Before the longest wall at a street, or the first, a little above the ground.
-preview::Camera camera_before(const buildings::Building& building, double away_m, int pixels) {
+struct Wall {
+  Vec2 middle, along, out;  ///< `along`, `out`: unit.
+};
+
+/// The first wall at a street, or the first.
+Wall front_of(const buildings::Building& building) {
   const Ring& ring = building.footprint.outer;
   std::size_t front = 0;
   for (std::size_t i = 0; i < building.fronts.size(); ++i)
     if (building.fronts[i].faces_street && !building.fronts[front].faces_street) front = i;
-  const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()];
-  const Vec2 middle = (from + to) * 0.5, out = unit(left_of(to - from)) * -1;
+  const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()], along = unit(to - from);
+  return {(from + to) * 0.5, along, left_of(along) * -1};
+}
+
+/// Before the front, a little above the ground.
+preview::Camera camera_before(const buildings::Building& building, double away_m, int pixels) {
+  const auto [middle, along, out] = front_of(building);
   const double height_m = (building.floor_m + building.top_m) / 2;
   // a little from the side, so that depths show
-  const Vec2 eye = middle + out * away_m + unit(to - from) * (0.2 * away_m);
+  const Vec2 eye = middle + out * away_m + along * (0.2 * away_m);
   constexpr double kDegrees = 57.29577951308232;
   return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(pixels / 2.0 / kFocal_px)};
+}
+
+/// The sun 20 degrees high, and nearer to the wall than to what is before it: depths throw long shadows.
+sky::Sky sun_along(const buildings::Building& building, sky::Sky sky) {
+  const Wall front = front_of(building);
+  sky.to_sun = unit(at_height(front.along * 0.8 + front.out * 0.6, 0.364));
+  return sky;
 }
 
 preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera, int pixels,
@@ -104,7 +120,7 @@ double difference(const preview::Image& a, const preview::Image& b) {
 }
 
 struct Costs {
-  double triangles = 0, bytes = 0, ms = 0, error = 0, noise = 0;
+  double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0;
 };
 
 double triangles_of(const bake::BakedTile& tile) {
@@ -137,7 +153,10 @@ void add_picture_error(const House& house, const bake::BakedTile& finest, double
   const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m, pixels);
   const preview::Image truth = picture(finest, sky, camera, pixels, 1);
   costs.noise += difference(truth, picture(finest, sky, camera, pixels, 2));
-  costs.error += difference(truth, picture(fired(house, tolerance_m, threads), sky, camera, pixels, 2));
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  costs.error += difference(truth, picture(tile, sky, camera, pixels, 2));
+  const sky::Sky low = sun_along(house.chunk.buildings.front(), sky);
+  costs.error_by_low_sun += difference(picture(finest, low, camera, pixels, 1), picture(tile, low, camera, pixels, 2));
 }
 
 std::vector<Chart> empty_charts(std::size_t houses) {
@@ -149,7 +168,7 @@ std::vector<Chart> empty_charts(std::size_t houses) {
   charts[1].name = "facade_picture";
   charts[1].title = "Error of the picture from where the tolerance is one pixel";
   charts[1].y.label = "mean difference (share of white)";
-  charts[1].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}};
+  charts[1].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}, {"by low sun along the wall", {}}};
   return charts;
 }
 
@@ -159,6 +178,7 @@ void add_points(double tolerance_m, const Costs& costs, double houses, std::vect
   charts[0].series[2].points.emplace_back(tolerance_m, 1000 * costs.ms / houses);
   charts[1].series[0].points.emplace_back(tolerance_m, costs.error / houses);
   charts[1].series[1].points.emplace_back(tolerance_m, costs.noise / houses);
+  charts[1].series[2].points.emplace_back(tolerance_m, costs.error_by_low_sun / houses);
 }
 
 }  // namespace

@@ -38,8 +38,11 @@ Sheet halved(const Sheet& sheet, bool is_light) {
 }
 
 Atlas halved(const Atlas& atlas) {
-  const bool shines = !atlas.emission.texels.empty();
-  return {halved(atlas.colour, true), halved(atlas.surface, false), shines ? halved(atlas.emission, true) : Sheet{}};
+  const auto if_any = [](const Sheet& sheet, bool is_light) {
+    return sheet.texels.empty() ? Sheet{} : halved(sheet, is_light);
+  };
+  return {halved(atlas.colour, true), halved(atlas.surface, false), if_any(atlas.emission, true),
+          if_any(atlas.normal, false)};
 }
 
 // Where each atlas begins, and how large all are.
@@ -71,9 +74,21 @@ void draw(const Sheet& sheet, std::array<std::uint64_t, 2> first, Sheet& joined)
                 joined.texels.begin() + static_cast<std::ptrdiff_t>((first[1] + row) * joined.columns + first[0]));
 }
 
-Sheet blank(double texel_m, const Layout& layout) {
+Sheet blank(double texel_m, const Layout& layout, Sheet::Texel texel = {}) {
   return {texel_m, static_cast<std::uint32_t>(layout.columns), static_cast<std::uint32_t>(layout.rows),
-          std::vector<Sheet::Texel>(layout.columns * layout.rows)};
+          std::vector<Sheet::Texel>(layout.columns * layout.rows, texel)};
+}
+
+// With what no atlas has, none has to have.
+Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const Layout& layout) {
+  const auto any_has = [&](Sheet Atlas::*sheet) {
+    return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*sheet).texels.empty(); });
+  };
+  constexpr Sheet::Texel kFlat{128, 128, 255};
+  Atlas atlas{blank(texel_m, layout), blank(texel_m, layout), {}, {}};
+  if (any_has(&Atlas::emission)) atlas.emission = blank(texel_m, layout);
+  if (any_has(&Atlas::normal)) atlas.normal = blank(texel_m, layout, kFlat);
+  return atlas;
 }
 
 double finest_texel_m(std::span<const Atlas> atlases) {
@@ -99,14 +114,13 @@ JoinedAtlases join_atlases(std::span<const Atlas* const> atlases) {
   Layout layout = layout_of(all);
   for (; !layout.fits(); layout = layout_of(all), texel_m *= 2)
     for (Atlas& atlas : all) atlas = halved(atlas);
-  joined.atlas = {blank(texel_m, layout), blank(texel_m, layout), {}};
-  const bool any_shines = std::ranges::any_of(all, [](const Atlas& atlas) { return !atlas.emission.texels.empty(); });
-  if (any_shines) joined.atlas.emission = blank(texel_m, layout);
+  joined.atlas = blank_like(all, texel_m, layout);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].colour.texels.empty()) continue;
     draw(all[i].colour, layout.firsts[i], joined.atlas.colour);
     draw(all[i].surface, layout.firsts[i], joined.atlas.surface);
-    if (!all[i].emission.texels.empty()) draw(all[i].emission, layout.firsts[i], joined.atlas.emission);
+    draw(all[i].emission, layout.firsts[i], joined.atlas.emission);
+    draw(all[i].normal, layout.firsts[i], joined.atlas.normal);
     const auto& [column, row] = layout.firsts[i];
     joined.places[i] = {{static_cast<double>(column) * texel_m, static_cast<double>(row) * texel_m},
                         finest_m / own_m[i]};

@@ -66,6 +66,13 @@ Sheet::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
   return srgb;
 }
 
+// Of a surface that leans so: along rows, up columns, outwards.
+Sheet::Texel normal_of(const std::array<std::int16_t, 2>& slope) {
+  const Vec3 normal = unit(Vec3{-slope[0] * kSlope, slope[1] * kSlope, 1});
+  const auto byte = [](double part) { return static_cast<std::uint8_t>((part + 1) / 2 * 255 + 0.5); };
+  return {byte(normal.x), byte(normal.y), byte(normal.z)};
+}
+
 void draw(const Picture& picture, Place place, Atlas& atlas) {
   for (std::uint32_t y = 0; y < framed(picture.rows); ++y)
     for (std::uint32_t x = 0; x < framed(picture.columns); ++x) {
@@ -76,6 +83,7 @@ void draw(const Picture& picture, Place place, Atlas& atlas) {
       atlas.colour.texels[at] = srgb_of(texel.light);
       atlas.surface.texels[at] = {255, texel.roughness, texel.metalness};
       if (!atlas.emission.texels.empty()) atlas.emission.texels[at] = srgb_of(texel.emission);
+      if (!atlas.normal.texels.empty()) atlas.normal.texels[at] = normal_of(texel.slope);
     }
 }
 
@@ -109,10 +117,14 @@ Unique unique_of(std::span<const Picture> pictures) {
   return unique;
 }
 
-bool shine(std::span<const Picture> pictures) {
-  const auto shines = [](const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; };
-  return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, shines); });
+template <typename Is>
+bool any_texel(std::span<const Picture> pictures, Is is) {
+  return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, is); });
 }
+
+bool shines(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
+
+bool leans(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
 
 bool are_single(std::span<const Picture> pictures) {
   return std::ranges::all_of(pictures, [](const Picture& p) { return p.columns == 1 && p.rows == 1; });
@@ -130,8 +142,9 @@ AtlasLayout lay_out(std::span<const Picture> pictures, double texel_m) {
     texel_m *= 2;
     shelves = shelve(unique.pictures);
   }
-  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0}), {}};
-  if (shine(unique.pictures)) layout.atlas.emission = blank(texel_m, shelves, {});
+  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0}), {}, {}};
+  if (any_texel(unique.pictures, shines)) layout.atlas.emission = blank(texel_m, shelves, {});
+  if (any_texel(unique.pictures, leans)) layout.atlas.normal = blank(texel_m, shelves, normal_of({}));
   for (std::size_t i = 0; i < unique.pictures.size(); ++i) draw(unique.pictures[i], shelves.places[i], layout.atlas);
   for (const std::size_t number : unique.number) {
     const Place& place = shelves.places[number];

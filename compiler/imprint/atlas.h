@@ -17,7 +17,7 @@
 namespace citykiln::imprint {
 
 /// The budget of a tile, all of its frames counted: 3 bytes of colour and 3 of what else it is like, each, are 25 MB
-/// before they are packed; by night half as much again. On a graphics card, with mip levels, 45 MB.
+/// before they are packed; by night, and with normals, half as much again. On a graphics card, with mip levels, 45 MB.
 inline constexpr std::uint64_t kMostAtlasTexels = std::uint64_t{1} << 22;
 
 /// Sheets of the same texels, which do not repeat; or none.
@@ -25,6 +25,7 @@ struct Atlas {
   materials::Sheet colour;    ///< sRGB reflectance.
   materials::Sheet surface;   ///< Linear: 255 (nothing is hidden), roughness, metalness; as glTF has them.
   materials::Sheet emission;  ///< sRGB, of materials::kEmission_cd_m2; no texels where nothing shines.
+  materials::Sheet normal;    ///< As materials::Texture::normal; no texels where nothing leans.
   bool operator==(const Atlas&) const = default;
 };
 

@@ -144,6 +144,41 @@ void draw(Canvas& canvas, const Facet& facet) {
     for (std::int64_t column = across.first; column < across.end; ++column) put(canvas, *flat, row, column, facet.coat);
 }
 
+// How far the shape comes forward from one sample to the next, in quanta; nothing where either shows nothing.
+std::int64_t rise(const Sample& from, const Sample& to) {
+  if (from.coat == Sample::kNothing || to.coat == Sample::kNothing) return 0;
+  return std::int64_t{from.depth} - to.depth;
+}
+
+// Twice the rise through a texel along a line of samples. What is on a border lies halfway between two samples, so half
+// of what they rise is this texel's. @param first  The texel's first on the line, which has `count`.
+template <typename At>
+std::int64_t rise_through(std::int64_t first, std::int64_t count, At at) {
+  std::int64_t twice = 0;
+  for (std::int64_t i = std::max<std::int64_t>(first, 1); i <= std::min<std::int64_t>(first + kSamples, count - 1); ++i)
+    twice += rise(at(i - 1), at(i)) * (i == first || i == first + kSamples ? 1 : 2);
+  return twice;
+}
+
+std::int16_t slope_of(std::int64_t twice_rise, double texel_m) {
+  const double slope = static_cast<double>(twice_rise) * (kQuantum_m / (2 * kSamples * kSlope)) / texel_m;
+  return static_cast<std::int16_t>(std::clamp(std::floor(std::abs(slope) + 0.5), 0.0, 32767.0) * (slope < 0 ? -1 : 1));
+}
+
+// Along rows and down columns.
+std::array<std::int16_t, 2> slopes_of(const Canvas& canvas, std::int64_t column, std::int64_t row) {
+  const auto at = [&](std::int64_t x, std::int64_t y) -> const Sample& {
+    return canvas.samples[static_cast<std::size_t>(y * canvas.columns + x)];
+  };
+  const std::int64_t left = column * kSamples, top = row * kSamples;
+  std::int64_t along = 0, down = 0;
+  for (std::int64_t i = 0; i < kSamples; ++i) {
+    along += rise_through(left, canvas.columns, [&](std::int64_t x) -> const Sample& { return at(x, top + i); });
+    down += rise_through(top, canvas.rows, [&](std::int64_t y) -> const Sample& { return at(left + i, y); });
+  }
+  return {slope_of(along, canvas.view.texel_m), slope_of(down, canvas.view.texel_m)};
+}
+
 // The mean of a texel's samples.
 Texel texel_of(const Canvas& canvas, std::span<const Show> shows, std::size_t column, std::size_t row) {
   TexelSum sum;
@@ -165,6 +200,11 @@ Picture picture_of(const Canvas& canvas, const std::vector<Coat>& coats) {
   for (std::size_t row = 0; row < picture.rows; ++row)
     for (std::size_t column = 0; column < picture.columns; ++column)
       picture.texels.push_back(texel_of(canvas, shows, column, row));
+  if (!canvas.view.has_slopes) return picture;
+  for (std::size_t i = 0; i < picture.texels.size(); ++i)
+    if (picture.texels[i].shown > 0)
+      picture.texels[i].slope = slopes_of(canvas, static_cast<std::int64_t>(i % picture.columns),
+                                          static_cast<std::int64_t>(i / picture.columns));
   return picture;
 }
 

@@ -4,7 +4,7 @@
 //     _                  |               the face turns, is put into the face's plane
 //    |_  <- a sill       |  <- looks     2. of what lies at one place the foremost is seen
 //     _|                 |     this way  3. a texel is the mean of its samples
-//    |_                  |
+//    |_                  |                 4. its slope is what the shape comes forward between the texel's borders
 #pragma once
 
 #include <compare>
@@ -55,6 +55,7 @@ struct View {
   double texel_m = 1;
   std::uint32_t columns = 1, rows = 1;
   double before_m = 0, behind_m = 0;  ///< How far before the rectangle, and behind it, what is seen may lie.
+  bool has_slopes = false;            ///< Else those of texels are 0.
 };
 
 struct Imprint {
@@ -70,7 +71,9 @@ struct Imprint {
 /// Guarantees: the same bytes on every CPU, and for triangles in any order: of what lies equally far to 2^-10 m the
 /// least coat is seen. Of two triangles with a common edge, exactly one shows at a sample on it. What is turned away,
 /// or lies beyond the depth, is not seen. Triangles with a corner farther than 2^20 texels off are left out, and what
-/// is not finite. Cost: O(blocks), a few nanoseconds each that lies elsewhere; O(samples).
+/// is not finite. Slopes are of all that the shape rises between a texel's borders, steps as well as what leans: of
+/// texels that are all shown the mean is the slope of all they cover. Cost: O(blocks), a few nanoseconds each that lies
+/// elsewhere; O(samples).
 Imprint imprint(const Shape& shape, const View& view);
 
 }  // namespace citykiln::imprint

@@ -1,12 +1,14 @@
 #include "compiler/imprint/picture.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace citykiln::imprint {
 void TexelSum::add(const Texel& texel) {
   const std::uint64_t weight = texel.shown;
   for (std::size_t c = 0; c < light_.size(); ++c)
     light_[c] += weight * texel.light[c], emission_[c] += weight * texel.emission[c];
+  for (std::size_t c = 0; c < slope_.size(); ++c) slope_[c] += std::int64_t{texel.shown} * texel.slope[c];
   roughness_ += weight * texel.roughness, metalness_ += weight * texel.metalness, shown_ += weight;
 }
 
@@ -17,6 +19,10 @@ Texel TexelSum::mean(std::uint64_t texels) const {
   for (std::size_t c = 0; c < light_.size(); ++c) {
     mean.light[c] = static_cast<std::uint16_t>(share(light_[c]));
     mean.emission[c] = static_cast<std::uint16_t>(share(emission_[c]));
+  }
+  for (std::size_t c = 0; c < slope_.size(); ++c) {
+    const auto size = static_cast<std::int64_t>(share(static_cast<std::uint64_t>(std::abs(slope_[c]))));
+    mean.slope[c] = static_cast<std::int16_t>(slope_[c] < 0 ? -size : size);
   }
   mean.roughness = static_cast<std::uint8_t>(share(roughness_));
   mean.metalness = static_cast<std::uint8_t>(share(metalness_));

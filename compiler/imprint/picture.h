@@ -1,5 +1,5 @@
-// A small picture of a surface: what each of its texels sends back of the light and sends out itself, and
-// how smooth it is.
+// A small picture of a surface: what each of its texels sends back of the light and sends out itself, how smooth it is,
+// and which way it leans.
 #pragma once
 
 #include <array>
@@ -11,12 +11,16 @@ namespace citykiln::imprint {
 /// Samples a texel has each way, and in all.
 inline constexpr std::uint32_t kSamples = 4, kSamplesOfTexel = kSamples * kSamples;
 
+/// Of slopes: a 4096th of a metre a metre, so that they reach from -8 to 8.
+inline constexpr double kSlope = 0x1p-12;
+
 /// The mean of what its samples show; those that show nothing do not count.
 struct Texel {
   std::array<std::uint16_t, 3> light{};  ///< Linear reflectance, 65535 = 1.
   std::uint8_t roughness = 0, metalness = 0;
   std::uint8_t shown = 0;  ///< How many samples show something: 0 … kSamplesOfTexel. 0: the rest is 0.
   std::array<std::uint16_t, 3> emission{};  ///< Linear, 65535 = materials::kEmission_cd_m2.
+  std::array<std::int16_t, 2> slope{};      ///< How far it comes forward along rows and down columns, in kSlope.
   auto operator<=>(const Texel&) const = default;
 };
 
@@ -35,6 +39,7 @@ class TexelSum {
 
  private:
   std::array<std::uint64_t, 3> light_{}, emission_{};
+  std::array<std::int64_t, 2> slope_{};
   std::uint64_t roughness_ = 0, metalness_ = 0, shown_ = 0;
 };
 

@@ -141,6 +141,17 @@ TEST(GlbImprints, ShineByAPictureOfTheirOwn) {
   EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
 }
 
+TEST(GlbImprints, LeanByAPictureOfTheirOwnWithTangents) {
+  for (const auto& [seed, leans] : {std::pair{1u, true}, {2u, false}}) {
+    const auto gltf = gltf_of(made_imprinted_tile(seed));
+    EXPECT_EQ(material_called(gltf, "PaintImprinted").contains("normalTexture"), leans);
+    for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
+      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintImprinted") continue;
+      EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
+    }
+  }
+}
+
 TEST(GlbMaterials, ShineAsTheTableSays) {
   std::mt19937 dice(5);
   BakedTile tile = made_tile(1);
@@ -159,6 +170,7 @@ TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
   };
   EXPECT_NE(refused("\"imprints\"", "\"GrassColour\""), "accepted");
   EXPECT_NE(refused("\"imprintsSurface\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"imprintsNormal\"", "\"imprintsMormal\""), "accepted");
 }
 
 TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {

@@ -98,6 +98,7 @@ inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
   tile.imprints.surface = tile.imprints.colour;
   for (materials::Sheet::Texel& texel : tile.imprints.surface.texels) texel[2] = static_cast<std::uint8_t>(dice());
   if (seed % 2 == 1) tile.imprints.emission = tile.imprints.colour;
+  if (seed % 3 == 1) tile.imprints.normal = tile.imprints.surface;
   bake::Primitive facades = made_primitive(dice, materials::Material::kPaint, 12, 4);
   for (const bake::Float3& at : facades.positions) facades.uvs.push_back({at[0], at[2]});
   facades.coloured = materials::Coloured::kByAtlas;

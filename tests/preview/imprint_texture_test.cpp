@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compiler/materials/material.h"
 #include "preview/world.h"
 #include "tests/preview/solids.h"
@@ -16,7 +18,7 @@ constexpr double kTexel_m = 0.5;
 
 // Black and rough on the left, white and smooth on the right.
 imprint::Atlas halves() {
-  imprint::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}, {}};
+  imprint::Atlas atlas{{kTexel_m, 64, 64, {}}, {kTexel_m, 64, 64, {}}, {}, {}};
   for (int i = 0; i < 64 * 64; ++i) {
     const bool is_left = i % 64 < 32;
     atlas.colour.texels.push_back(is_left ? Sheet::Texel{} : Sheet::Texel{255, 255, 255});
@@ -52,6 +54,17 @@ TEST(ImprintTexture, SaysColourAndRoughness) {
   EXPECT_NEAR(left.roughness, 1, 1e-6);
   EXPECT_NEAR(right.albedo[0], 1, 1e-6);
   EXPECT_NEAR(right.roughness, 0.2, 1e-6);
+}
+
+// u runs east here and v north: what comes forward that way faces the other.
+TEST(ImprintTexture, SaysWhichWayItLeans) {
+  bake::BakedTile tile = imprinted(1);
+  EXPECT_NEAR(seen_at(tile, {8, 16}, 0).shading_normal.z, 1, 1e-6);
+  tile.imprints.normal = {kTexel_m, 64, 64, std::vector<Sheet::Texel>(64 * 64, {37, 128, 218})};
+  const Vec3 normal = seen_at(tile, {8, 16}, 0).shading_normal;
+  EXPECT_NEAR(normal.x, -std::sqrt(0.5), 0.005);
+  EXPECT_NEAR(normal.y, 0, 0.005);
+  EXPECT_NEAR(normal.z, std::sqrt(0.5), 0.005);
 }
 
 // Neighbours on an atlas have nothing to do with each other.

@@ -95,6 +95,20 @@ TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
   }
 }
 
+// Reveals and sills are slopes where a window is several texels.
+TEST(ImprintWalls, LeanWhereGeometryIsLeftOut) {
+  const auto leaning = [](const Expanded& house) {
+    std::size_t texels = 0;
+    for (const ImprintedMesh& face : house.imprinted)
+      texels += static_cast<std::size_t>(std::ranges::count_if(
+          face.picture.texels, [](const imprint::Texel& t) { return t.slope != std::array<std::int16_t, 2>{}; }));
+    return texels;
+  };
+  const Building old = house(Style::kOldTownHouse, 17.3, 16);
+  EXPECT_GT(leaning(expanded(old, 0.5)), 200u);
+  EXPECT_EQ(leaning(expanded(old, 2.5)), 0u);
+}
+
 TEST(ImprintWalls, PlacesLieOnThePicture) {
   for (const double tolerance_m : {0.5, 2.5, 12.5})
     for (const ImprintedMesh& face : expanded(house(Style::kOldTownHouse, 17.3, 16), tolerance_m).imprinted) {

@@ -12,13 +12,14 @@ using materials::Sheet;
 
 Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std::uint32_t rows) {
   const Draw draw(seed, StableId{}, "atlas");
-  Atlas atlas{{texel_m, columns, rows, {}}, {texel_m, columns, rows, {}}, {}};
+  Atlas atlas{{texel_m, columns, rows, {}}, {texel_m, columns, rows, {}}, {}, {}};
   for (std::uint32_t i = 0; i < columns * rows; ++i) {
     atlas.colour.texels.push_back({static_cast<std::uint8_t>(draw.below(256, 2 * i)), 7, 9});
     atlas.surface.texels.push_back({255, static_cast<std::uint8_t>(draw.below(256, 2 * i + 1)), 0});
   }
   // some shine
   if (seed % 2 == 1) atlas.emission = atlas.colour;
+  if (seed % 3 == 1) atlas.normal = atlas.surface;
   return atlas;
 }
 
@@ -45,6 +46,8 @@ void expect_all_there(const std::vector<Atlas>& atlases) {
       const Vec2 there = all.places[i].at_m + uv * all.places[i].scale;
       EXPECT_EQ(at(all.atlas.colour, there), own.texels[t]);
       EXPECT_EQ(at(all.atlas.surface, there), atlases[i].surface.texels[t]);
+      const bool leans = !atlases[i].normal.texels.empty();
+      EXPECT_EQ(at(all.atlas.normal, there), leans ? atlases[i].normal.texels[t] : (Sheet::Texel{128, 128, 255}));
     }
 }
 
@@ -62,7 +65,7 @@ TEST(JoinAtlases, WhatIsTooMuchIsHalved) {
   std::vector<Atlas> atlases;
   for (int i = 0; i < 5; ++i) {
     const Sheet grey{0.5, 4096, 4096, std::vector<Sheet::Texel>(4096 * 4096, Sheet::Texel{60, 60, 60})};
-    atlases.push_back({grey, grey, {}});
+    atlases.push_back({grey, grey, {}, {}});
   }
   const JoinedAtlases all = joined(atlases);
   EXPECT_LE(all.atlas.colour.texels.size(), materials::kMostTexels);

@@ -41,8 +41,9 @@ At texel_at(const AtlasLayout& layout, std::size_t picture) {
 TEST(Atlas, EveryTexelIsOnIt) {
   const std::vector<Picture> pictures = random_pictures(60, 13);
   const AtlasLayout layout = lay_out(pictures, 0.5);
-  const auto& [colour, surface, emission] = layout.atlas;
+  const auto& [colour, surface, emission, normal] = layout.atlas;
   EXPECT_TRUE(emission.texels.empty());
+  EXPECT_TRUE(normal.texels.empty());
   EXPECT_EQ(colour.texel_m, 0.5);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     for (std::size_t y = 0; y < pictures[i].rows; ++y)
@@ -54,6 +55,23 @@ TEST(Atlas, EveryTexelIsOnIt) {
           EXPECT_EQ(colour.texels[place][c], materials::srgb_of_linear(texel.light[c] / 65535.0));
         EXPECT_EQ(surface.texels[place], (materials::Sheet::Texel{255, texel.roughness, texel.metalness}));
       }
+}
+
+// Coming forward along rows, a surface faces back along them; down columns, up.
+TEST(Atlas, HasNormalsWhereAnyPictureLeans) {
+  std::vector<Picture> pictures = random_pictures(3, 5);
+  const auto one = static_cast<std::int16_t>(1 / kSlope);
+  pictures[1].texels[0].slope = {one, 0}, pictures[2].texels[0].slope = {0, one};
+  const AtlasLayout layout = lay_out(pictures, 0.5);
+  const materials::Sheet& normal = layout.atlas.normal;
+  ASSERT_EQ(normal.texels.size(), layout.atlas.colour.texels.size());
+  const auto first_of = [&](std::size_t picture) {
+    const At at = texel_at(layout, picture);
+    return normal.texels[at.row * normal.columns + at.column];
+  };
+  EXPECT_EQ(first_of(0), (materials::Sheet::Texel{128, 128, 255}));
+  EXPECT_EQ(first_of(1), (materials::Sheet::Texel{37, 128, 218}));
+  EXPECT_EQ(first_of(2), (materials::Sheet::Texel{128, 218, 218}));
 }
 
 // By day nothing is spent on it.

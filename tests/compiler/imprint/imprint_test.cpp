@@ -23,6 +23,11 @@ Texel whole(Material material) {
 
 double light(Material material, std::size_t channel) { return values_of(material).base_colour[channel]; }
 
+View with_slopes(View view) {
+  view.has_slopes = true;
+  return view;
+}
+
 // Panels anywhere before and behind a wall of 8 by 8 m; their sides, between samples, so that mirrors agree.
 std::vector<DressedMesh> scattered(std::uint64_t seed, std::size_t count) {
   const Draw draw(seed, StableId{}, "panels");
@@ -134,17 +139,50 @@ TEST(Imprint, TheOrderOfTrianglesDoesNotMatter) {
 TEST(Imprint, MirroredInputGivesTheMirroredPicture) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     std::vector<DressedMesh> meshes = scattered(seed, 40);
-    const Picture one = seen(meshes, seen_from_south(8, 8)).picture;
+    const Picture one = seen(meshes, with_slopes(seen_from_south(8, 8))).picture;
     for (DressedMesh& mesh : meshes) {
       for (Vec3& p : mesh.mesh.positions) p.x = 8 - p.x;
       for (Triangle& t : mesh.mesh.triangles) std::swap(t[1], t[2]);
     }
-    Picture other = seen(meshes, seen_from_south(8, 8)).picture;
+    Picture other = seen(meshes, with_slopes(seen_from_south(8, 8))).picture;
+    for (Texel& texel : other.texels) texel.slope[0] = static_cast<std::int16_t>(-texel.slope[0]);
     for (std::size_t row = 0; row < other.rows; ++row)
       std::reverse(other.texels.begin() + static_cast<std::ptrdiff_t>(row * 8),
                    other.texels.begin() + static_cast<std::ptrdiff_t>(row * 8 + 8));
     EXPECT_EQ(one, other);
   }
+}
+
+TEST(Imprint, WhatLeansHasItsSlope) {
+  // two metres high, a metre farther back at its top
+  DressedMesh ramp = panel(0, 0, 3, 2, Material::kBrick);
+  for (Vec3& p : ramp.mesh.positions) p.y = p.z / 2;
+  for (const Texel& texel : seen({ramp}, with_slopes(seen_from_south(3, 2))).picture.texels) {
+    EXPECT_EQ(texel.slope[0], 0);
+    // at the picture's border there is no sample beyond
+    EXPECT_NEAR(texel.slope[1] * kSlope, 0.5, 0.07);
+  }
+  EXPECT_EQ(seen({ramp}, seen_from_south(3, 2)).picture.texels.front().slope, (std::array<std::int16_t, 2>{}));
+}
+
+// A step is as high wherever it stands in a texel or between two: so is all of a relief of many steps.
+TEST(Imprint, SlopesAddUpToWhatTheShapeRises) {
+  for (const double at : {0.6, 1.0, 1.1, 2.5}) {
+    const std::vector<DressedMesh> step = {panel(0, 0, at, 1, Material::kBrick, 0.25),
+                                           panel(at, 0, 3, 1, Material::kGlass)};
+    double rise_m = 0;
+    for (const Texel& texel : seen(step, with_slopes(seen_from_south(3, 1))).picture.texels)
+      rise_m += texel.slope[0] * kSlope;
+    EXPECT_NEAR(rise_m, 0.25, 1e-9) << at;
+  }
+}
+
+// Between what is seen and where nothing is there is no step.
+TEST(Imprint, WhereNothingIsThereIsNoStep) {
+  for (const Texel& texel : seen({panel(1.2, 0, 2, 1, Material::kBrick, 0.5), panel(0, 0, 0.6, 1, Material::kBrick)},
+                                 with_slopes(seen_from_south(3, 1)))
+                                .picture.texels)
+    EXPECT_EQ(texel.slope, (std::array<std::int16_t, 2>{}));
 }
 
 // Seen from the east the same wall, turned, gives the same picture.

@@ -24,6 +24,12 @@ TEST(Picture, HalvedKeepsTheMean) {
   EXPECT_EQ(mean(half), mean(picture));
 }
 
+TEST(Picture, TheMeanSlopeIsThatOfAll) {
+  Picture picture{2, 2, {grey(0), grey(0), grey(0), grey(0)}};
+  picture.texels[0].slope = {400, -100}, picture.texels[3].slope = {-200, -102};
+  EXPECT_EQ(mean(picture).slope, (std::array<std::int16_t, 2>{50, -51}));
+}
+
 TEST(Picture, HalvedRoundsUp) {
   const Picture half = halved({3, 1, {grey(1000), grey(3000), grey(500)}});
   EXPECT_EQ(half.columns, 2u);
