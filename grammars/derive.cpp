@@ -135,7 +135,6 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.paths_below.emplace_back();
   run.memo.bodies.resize(program.bodies);
   run.reaches.found.resize(program.bodies);
-  run.reaches.divides.resize(program.bodies);
   run.out.shapes = 1;
   begin(run);
   sort_troubles(run);

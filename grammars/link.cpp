@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grammars/body_marks.h"
 #include "grammars/constant.h"
 #include "grammars/lexer.h"
 #include "grammars/parse.h"
@@ -65,6 +66,7 @@ Result<Program> read_rules(const std::string& file, const Loader& load) {
   if (auto error = add_file(linker, file, "")) return *error;
   if (auto error = resolve(linker.program)) return *error;
   mark_constants(linker.program);
+  mark_bodies(linker.program);
   return std::move(linker.program);
 }
 

@@ -386,19 +386,6 @@ Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame
   return table.found[body.number][place].reach = found_reach(outlook, body, frame);
 }
 
-bool divides(const Body& body) {
-  return std::any_of(body.statements.begin(), body.statements.end(),
-                     [](const Statement& statement) { return statement.has_selectors; }) ||
-         std::any_of(body.branches.begin(), body.branches.end(),
-                     [](const Branch& branch) { return divides(branch.body); });
-}
-
-bool divides_at_all(ReachTable& table, const Body& body) {
-  std::optional<bool>& known = table.divides[body.number];
-  if (!known) known = divides(body);
-  return *known;
-}
-
 }  // namespace
 
 bool is_flat(const Shape& shape) {
@@ -418,7 +405,7 @@ Reach reach_of(Execution& execution, const Body& body) {
 std::optional<Displacement> known_ahead(Execution& execution, const Body& body) {
   const DeriveOptions& options = execution.run.options;
   if (!options.ahead || !execution.run.measures()) return std::nullopt;
-  if (!divides_at_all(execution.run.reaches, body) || !is_flat(execution.shape)) return std::nullopt;
+  if (!body.divides || (options.keep_looks && body.changes_look) || !is_flat(execution.shape)) return std::nullopt;
   const Reach reach = reach_of(execution, body);
   if (!reach.stays || (options.keep_looks && !reach.keeps_look) || reach.moved.largest_m() > options.tolerance_m)
     return std::nullopt;

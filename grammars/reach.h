@@ -44,11 +44,10 @@ struct KnownReach {
   Reach reach;
 };
 
-/// What has been found so far; vectors are by Body::number.
+/// What has been found so far, by Body::number.
 struct ReachTable {
   std::vector<std::vector<KnownReach>> found;
-  std::vector<std::optional<bool>> divides;  ///< Whether the body divides a surface itself.
-  std::uint32_t looks = 0;                   ///< Bodies and values looked at; after so many, everything is unbounded.
+  std::uint32_t looks = 0;  ///< Bodies and values looked at; after so many, everything is unbounded.
 };
 
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are

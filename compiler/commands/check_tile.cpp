@@ -123,8 +123,9 @@ void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std:
   tile.findings().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
                                   fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
                                               level.error_m, samples.at.x, samples.at.y));
-  tile.findings().height.test_all(0, samples.uncovered == 0,
-                                  fmt::format("{}: {} places without ground", name, samples.uncovered));
+  tile.findings().height.test_all(
+      0, samples.uncovered == 0,
+      fmt::format("{}: {} places without ground, at {},{}", name, samples.uncovered, samples.hole.x, samples.hole.y));
 }
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {

@@ -151,10 +151,11 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standin
   GroundSamples samples;
   samples.count = lattice.lowest_m.size();
   for (std::size_t i = 0; i < lattice.places.size(); ++i) {
-    if (std::isinf(lattice.lowest_m[i]))
-      ++samples.uncovered;
-    else
+    if (std::isinf(lattice.lowest_m[i])) {
+      if (samples.uncovered++ == 0) samples.hole = lattice.places[i];
+    } else {
       keep_worst(samples, off_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
+    }
   }
   return samples;
 }

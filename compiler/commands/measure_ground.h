@@ -36,6 +36,7 @@ std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing
 struct GroundSamples {
   std::uint64_t count = 0;
   std::uint64_t uncovered = 0;  ///< Places with no ground at all.
+  Vec2 hole;                    ///< The first of those.
   double error_m = 0;           ///< Largest vertical distance between ground and heights.
   Vec2 at;                      ///< Where that is.
 };

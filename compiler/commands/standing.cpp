@@ -43,14 +43,18 @@ std::vector<OsmId> houses_of(const scene::Scene& scene) {
   return houses;
 }
 
-// Of houses that are mapped as a square or a pitch too.
+// Of houses that are mapped as a square, a pitch or a path too.
 std::vector<std::pair<OsmId, materials::Material>> fields_of(const scene::Scene& scene,
                                                              const std::vector<OsmId>& houses) {
   std::vector<std::pair<OsmId, materials::Material>> fields;
-  for (const scene::Chunk& chunk : scene.chunks)
-    for (const ground::Surface& surface : chunk.surfaces)
-      if (surface.surface != map::SurfaceClass::kBuilding && std::ranges::binary_search(houses, surface.id.osm))
-        fields.emplace_back(surface.id.osm, map::values_of(surface.surface).material);
+  const auto add = [&](OsmId osm, map::SurfaceClass surface) {
+    if (surface != map::SurfaceClass::kBuilding && std::ranges::binary_search(houses, osm))
+      fields.emplace_back(osm, map::values_of(surface).material);
+  };
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const ground::Surface& surface : chunk.surfaces) add(surface.id.osm, surface.surface);
+    for (const roads::Road& road : chunk.roads) add(road.id.osm, road.surface);
+  }
   std::ranges::sort(fields);
   return fields;
 }

@@ -16,10 +16,10 @@ constexpr double kShortest_m = 1;
 // No point comes nearer to a vertex, nor to an edge that may not be cut.
 constexpr double kNearest_m = 0.5;
 
-// Roads are looked at most, and are smooth.
+// Roads are looked at most, and so smooth that it costs next to nothing.
 double follow_m(HeightLayer layer) {
   const bool is_road = layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
-  return is_road ? kFollow_m / 4 : kFollow_m;
+  return is_road ? kQuantum_m : kFollow_m;
 }
 
 struct Following {

@@ -16,7 +16,7 @@ struct Followed {
 };
 
 /// Looks at the centres of faces and at the middles of edges that are no borders, each face on its own layer, and puts
-/// points in where a face strays by more than kFollow_m, on roads by a quarter of that.
+/// points in where a face strays by more than kFollow_m, on roads by more than kQuantum_m.
 /// @param face_heights  Of each surface of the partition; kNoSurface lies on the land.
 /// Guarantees: nothing on borders, lines or the cell's border changes; no point goes in within half a metre of a corner
 /// of the face it splits, so beside steps of the ground a face may stay off. Depends on the order of faces, which the

@@ -1,0 +1,12 @@
+// What bodies surely do, whatever they are applied to: found once a program, so that derivations need not look.
+#pragma once
+
+#include "grammars/syntax.h"
+
+namespace citykiln::grammars {
+
+/// Sets Body::divides and Body::changes_look. Names have to be resolved. O(what is written), for each rule that others
+/// come to by way of many.
+void mark_bodies(Program& program);
+
+}  // namespace citykiln::grammars
