@@ -20,6 +20,7 @@ constexpr double kOfTheGrid_m = 2e-4;  // what a setback's overlay bends, genero
 struct Outlook {
   Execution& execution;
   int depth = 0;
+  bool has_set = false;  ///< Attributes may no longer be what they are for the node's shape.
 };
 
 // ---- numbers
@@ -35,16 +36,38 @@ NumberRange around(std::initializer_list<double> values) {
 
 NumberRange either(NumberRange a, NumberRange b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
+// of conditions: they are numbers that are 0 or 1
+constexpr NumberRange kFalse = {0, 0}, kTrue = {1, 1}, kEither = {0, 1};
+
+bool is_true(NumberRange a) { return a.low > 0 || a.high < 0; }
+bool is_false(NumberRange a) { return a == kFalse; }
+
+NumberRange decided(bool yes, bool no) { return yes ? kTrue : no ? kFalse : kEither; }
+NumberRange negated(NumberRange a) { return decided(is_false(a), is_true(a)); }
+
+// texts are unbounded numbers here, so that nothing is ever decided about them
+NumberRange range_of_comparison(const std::string& sign, NumberRange a, NumberRange b) {
+  const bool is_below = a.high<b.low, is_above = a.low> b.high;
+  if (sign == "<") return decided(is_below, a.low >= b.high);
+  if (sign == ">") return decided(is_above, a.high <= b.low);
+  if (sign == "<=") return decided(a.high <= b.low, is_above);
+  if (sign == ">=") return decided(a.low >= b.high, is_below);
+  const NumberRange equal = decided(a == b && a.low == a.high, is_below || is_above);
+  return sign == "==" ? equal : negated(equal);
+}
+
 NumberRange range_of_binary(const std::string& sign, NumberRange a, NumberRange b) {
   if (sign == "+") return around({a.low + b.low, a.high + b.high});
   if (sign == "-") return around({a.low - b.high, a.high - b.low});
   if (sign == "*") return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+  if (sign == "&&") return decided(is_true(a) && is_true(b), is_false(a) || is_false(b));
+  if (sign == "||") return decided(is_true(a) || is_true(b), is_false(a) && is_false(b));
+  if (is_among(sign, " < > <= >= == != ")) return range_of_comparison(sign, a, b);
   return {};
 }
 
 NumberRange range_of_value(const Value& value) {
-  const double* number = std::get_if<double>(&value);
-  return number == nullptr ? NumberRange{} : around({*number});
+  return std::holds_alternative<std::string>(value) ? NumberRange{} : around({number_of(value)});
 }
 
 NumberRange range_of_function(Outlook outlook, const Expression& call, const NumberRanges& frame) {
@@ -68,7 +91,7 @@ NumberRange range_of_name(Outlook outlook, const Expression& name, const NumberR
     case Target::kLocal:
       return name.index < frame.size() ? frame[name.index] : NumberRange{};
     case Target::kAttribute: {
-      if (execution.run.program.attributes[name.index].is_set) return {};
+      if (outlook.has_set && execution.run.program.attributes[name.index].is_set) return {};
       Context context{execution.run, execution.shape, execution.frame, execution.dice};
       return range_of_value(attribute_value(name.index, context));
     }
@@ -81,13 +104,22 @@ NumberRange range_of_name(Outlook outlook, const Expression& name, const NumberR
   }
 }
 
-// values of case and of shares: any of them
+// values of shares: any of them; of case, any whose condition may hold
 NumberRange range_of_choice(Outlook outlook, const Expression& choice, const NumberRanges& frame) {
   if (choice.operands.size() % 2 == 0) return {};
-  NumberRange all = range_of(outlook, choice.operands.back(), frame);
-  for (std::size_t i = 1; i < choice.operands.size(); i += 2)
-    all = either(all, range_of(outlook, choice.operands[i], frame));
-  return all;
+  std::optional<NumberRange> all;
+  const auto add = [&](const Expression& value) {
+    const NumberRange range = range_of(outlook, value, frame);
+    all = all ? either(*all, range) : range;
+  };
+  const bool is_case = choice.kind == ExpressionKind::kCase;
+  for (std::size_t i = 0; i + 1 < choice.operands.size(); i += 2) {
+    const NumberRange test = is_case ? range_of(outlook, choice.operands[i], frame) : kEither;
+    if (!is_false(test)) add(choice.operands[i + 1]);
+    if (is_true(test)) return *all;
+  }
+  add(choice.operands.back());
+  return *all;
 }
 
 NumberRange range_of(Outlook outlook, const Expression& expression, const NumberRanges& frame) {
@@ -100,6 +132,7 @@ NumberRange range_of(Outlook outlook, const Expression& expression, const Number
     case ExpressionKind::kCall:
       return range_of_name(outlook, expression, frame);
     case ExpressionKind::kUnary:
+      if (expression.text == "!") return negated(range_of(outlook, operands[0], frame));
       if (expression.text != "-" && expression.text != "+") return {};
       return range_of_binary(expression.text, {0, 0}, range_of(outlook, operands[0], frame));
     case ExpressionKind::kBinary:
@@ -136,7 +169,7 @@ struct Course {
   double height_m = 0;      ///< Of kPrism.
   bool pending = true;
   bool unbounded = false;  ///< Something was met that is not known.
-  std::vector<std::tuple<Form, Displacement, double>> pushed = {};
+  std::vector<std::tuple<Form, Displacement, double, bool>> pushed = {};
   double out_m = 0;              ///< Of all children.
   double back_m = kUnbounded_m;  ///< Of the best group of children.
   bool stays = false;
@@ -254,11 +287,16 @@ void look_at_translation(Course& course, const Statement& statement) {
   course.moved = course.moved + Displacement{way_m, way_m};
 }
 
+bool sets_attribute(const Statement& statement) {
+  return statement.name == "set" && statement.arguments.front().index != ~0u;
+}
+
 void look_at_operation(Course& course, const Statement& statement) {
   const OperationRow& row = operation_table()[statement.index];
   const bool is_face = course.form == Form::kFace;
   course.pending |= row.alters != Alters::kNothing;
   course.keeps_look &= row.alters != Alters::kLook && statement.name != "set";
+  course.outlook.has_set |= sets_attribute(statement);
   if (statement.name == "comp" && course.form != Form::kUnknown) return look_at_comp(course, statement);
   if (statement.name == "split" && is_face) return look_at_split(course, statement);
   if (statement.name == "setback" && is_face) return look_at_setback(course, statement);
@@ -284,7 +322,7 @@ void look_at_successor(Course& course, const Statement& statement) {
 
 void look_at_pop(Course& course) {
   if (course.pushed.empty()) return;
-  std::tie(course.form, course.moved, course.height_m) = course.pushed.back();
+  std::tie(course.form, course.moved, course.height_m, course.outlook.has_set) = course.pushed.back();
   course.pushed.pop_back();
 }
 
@@ -295,7 +333,7 @@ void look_at(Course& course, const Statement& statement) {
     case StatementKind::kSuccessor:
       return look_at_successor(course, statement);
     case StatementKind::kPush:
-      return void(course.pushed.emplace_back(course.form, course.moved, course.height_m));
+      return void(course.pushed.emplace_back(course.form, course.moved, course.height_m, course.outlook.has_set));
     case StatementKind::kPop:
       return look_at_pop(course);
     case StatementKind::kBlock:
@@ -313,10 +351,15 @@ Reach reach_of_statements(Outlook outlook, const Body& body, NumberRanges frame)
   return {{course.out_m, course.back_m}, course.stays, course.keeps_look};
 }
 
-// a case that no branch fits leaves the shape as it is
+// A case that no branch fits leaves the shape as it is.
 Reach reach_of_branches(Outlook outlook, const Body& body, const NumberRanges& frame) {
   Reach worst = kItself;
-  for (const Branch& branch : body.branches) worst = worst_of(worst, reach_of_body(outlook, branch.body, frame));
+  for (const Branch& branch : body.branches) {
+    const bool is_tested = body.kind == BodyKind::kCase && !branch.is_else;
+    const NumberRange test = is_tested ? range_of(outlook, branch.test, frame) : kEither;
+    if (!is_false(test)) worst = worst_of(worst, reach_of_body(outlook, branch.body, frame));
+    if (is_true(test)) break;
+  }
   return worst;
 }
 
@@ -334,11 +377,12 @@ Reach found_reach(Outlook outlook, const Body& body, NumberRanges frame) {
 
 Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame) {
   ReachTable& table = outlook.execution.run.reaches;
+  const std::uint32_t attributes = outlook.has_set ? kAnyAttributes : outlook.execution.shape.attributes;
   for (const KnownReach& known : table.found[body.number])
-    if (known.arguments == frame) return known.reach;
+    if (known.attributes == attributes && known.arguments == frame) return known.reach;
   // what is under way is unbounded: a rule that comes to itself again
   const std::size_t place = table.found[body.number].size();
-  table.found[body.number].push_back({frame, {}});
+  table.found[body.number].push_back({attributes, frame, {}});
   return table.found[body.number][place].reach = found_reach(outlook, body, frame);
 }
 

@@ -1,8 +1,9 @@
 // How far a body can move a surface, known before anything is derived of it.
 //
 // What displacement.h measures is bounded here from the rules alone: numbers are intervals, of a case all branches
-// count, and what cannot be bounded is infinite. Known are flat faces that look along their scope's z or y, as facades,
-// lots and their parts do, and prisms over them; looks, extrude, t, comp, split, setback and successors.
+// count whose condition may hold, and what cannot be bounded is infinite. Known are flat faces that look along their
+// scope's z or y, as facades, lots and their parts do, and prisms over them; looks, extrude, t, comp, split, setback
+// and successors.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,12 @@ struct Reach {
   bool keeps_look = false;  ///< All that comes of it looks as the shape does.
 };
 
-/// What a body may move that is given these arguments.
+/// For KnownReach: whatever they are.
+inline constexpr std::uint32_t kAnyAttributes = ~0u;
+
+/// What a body may move of a shape with these attributes (Shape::attributes) that is given these arguments.
 struct KnownReach {
+  std::uint32_t attributes = 0;
   NumberRanges arguments;
   Reach reach;
 };

@@ -113,6 +113,10 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
   return std::make_shared<PreparedTile>(std::move(prepared));
 }
 
+std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level) {
+  return prepared.levels[level].cells;
+}
+
 BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report) {
   Level own = std::move(prepared.levels[level]);
   return fire_level(prepared.header, prepared.chunk, own, nullptr, *prepared.grove, threads, report);

@@ -9,6 +9,7 @@
 #include "compiler/bake/grove.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/contract/report.h"
+#include "compiler/ground/expand.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
@@ -34,6 +35,9 @@ std::shared_ptr<PreparedTile> prepare(const scene::Header& header, const scene::
 /// The `level`-th tile of the ladder that was prepared, as bake() makes it. Each level once, in any order and on any
 /// thread.
 BakedTile fire_prepared(PreparedTile& prepared, std::size_t level, int threads, Report& report);
+
+/// The ground's cells of a level that has not been fired yet.
+std::span<const ground::GroundMesh> ground_of(const PreparedTile& prepared, std::size_t level);
 
 /// The tile for one eye, as parts: one a tolerance, finest first, each with what is made at it. Together they are the
 /// tile (commands/join_tiles.h). Each states its largest pixel error. Nothing is reported: what a level drops is too

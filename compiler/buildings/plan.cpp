@@ -7,6 +7,7 @@
 
 #include "compiler/buildings/doors.h"
 #include "compiler/buildings/dress.h"
+#include "compiler/buildings/held_up.h"
 #include "compiler/buildings/outline_index.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
@@ -213,10 +214,22 @@ std::vector<PartyWall> party_walls_of(const map::Footprint& footprint, const Bui
   return walls;
 }
 
+// Walls of what nothing holds up go down to the ground.
+std::vector<map::Footprint> let_down(std::vector<map::Footprint> footprints, std::span<const map::Track> tracks,
+                                     Report& report) {
+  const std::vector<bool> held = held_up(footprints, tracks);
+  for (std::size_t i = 0; i < footprints.size(); ++i) {
+    if (held[i]) continue;
+    report.add(Code::kNotHeldUp, footprints[i].id.osm, footprints[i].min_height_m);
+    footprints[i].min_height_m = 0;
+  }
+  return footprints;
+}
+
 }  // namespace
 
 std::vector<Building> plan(const map::Features& features, const ground::Carving& ground, Report& report) {
-  const std::vector<map::Footprint>& footprints = features.footprints;
+  const std::vector<map::Footprint> footprints = let_down(features.footprints, features.tracks, report);
   const Site site{ground, index_outlines(footprints), index_streets(features.tracks), index_doors(features.points),
                   shared_walls(footprints)};
   std::vector<std::optional<Building>> built(footprints.size());

@@ -68,13 +68,6 @@ Result<Done> take_number(const std::string& text, double least, double most, dou
   return Done{};
 }
 
-Result<Done> take_threads(const std::string& text, int& threads) {
-  const Result<std::int64_t> whole = parse_whole(text, 0);
-  if (!whole) return whole.error();
-  threads = static_cast<int>(*whole);
-  return Done{};
-}
-
 }  // namespace
 
 Verb chart_verb() {
@@ -94,8 +87,7 @@ Verb chart_verb() {
        [request = request.get()](const std::string& t) { return take_number(t, -80, 80, request->lat_deg); }},
       {"--eye", "X,Y,Z", "view: where the eye is, metres of the plane (100 m over the map's middle)", false,
        into_point(request->eye)},
-      {"--threads", "N", "0: as many as the machine has (0)", false,
-       [request = request.get()](const std::string& t) { return take_threads(t, request->threads); }},
+      threads_option(request->threads),
       {"-o,--out", "FOLDER", "where charts go", false, into(request->folder)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };

@@ -26,15 +26,6 @@ struct Request {
   preview::Options options;
 };
 
-std::function<Result<Done>(const std::string&)> into_whole(int& number, int least) {
-  return [&number, least](const std::string& text) -> Result<Done> {
-    const Result<std::int64_t> whole = parse_whole(text, least);
-    if (!whole) return whole.error();
-    number = static_cast<int>(*whole);
-    return Done{};
-  };
-}
-
 Result<Done> take_level(const std::string& text, std::size_t& level) {
   const Result<std::int64_t> whole = parse_whole(text, 0);
   if (!whole) return whole.error();
@@ -104,7 +95,7 @@ std::vector<Option> tile_options(LoadRequest& load) {
        [&](const std::string& t) { return take_level(t, load.level); }},
       {"--only", "X_Y", "look at these tiles alone", true,
        [&](const std::string& t) { return take_only(t, load.only); }},
-      {"--threads", "N", "0: as many as the machine has (0)", false, into_whole(load.threads, 0)},
+      threads_option(load.threads),
   };
 }
 

@@ -1,5 +1,7 @@
 #include "compiler/commands/verb.h"
 
+#include "compiler/spec.h"
+
 namespace citykiln::commands {
 
 std::function<Result<Done>(const std::string&)> into(std::string& text) {
@@ -14,6 +16,19 @@ std::function<Result<Done>(const std::string&)> onto(std::vector<std::string>& t
     texts.push_back(given);
     return Done{};
   };
+}
+
+std::function<Result<Done>(const std::string&)> into_whole(int& number, int least) {
+  return [&number, least](const std::string& text) -> Result<Done> {
+    const Result<std::int64_t> whole = parse_whole(text, least);
+    if (!whole) return whole.error();
+    number = static_cast<int>(*whole);
+    return Done{};
+  };
+}
+
+Option threads_option(int& threads) {
+  return {"--threads", "N", "0: as many as the machine has (0)", false, into_whole(threads, 0)};
 }
 
 }  // namespace citykiln::commands

@@ -38,7 +38,12 @@ Verb chart_verb();
 
 /// An option's take that keeps the text.
 std::function<Result<Done>(const std::string&)> into(std::string& text);
+/// One that wants a whole number, `least` or more.
+std::function<Result<Done>(const std::string&)> into_whole(int& number, int least);
 /// Adds the text to a list.
 std::function<Result<Done>(const std::string&)> onto(std::vector<std::string>& texts);
+
+/// --threads, as all verbs have it.
+Option threads_option(int& threads);
 
 }  // namespace citykiln::commands

@@ -231,7 +231,8 @@ struct AheadLevels : Levels {
   }
 
   std::string statements(int level) {
-    const std::string nudge = chance() % 4 ? "" : "t(0, 0, " + metres_text(-0.2, 0.2) + ") ";
+    std::string nudge = chance() % 4 ? "" : "t(0, 0, " + metres_text(-0.2, 0.2) + ") ";
+    if (chance() % 4 == 0) nudge += "set(mode, " + std::to_string(chance() % 3) + ") ";
     switch (chance() % 4) {
       case 0:
         return nudge + parts(level, {"all", "remainder"}).insert(0, "setback(" + metres_text(0.05, 0.5) + ")");
@@ -244,10 +245,21 @@ struct AheadLevels : Levels {
     }
   }
 
+  /// Decided before anything is derived, one way or the other, but where an attribute is set on the way.
+  std::string condition() {
+    const char* const kConditions[] = {
+        "!is_deep",         "mode == 1", "deep(0.3) > 0.5 || mode >= 2", "mode != 1 && is_deep", "mode == 2 && p(0.5)",
+        "rand(1, 2) < mode"};
+    return kConditions[chance() % 6];
+  }
+
   std::string facades(bool are_coloured) {
-    std::string text = "Lot --> extrude(" + metres_text(2, 9) + ") comp(f) { all : R1 }";
+    std::string text = "attr mode = 1\nconst is_deep = mode < 2\ndeep(d) = case is_deep : d else : 4 * d\n";
+    text += "Lot --> extrude(" + metres_text(2, 9) + ") comp(f) { all : R1 }";
     for (int level = 1; level <= 5; ++level) {
       text += "\nR" + std::to_string(level) + " -->";
+      if (!are_coloured && chance() % 3 == 0)
+        text += "\n  case " + condition() + " : " + (chance() % 2 ? "NIL" : statements(level)) + "\n  else :";
       if (are_coloured && chance() % 3 == 0) text += " color(" + metres_text(0, 1) + ", 0, 0)";
       if (!are_coloured && chance() % 3 == 0)
         text += "\n  case scope.sx > " + metres_text(0.5, 4) + " : " + statements(level) + "\n  else :";
@@ -329,6 +341,19 @@ std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_pl
   for (const Terminal& terminal : derivation.terminals)
     made.insert({terminal.id, terminal.name, terminal.look, terminal.cut});
   return made;
+}
+
+TEST_F(Levels, WhatNoShapeComesToDoesNotCountAhead) {
+  // by day no pane is open, so the front is known to stay within a decimetre before it is divided
+  const std::string front =
+      "attr night = 0\nattr open = 0\nLot --> extrude(6) comp(f) { side : Front | all : Roof. }\n"
+      "Front --> split(x) { { ~1 : Pane }* }\nPane --> case night && p(0.5) : set(open, 1) Glass else : Glass\n"
+      "Glass --> case open == 1 : NIL else : split(y) { ~1 : Light. | 0.1 : t(0, 0, 0.1) Bar. }";
+  DeriveOptions options;
+  options.tolerance_m = 0.2, options.ahead = true;
+  EXPECT_EQ(count_named(derived(front, 10, 8, options), "Front"), 4u);
+  options.attributes["night"] = 1.0;
+  EXPECT_EQ(count_named(derived(front, 10, 8, options), "Front"), 0u);
 }
 
 TEST_F(Levels, AreTheSameWithoutCopies) {

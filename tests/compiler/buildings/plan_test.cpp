@@ -45,6 +45,16 @@ TEST(Plan, CountsHeightsFromTheLowestCorner) {
   EXPECT_TRUE(b[0].stands_on_ground);
 }
 
+TEST(Plan, LetsDownWhatNothingHoldsUp) {
+  Report report;
+  map::Footprint hovering = block(1, 0, 0, 20, 18);
+  hovering.min_height_m = 9;
+  const auto b = plan(features_of({hovering}), ground::Carving(slope()), report);
+  ASSERT_EQ(b.size(), 1u);
+  EXPECT_TRUE(b[0].stands_on_ground);
+  EXPECT_EQ(report.counts()[Code::kNotHeldUp], 1u);
+}
+
 TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
   Report report;
   map::Footprint outline = block(1, 0, 0, 40, 12), part = block(2, 30, 0, 10, 30), far = block(3, 60, 0, 10, 30);
@@ -73,9 +83,9 @@ TEST(Plan, LiftsPartsByTheirMinHeight) {
   map::Footprint part = block(2, 0, 0, 10, 30);
   part.is_part = true;
   part.min_height_m = 12;
-  const auto b = plan(features_of({part}), ground::Carving(slope()), report);
-  EXPECT_FALSE(b[0].stands_on_ground);
-  EXPECT_EQ(b[0].bottom_m, 112);
+  const auto b = plan(features_of({block(1, 0, 0, 10, 12), part}), ground::Carving(slope()), report);
+  EXPECT_FALSE(b[1].stands_on_ground);
+  EXPECT_EQ(b[1].bottom_m, 112);
 }
 
 TEST(Plan, RaisesWhatTheSlopeWouldBury) {
