@@ -21,7 +21,10 @@ constexpr double kBeside_m = 6;
 // How light crowns that stand closed are, and the ground below them, as shares of what a leaf and the ground throw
 // back: they shade each other, and ground must be lit as well as seen. Bare twigs let more through. Measured, as
 // prototype_mesh's.
-constexpr double kCrownShade = 0.15, kTwigsShade = 0.4, kGroundShade = 0.63;
+constexpr double kCrownShade = 0.15, kTwigsShade = 0.4, kGroundShade = 0.57;
+
+// What fallen leaves make of the ground.
+constexpr Colour kLitter = {1, 0.73, 0.86};
 
 // A place between crowns is darker than one on top of one.
 constexpr double kDarkest = 0.7, kLightest = 1.1;
@@ -60,8 +63,11 @@ void add_tree(CrownMix& mix, const Wood& wood, const Habitat& habitat, std::uint
   const double cover = cover_of(wood, species, height_m, look.leafage);
   const Colour leaves = colour_of(look);
   mix.height_m += height_m / kTrees;
-  for (std::size_t c = 0; c < 3; ++c)
-    mix.colour[c] += kThrough[c] * (cover * leaves[c] + (1 - cover) * (1 - cover) * kGroundShade * ground[c]) / kTrees;
+  const double seen = kGroundShade * (1 - cover) * (1 - cover);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double below = ground[c] * std::lerp(kLitter[c], 1.0, look.leafage);
+    mix.colour[c] += kThrough[c] * (cover * leaves[c] + seen * below) / kTrees;
+  }
 }
 
 Colour ground_of(const WoodMap& woods, const Wood& wood) {
