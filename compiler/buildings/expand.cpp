@@ -17,9 +17,9 @@ namespace {
 
 using materials::DressedMesh;
 
-// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep frames and reveals,
+// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep reveals and frames,
 // railings their bars.
-constexpr double kLooks_m = 0.1;
+constexpr double kLooks_m = 0.05;
 
 // A tower of a hundred floors with a balcony at every window asks for half a million shapes.
 constexpr std::uint64_t kMostShapes = 4'000'000, kMostSteps = 400'000'000;
