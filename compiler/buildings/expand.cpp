@@ -17,9 +17,12 @@ namespace {
 
 using materials::DressedMesh;
 
-// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep frames and reveals,
+// What pictures show is as fine as this, whatever the level, so that levels share it: windows keep reveals and frames,
 // railings their bars.
-constexpr double kLooks_m = 0.1;
+constexpr double kLooks_m = 0.05;
+
+// Roofs are whole to this.
+constexpr double kWhole_m = 0.02;
 
 // A tower of a hundred floors with a balcony at every window asks for half a million shapes.
 constexpr std::uint64_t kMostShapes = 4'000'000, kMostSteps = 400'000'000;
@@ -91,6 +94,31 @@ double roof_tolerance_m(const Building& building, bool has_rules, double toleran
   return has_rules && rise_m > 0 ? std::min(tolerance_m / 2, rise_m * 0.99) : tolerance_m / 2;
 }
 
+// One level, and what all those that show it as pictures share.
+struct LevelOf {
+  double tolerance_m;
+  const imprint::Shape* looks;
+};
+
+// A mass under rules, and what the level leaves out at most of what they put on its roof.
+struct Dressable {
+  Mass mass;
+  double left_out_m = 0;
+};
+
+// On a roof whose eaves or knees a level does not see rules may find no room for a chimney, which is left out all the
+// same. Where both together are more than the tolerance the roof is whole.
+Dressable dressable_of(const Building& building, const grammars::Program& program, Setting setting, LevelOf level,
+                       Report& report) {
+  Dressable simple{mass_of(building, roof_tolerance_m(building, true, level.tolerance_m), report)};
+  if (simple.mass.roof.error_m == 0) return simple;
+  Report told_already;
+  Dressable whole{mass_of(building, roof_tolerance_m(building, true, kWhole_m), told_already)};
+  simple.left_out_m =
+      derive_on(building, whole.mass, program, setting, level.tolerance_m, level.looks == nullptr).error_m;
+  return simple.left_out_m + simple.mass.roof.error_m > level.tolerance_m ? whole : simple;
+}
+
 // What the rules make of a building at its full looks.
 imprint::Shape looks_of(const Building& building, const grammars::Program& program, Setting setting) {
   Report told_elsewhere;
@@ -99,20 +127,15 @@ imprint::Shape looks_of(const Building& building, const grammars::Program& progr
       meshes_of(derive_on(building, mass, program, setting, kLooks_m - mass.roof.error_m, true), building.id.osm));
 }
 
-// One level, and what all those that show it as pictures share.
-struct LevelOf {
-  double tolerance_m;
-  const imprint::Shape* looks;
-};
-
-void expand_by_rules(const Building& building, const Mass& mass, const grammars::Program& program, Setting setting,
-                     LevelOf level, Expanded& expanded, Report& report) {
+void expand_by_rules(const Building& building, const Dressable& dressable, const grammars::Program& program,
+                     Setting setting, LevelOf level, Expanded& expanded, Report& report) {
+  const Mass& mass = dressable.mass;
   // what the roof has left of the tolerance is for rules
   const grammars::Derivation derivation =
       derive_on(building, mass, program, setting, level.tolerance_m - mass.roof.error_m, level.looks == nullptr);
   const std::uint64_t times = times_of(derivation);
   if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
-  expanded.error_m += derivation.error_m;
+  expanded.error_m += std::max(derivation.error_m, dressable.left_out_m);
   DressedFaces faces;
   if (level.looks != nullptr)
     faces = imprint_walls(derivation, *level.looks, level.tolerance_m, building.id.osm);
@@ -137,13 +160,16 @@ Expanded without_what_is_low(const Building& building, double tolerance_m, Expan
 Expanded expand_level(const Building& building, const Rulebook& rulebook, Setting setting, LevelOf level,
                       Report& report) {
   const auto program = rulebook.find(building.style);
-  const Mass mass = mass_of(building, roof_tolerance_m(building, program != rulebook.end(), level.tolerance_m), report);
-  Expanded expanded{{}, mass.roof.error_m};
-  add_foundation(building, mass, program != rulebook.end(), setting.seed, expanded);
-  if (program == rulebook.end()) {
-    expand_plain(building, mass, setting.seed, expanded);
+  const bool has_rules = program != rulebook.end();
+  const Dressable dressable =
+      has_rules ? dressable_of(building, program->second, setting, level, report)
+                : Dressable{mass_of(building, roof_tolerance_m(building, false, level.tolerance_m), report)};
+  Expanded expanded{{}, dressable.mass.roof.error_m};
+  add_foundation(building, dressable.mass, has_rules, setting.seed, expanded);
+  if (has_rules) {
+    expand_by_rules(building, dressable, program->second, setting, level, expanded, report);
   } else {
-    expand_by_rules(building, mass, program->second, setting, level, expanded, report);
+    expand_plain(building, dressable.mass, setting.seed, expanded);
   }
   return without_what_is_low(building, level.tolerance_m, std::move(expanded));
 }

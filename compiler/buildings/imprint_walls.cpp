@@ -67,6 +67,19 @@ Coat mean_coat(const Imprint& imprint) {
   return {shown, painted(shown, paint)};
 }
 
+// Samples no farther apart than this: windows that stand in rows would else be counted by where they happen to stand.
+constexpr double kSamplesApart_m = 0.2;
+
+// As seen in texels that are halves of halves, and made of them.
+Imprint finely_seen(const imprint::Shape& looks, View view) {
+  std::uint32_t times = 0;
+  for (; view.texel_m > kSamplesApart_m * imprint::kSamples; ++times)
+    view.texel_m /= 2, view.columns *= 2, view.rows *= 2;
+  Imprint seen = imprint::imprint(looks, view);
+  for (; times > 0; --times) seen.picture = halved(seen.picture);
+  return seen;
+}
+
 bool shines(const imprint::Picture& picture) { return mean(picture).emission != std::array<std::uint16_t, 3>{}; }
 
 // Faces on their way to meshes.
@@ -99,11 +112,11 @@ struct Dressing {
     const View view = view_of(face, texel_m);
     const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
     if (texels > kMostTexelsOfFace) return add_plain(face, own);
-    Imprint seen = imprint::imprint(looks, view);
+    Imprint seen = finely_seen(looks, view);
     if (seen.commonest_share == 0) return add_plain(face, own);
     if (seen.commonest_share >= plain_share(view)) return add_plain(face, seen.commonest);
-    const bool is_small = texels < kFewTexels && !shines(seen.picture);
-    if (is_small || std::min(view.columns, view.rows) == 1) return add_plain(face, mean_coat(seen));
+    const bool is_small = texels < kFewTexels || std::min(view.columns, view.rows) == 1;
+    if (is_small && !shines(seen.picture)) return add_plain(face, mean_coat(seen));
     add_imprinted(face, view, std::move(seen.picture));
   }
 };

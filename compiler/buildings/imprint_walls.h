@@ -26,10 +26,10 @@ struct DressedFaces {
 /// @param texel_m  Of pictures; of how far the finer one may stand behind a face, and before it up to 2 m: farther
 ///                 before a wall of a court stands the other wing.
 ///
-/// A face on which all is of one material and tint takes them, and a roof where nearly all is; what is smaller than
-/// kFewTexels, and where nothing shines, or a texel wide, takes the mean colour, as paint on what most of it is made
-/// of; the rest have pictures, with slopes where texels are under 2 m. Faces before which nothing stands, or with more than kMostTexelsOfFace, look as the
-/// terminal does. The same bytes on every CPU. Total. Cost: imprint()'s, a face.
+/// A face on which all is of one material and tint takes them, and a roof where nearly all is; where nothing shines,
+/// what is smaller than kFewTexels, or a texel wide, takes the mean colour, as paint on what most of it is made
+/// of; the rest have pictures, with slopes where texels are under 2 m. Faces before which nothing stands, or with more
+/// than kMostTexelsOfFace, look as the terminal does. The same bytes on every CPU. Total. Cost: imprint()'s, a face.
 DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
                            OsmId feature);
 

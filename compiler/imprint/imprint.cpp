@@ -144,6 +144,20 @@ void draw(Canvas& canvas, const Facet& facet) {
     for (std::int64_t column = across.first; column < across.end; ++column) put(canvas, *flat, row, column, facet.coat);
 }
 
+// What of a shape a view shows, of coats that `is_asked_for`.
+template <typename Asked>
+Canvas drawn(const Shape& shape, const View& view, Asked is_asked_for) {
+  Canvas canvas{view};
+  const Box3 reach = reach_of(canvas);
+  for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
+    if (!meet(reach, shape.blocks[block])) continue;
+    const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
+    for (std::size_t i = first; i < end; ++i)
+      if (is_asked_for(shape.facets[i].coat) && meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
+  }
+  return canvas;
+}
+
 // How far the shape comes forward from one sample to the next, in quanta; nothing where either shows nothing.
 std::int64_t rise(const Sample& from, const Sample& to) {
   if (from.coat == Sample::kNothing || to.coat == Sample::kNothing) return 0;
@@ -179,27 +193,45 @@ std::array<std::int16_t, 2> slopes_of(const Canvas& canvas, std::int64_t column,
   return {slope_of(along, canvas.view.texel_m), slope_of(down, canvas.view.texel_m)};
 }
 
+bool shines(const Show& show) { return show.emission != decltype(show.emission){}; }
+
+// All that a view shows, and what of it shines, with nothing else before it; empty where nothing does.
+struct Seen {
+  Canvas all;
+  std::vector<Sample> lamps{};
+};
+
+// What shines at a sample that shows `front`.
+std::array<std::uint16_t, 3> emission_at(const Seen& seen, std::span<const Show> shows, std::size_t at) {
+  const Sample& front = seen.all.samples[at];
+  if (seen.lamps.empty() || seen.lamps[at].coat == Sample::kNothing) return shows[front.coat].emission;
+  constexpr auto kAside = static_cast<std::int32_t>(kAside_m / kQuantum_m);
+  const Sample& lamp = seen.lamps[at];
+  return shows[lamp.depth - front.depth > kAside ? lamp.coat : front.coat].emission;
+}
+
 // The mean of a texel's samples.
-Texel texel_of(const Canvas& canvas, std::span<const Show> shows, std::size_t column, std::size_t row) {
+Texel texel_of(const Seen& seen, std::span<const Show> shows, std::size_t column, std::size_t row) {
+  const Canvas& canvas = seen.all;
   TexelSum sum;
   for (std::size_t y = row * kSamples; y < (row + 1) * kSamples; ++y)
     for (std::size_t x = column * kSamples; x < (column + 1) * kSamples; ++x) {
-      const Sample& sample = canvas.samples[y * static_cast<std::size_t>(canvas.columns) + x];
+      const std::size_t at = y * static_cast<std::size_t>(canvas.columns) + x;
+      const Sample& sample = canvas.samples[at];
       if (sample.coat == Sample::kNothing) continue;
       const Show& show = shows[sample.coat];
-      sum.add({show.light, show.roughness, show.metalness, 1, show.emission});
+      sum.add({show.light, show.roughness, show.metalness, 1, emission_at(seen, shows, at)});
     }
   return sum.mean(1);
 }
 
-Picture picture_of(const Canvas& canvas, const std::vector<Coat>& coats) {
-  std::vector<Show> shows;
-  for (const Coat& coat : coats) shows.push_back(show_of(coat));
+Picture picture_of(const Seen& seen, std::span<const Show> shows) {
+  const Canvas& canvas = seen.all;
   Picture picture{canvas.view.columns, canvas.view.rows, {}};
   picture.texels.reserve(std::size_t{picture.columns} * picture.rows);
   for (std::size_t row = 0; row < picture.rows; ++row)
     for (std::size_t column = 0; column < picture.columns; ++column)
-      picture.texels.push_back(texel_of(canvas, shows, column, row));
+      picture.texels.push_back(texel_of(seen, shows, column, row));
   if (!canvas.view.has_slopes) return picture;
   for (std::size_t i = 0; i < picture.texels.size(); ++i)
     if (picture.texels[i].shown > 0)
@@ -244,16 +276,15 @@ Shape shape_of(std::span<const DressedMesh> meshes) {
 }
 
 Imprint imprint(const Shape& shape, const View& view) {
-  Canvas canvas{view};
-  const Box3 reach = reach_of(canvas);
-  for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
-    if (!meet(reach, shape.blocks[block])) continue;
-    const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
-    for (std::size_t i = first; i < end; ++i)
-      if (meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
-  }
-  Imprint imprint{picture_of(canvas, shape.coats), {}, 0};
-  count_coats(canvas, shape, imprint);
+  std::vector<Show> shows;
+  for (const Coat& coat : shape.coats) shows.push_back(show_of(coat));
+  Seen seen{drawn(shape, view, [](std::uint32_t) { return true; })};
+  View rooms = view;
+  rooms.behind_m = std::min(view.behind_m, kDeepest_m);
+  if (std::ranges::any_of(shows, shines))
+    seen.lamps = drawn(shape, rooms, [&](std::uint32_t coat) { return shines(shows[coat]); }).samples;
+  Imprint imprint{picture_of(seen, shows), {}, 0};
+  count_coats(seen.all, shape, imprint);
   return imprint;
 }
 

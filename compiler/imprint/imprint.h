@@ -58,6 +58,10 @@ struct View {
   bool has_slopes = false;            ///< Else those of texels are 0.
 };
 
+/// Frames and bars stand nearer to what shines behind them, and hide it. Farther behind the rectangle than rooms are
+/// deep shine other walls' rooms.
+inline constexpr double kAside_m = 0.375, kDeepest_m = 0.5;
+
 struct Imprint {
   Picture picture;
   Coat commonest{};            ///< That most samples show; of several the first. Of nothing: Coat{}.
@@ -71,9 +75,10 @@ struct Imprint {
 /// Guarantees: the same bytes on every CPU, and for triangles in any order: of what lies equally far to 2^-10 m the
 /// least coat is seen. Of two triangles with a common edge, exactly one shows at a sample on it. What is turned away,
 /// or lies beyond the depth, is not seen. Triangles with a corner farther than 2^20 texels off are left out, and what
-/// is not finite. Slopes are of all that the shape rises between a texel's borders, steps as well as what leans: of
-/// texels that are all shown the mean is the slope of all they cover. Cost: O(blocks), a few nanoseconds each that lies
-/// elsewhere; O(samples).
+/// is not finite. What shines, and lies no more than kDeepest_m behind the rectangle, does so past what stands more
+/// than kAside_m before it: a balcony hides its window from straight ahead alone. Slopes are of all that the shape
+/// rises between a texel's borders, steps as well as what leans: of texels that are all shown the mean is the slope of
+/// all they cover. Cost: O(blocks), a few nanoseconds each that lies elsewhere; O(samples).
 Imprint imprint(const Shape& shape, const View& view);
 
 }  // namespace citykiln::imprint

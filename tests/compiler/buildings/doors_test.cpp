@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compiler/buildings/expand.h"
+#include "compiler/buildings/style.h"
 #include "tests/compiler/buildings/made_footprint.h"
 
 namespace citykiln::buildings {
 namespace {
 
 using map::PointKind;
+using materials::DressedMesh;
 
 map::PointFeature point(double x, double y, PointKind kind = PointKind::kEntrance) {
   map::PointFeature feature;
@@ -77,6 +80,38 @@ TEST(Doors, AreMadeThereByRules) {
   EXPECT_GT(lowest_niche(5.5, 15, left), 0.1);
   EXPECT_LT(lowest_niche(11, 14, right), 0.1);
   EXPECT_GT(lowest_niche(1, 10.5, right), 0.1);
+}
+
+// How low, between two places along the south wall, what lies behind it begins: a door's niche does at its foot.
+double lowest_niche_m(const std::vector<DressedMesh>& meshes, double from_m, double to_m) {
+  double low_m = 9;
+  for (const DressedMesh& dressed : meshes)
+    for (const Vec3 p : dressed.mesh.positions)
+      if (p.y > 0.15 && p.y < 1.5 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
+  return low_m;
+}
+
+// In a tile that is at most 6 m wide, and nowhere near without.
+TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
+  for (const Style style :
+       {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla, Style::kPanelBlock,
+        Style::kOfficeSlab, Style::kShop, Style::kWarehouse, Style::kChurch, Style::kBarn, Style::kCastle}) {
+    const Rulebook rulebook = rulebook_of(std::vector{style}, shipped_rules());
+    const auto expanded = [&](const std::vector<std::uint16_t>& told) {
+      Building building = building_with(told, style);
+      building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
+      building.top_m = 9, building.levels = 3;
+      Report report;
+      return expand(building, rulebook, {1}, 0.01, report).meshes;
+    };
+    // a church stands on a plinth
+    constexpr double kFoot_m = 0.7;
+    const auto left = expanded({1u << 4, 0, 0, 0}), right = expanded({1u << 11, 0, 0, 0});
+    EXPECT_LT(lowest_niche_m(left, 5.4, 11.4), kFoot_m) << rules_of(style);
+    EXPECT_GT(lowest_niche_m(right, 7.4, 9.4), 0.1) << rules_of(style);
+    EXPECT_LT(lowest_niche_m(right, 18.6, 24.6), kFoot_m) << rules_of(style);
+    EXPECT_GT(lowest_niche_m(left, 20.6, 22.6), 0.1) << rules_of(style);
+  }
 }
 
 }  // namespace

@@ -66,6 +66,18 @@ TEST(Imprint, ShowsWhatShines) {
   EXPECT_EQ(whole(Material::kPlaster).emission, (std::array<std::uint16_t, 3>{}));
 }
 
+// A balcony a metre before a window hides its colour; a frame, its light too.
+TEST(Imprint, WhatStandsFarBeforeALightDoesNotHideIt) {
+  const auto behind = [](double y) {
+    return seen({panel(0, 0, 1, 1, Material::kPlaster, y), panel(0, 0, 1, 1, Material::kRoomWall, 0.5)},
+                seen_from_south(1, 1))
+        .picture.texels.front();
+  };
+  EXPECT_EQ(behind(-0.5).emission, whole(Material::kRoomWall).emission);
+  EXPECT_EQ(behind(-0.5).light, whole(Material::kPlaster).light);
+  EXPECT_EQ(behind(0.25).emission, (std::array<std::uint16_t, 3>{}));
+}
+
 TEST(Imprint, TintsMultiplyTheColour) {
   DressedMesh mesh = panel(0, 0, 1, 1, Material::kPlaster);
   mesh.tint = {255, 51, 0, 255};
