@@ -31,12 +31,13 @@ std::string name_of_class(std::uint8_t building_class) {
 }  // namespace
 
 std::map<std::string, grammars::Value> rule_values_of(const Building& building, roofs::Form roof) {
-  return {{"building", name_of_class(building.building_class)}, {"height", eaves_m(building) - building.floor_m},
-          {"levels", static_cast<double>(building.levels)},     {"shop", building.has_shop},
-          {"attached", !building.party_walls.empty()},          {"year", static_cast<double>(building.year)},
-          {"wall_colour", hex_of(building.wall_colour)},        {"wall_material", name_of(building.wall)},
-          {"roof_colour", hex_of(building.roof_colour)},        {"roof_material", name_of(building.roof)},
-          {"roof", std::string(roofs::name_of(roof))}};
+  return {
+      {"building", name_of_class(building.building_class)}, {"height", eaves_m(building) - building.floor_m},
+      {"levels", static_cast<double>(building.levels)},     {"shop", building.has_shop && building.stands_on_ground},
+      {"attached", !building.party_walls.empty()},          {"year", static_cast<double>(building.year)},
+      {"wall_colour", hex_of(building.wall_colour)},        {"wall_material", name_of(building.wall)},
+      {"roof_colour", hex_of(building.roof_colour)},        {"roof_material", name_of(building.roof)},
+      {"roof", std::string(roofs::name_of(roof))},          {"lifted", !building.stands_on_ground}};
 }
 
 }  // namespace citykiln::buildings

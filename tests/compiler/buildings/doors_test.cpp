@@ -114,5 +114,24 @@ TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
   }
 }
 
+// Upper parts of stacks: as high as a door leaf nothing lies behind the walls' foot.
+TEST(Doors, AreNotMadeInTheAir) {
+  for (int number = 0; number < static_cast<int>(Style::kCount); ++number) {
+    const auto style = static_cast<Style>(number);
+    Building building = building_with({0, 0, 0, 0}, style);
+    building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
+    building.top_m = 9, building.levels = 3, building.has_shop = true;
+    building.fronts[0].faces_street = true;
+    const Rulebook rulebook = rulebook_of(std::vector{style}, shipped_rules());
+    if (rulebook.empty()) continue;
+    const auto lowest_m = [&](bool stands_on_ground) {
+      building.stands_on_ground = stands_on_ground;
+      Report report;
+      return lowest_niche_m(expand(building, rulebook, {1}, 0.01, report).meshes, 1, 29);
+    };
+    EXPECT_GT(lowest_m(false), 0.35) << rules_of(style);
+  }
+}
+
 }  // namespace
 }  // namespace citykiln::buildings
