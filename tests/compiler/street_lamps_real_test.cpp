@@ -1,12 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <tuple>
 
-#include "compiler/pipeline.h"
 #include "compiler/props/street_lamps.h"
 #include "compiler/scene/ground_cover.h"
+#include "tests/compiler/real_scenes.h"
 
 namespace citykiln {
 namespace {
@@ -14,44 +11,16 @@ namespace {
 using map::SurfaceGroup;
 using props::StreetLamp;
 
-const std::filesystem::path kData = CITYKILN_DATA;
-constexpr const char* kExtracts[] = {"berlin/berlin-neukolln.osm", "helsinki/Helsinki.osm.pbf",
-                                     "monaco/monaco-2023.osm.pbf", "berlin/berlin-reinickendorf-2026.osm.pbf"};
-
-scene::Scene scene_of(const char* extract, double tile_m) {
-  CompileSpec spec;
-  spec.map_path = kData / extract;
-  spec.tile_m = tile_m;
-  Result<Compiled> compiled = compile(spec, [](auto&&...) {});
-  EXPECT_TRUE(compiled) << extract;
-  return compiled ? std::move(compiled->scene) : scene::Scene{};
-}
+constexpr Extract kExtracts[] = {{"berlin/berlin-neukolln.osm"},
+                                 {"helsinki/Helsinki.osm.pbf"},
+                                 {"monaco/monaco-2023.osm.pbf"},
+                                 {"berlin/berlin-reinickendorf-2026.osm.pbf"}};
 
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, const scene::Chunk& chunk,
                                  std::span<const props::Lamp> mapped) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
   const auto surfaces = scene::surfaces_of(chunk);
   return props::lamps_of_streets(chunk.roads, mapped, ground::map_surfaces(surfaces, box.widened(scene::kHalo_m)), box);
-}
-
-// Asked of every surface, not of a map of them.
-const ground::Surface* top_at(std::span<const ground::Surface> surfaces, std::span<const Box2> boxes, Vec2 p) {
-  const ground::Surface* top = nullptr;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!boxes[i].contains(p)) continue;
-    int winding = 0;
-    for (const Ring& ring : surfaces[i].rings) winding += winding_number(ring, p);
-    if (winding > 0 && (!top || covers(surfaces[i], *top))) top = &surfaces[i];
-  }
-  return top;
-}
-
-std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
-  std::vector<Box2> boxes(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    for (const Ring& ring : surfaces[i].rings)
-      for (const Vec2 p : ring) boxes[i].grow(p);
-  return boxes;
 }
 
 // Whether it is no place for a lamp.
@@ -76,7 +45,7 @@ Vec2 towards_its_way(std::span<const roads::Road> roads, const StreetLamp& lamp)
 
 TEST(StreetLampsReal, StandBesideCarriagewaysAndFaceThem) {
   if (!std::filesystem::exists(kData)) GTEST_SKIP();
-  for (const char* extract : kExtracts) {
+  for (const Extract& extract : kExtracts) {
     const scene::Scene scene = scene_of(extract, 1024);
     std::size_t count = 0, averted = 0;
     for (const scene::Chunk& chunk : scene.chunks) {
@@ -88,10 +57,10 @@ TEST(StreetLampsReal, StandBesideCarriagewaysAndFaceThem) {
         averted += dot(unit(towards_its_way(chunk.roads, lamp)), lamp.facing) <= 0.99;
       }
     }
-    EXPECT_GT(count, 30u) << extract;
+    EXPECT_GT(count, 30u) << extract.map;
     // in a hairpin the other leg may be nearer than the one a lamp faces
-    EXPECT_LE(averted * 33, count) << extract;
-    RecordProperty(std::filesystem::path(extract).stem().string(), static_cast<int>(count));
+    EXPECT_LE(averted * 33, count) << extract.map;
+    RecordProperty(std::filesystem::path(extract.map).stem().string(), static_cast<int>(count));
   }
 }
 
@@ -109,10 +78,10 @@ std::vector<StreetLamp> sorted_lamps(const scene::Scene& scene) {
 
 TEST(StreetLampsReal, AreTheSameHoweverTheMapIsTiled) {
   if (!std::filesystem::exists(kData)) GTEST_SKIP();
-  for (const char* extract : kExtracts) {
+  for (const Extract& extract : kExtracts) {
     const auto large = sorted_lamps(scene_of(extract, 2048)), small = sorted_lamps(scene_of(extract, 256));
-    EXPECT_FALSE(large.empty()) << extract;
-    EXPECT_TRUE(large == small) << extract << ": " << large.size() << " and " << small.size();
+    EXPECT_FALSE(large.empty()) << extract.map;
+    EXPECT_TRUE(large == small) << extract.map << ": " << large.size() << " and " << small.size();
   }
 }
 

@@ -1,0 +1,51 @@
+// Scenes of real extracts, and what covers a place of them: asked of every surface, not of a map of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "compiler/pipeline.h"
+
+namespace citykiln {
+
+inline const std::filesystem::path kData = CITYKILN_DATA;
+
+struct Extract {
+  const char* map;
+  const char* heights = nullptr;
+};
+
+inline scene::Scene scene_of(const Extract& extract, double tile_m) {
+  CompileSpec spec;
+  spec.map_path = kData / extract.map;
+  spec.tile_m = tile_m;
+  if (extract.heights) spec.rasters.emplace_back().path = kData / extract.heights;
+  Result<Compiled> compiled = compile(spec, [](auto&&...) {});
+  EXPECT_TRUE(compiled) << extract.map;
+  return compiled ? std::move(compiled->scene) : scene::Scene{};
+}
+
+inline std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
+  std::vector<Box2> boxes(surfaces.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (const Ring& ring : surfaces[i].rings)
+      for (const Vec2 p : ring) boxes[i].grow(p);
+  return boxes;
+}
+
+/// @param boxes  Of the surfaces. Null where nothing covers the place.
+inline const ground::Surface* top_at(std::span<const ground::Surface> surfaces, std::span<const Box2> boxes, Vec2 p) {
+  const ground::Surface* top = nullptr;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!boxes[i].contains(p)) continue;
+    int winding = 0;
+    for (const Ring& ring : surfaces[i].rings) winding += winding_number(ring, p);
+    if (winding > 0 && (!top || covers(surfaces[i], *top))) top = &surfaces[i];
+  }
+  return top;
+}
+
+}  // namespace citykiln
