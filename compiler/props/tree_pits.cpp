@@ -23,6 +23,9 @@ constexpr double kRoadReach_m = 20;
 
 constexpr double kBucket_m = 32;
 
+// The ground between the corners strays from them by no more than this: soil lies over it everywhere.
+constexpr double kEven_m = 0.02;
+
 using Corners = std::array<Vec2, 4>;
 
 // Counter-clockwise.
@@ -99,6 +102,22 @@ Vec3 on_ground(const ground::Carving& ground, Vec2 p, double up_m) {
   return snapped(at_height(p, land_m(ground, p) + up_m));
 }
 
+// Steep or bent paving has steps and walls, no pits.
+bool is_even(const TreePit& pit, const ground::Carving& ground) {
+  constexpr double kSteepest = 0.25;
+  const Corners c = corners_of(pit, pit.side_m);
+  std::array<double, 4> z_m;
+  for (std::size_t i = 0; i < 4; ++i) z_m[i] = land_m(ground, c[i]);
+  const auto [least_m, most_m] = std::ranges::minmax(z_m);
+  if (most_m - least_m > kSteepest * pit.side_m) return false;
+  const auto strays = [&](Vec2 p, double straight_m) { return std::abs(land_m(ground, p) - straight_m) > kEven_m; };
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    if (strays((c[i] + c[next]) * 0.5, (z_m[i] + z_m[next]) / 2)) return false;
+  }
+  return !strays(pit.at, (z_m[0] + z_m[2]) / 2) && !strays(pit.at, (z_m[1] + z_m[3]) / 2);
+}
+
 void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
   mesh.triangles.push_back({a, b, c});
   mesh.triangles.push_back({a, c, d});
@@ -170,6 +189,7 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
 }
 
 Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m) {
+  if (!is_even(pit, ground)) return {};
   if (tolerance_m >= kPitsUpTo_m) return {{}, kEdging_m};
   if (tolerance_m >= kEdging_m) return {{soil_of(pit, ground, pit.side_m)}, kEdging_m - kSoil_m};
   return {{edging_of(pit, ground), soil_of(pit, ground, pit.side_m - 2 * kEdgingWidth_m)}, 0};

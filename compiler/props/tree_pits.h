@@ -31,17 +31,17 @@ inline constexpr double kPitsUpTo_m = 0.25;
 /// Is it paving that trees stand in: pavements, squares, parking, pedestrian streets, but no carriageway?
 bool is_paving(map::SurfaceClass surface);
 
-/// The pits of those trees that have paving about them, in their order: along the nearest road or path within 20 m, or else
-/// east; as large as paving allows, from 1.5 m down to 0.75 m. A tree without so much has none, nor has one that stands
-/// in another's pit.
+/// The pits of those trees that have paving about them, in their order: along the nearest road or path within 20 m, or
+/// else east; as large as paving allows, from 1.5 m down to 0.75 m. A tree without so much has none, nor has one that
+/// stands in another's pit.
 ///
 /// @param surfaces  Must cover the trees and a metre about them.
 /// O(trees · roads near).
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
                                const ground::SurfaceMap& surfaces);
 
-/// On the ground at its corners. Where the edging is lower than the tolerance, soil alone; from kPitsUpTo_m on nothing.
-/// Error: the edging's height above what is left.
+/// On the ground at its corners; nothing where that is steep, or bent between them by over 2 cm. Where the edging is
+/// lower than the tolerance, soil alone; from kPitsUpTo_m on nothing. Error: the edging's height above what is left.
 Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m);
 
 }  // namespace citykiln::props

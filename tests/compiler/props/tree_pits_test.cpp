@@ -40,10 +40,12 @@ std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& ax
   return tree_pits(trees, std::vector{street(axis)}, map);
 }
 
-ground::Carving sloping() {
+// Rises to the east by so much.
+ground::Carving sloping(double slope = 1.0 / 16) {
   map::Heightfield field{{-128, -128}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
-    for (int i = 0; i < 17; ++i) field.heights.push_back(static_cast<std::int32_t>(i / map::kHeightQuantum_m));
+    for (int i = 0; i < 17; ++i)
+      field.heights.push_back(static_cast<std::int32_t>(16 * i * slope / map::kHeightQuantum_m));
   return ground::Carving(std::move(field));
 }
 
@@ -90,6 +92,15 @@ TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
   EXPECT_NEAR(none.error_m, highest_m, 0.002);
   EXPECT_NEAR(soil.error_m, highest_m - soil_m, 0.002);
   EXPECT_GT(soil_m, 0.02);
+}
+
+TEST(TreePits, AreNotMadeWhereTheGroundIsSteepOrBent) {
+  const TreePit pit = pits_at({{-50, 60}})[0];
+  EXPECT_TRUE(expand(pit, sloping(0.5), 0.02).meshes.empty());
+  // a ridge under it
+  map::Heightfield ridge{{-58, -128}, {8, 16}, 17, 17, std::vector<std::int32_t>(289), 0};
+  for (int j = 0; j < 17; ++j) ridge.heights[j * 17 + 1] = static_cast<std::int32_t>(1 / map::kHeightQuantum_m);
+  EXPECT_TRUE(expand(pit, ground::Carving(std::move(ridge)), 0.02).meshes.empty());
 }
 
 TEST(TreePits, ShowTheirFrontAbove) {
