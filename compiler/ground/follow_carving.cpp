@@ -13,13 +13,16 @@ namespace {
 
 // Shorter edges are not cut: they cannot stray far, and steps of the ground itself would be cut for ever.
 constexpr double kShortest_m = 1;
-// No point comes nearer to a vertex, nor to an edge that may not be cut.
-constexpr double kNearest_m = 0.5;
 
-// Roads are looked at most, and so smooth that it costs next to nothing.
-double follow_m(HeightLayer layer) {
+// How near the ground is followed, and how near points come to vertices and to edges that may not be cut. Roads are
+// looked at most, and so smooth that it costs next to nothing; paths are narrow.
+struct Closeness {
+  double follow_m, nearest_m;
+};
+
+Closeness closeness_of(HeightLayer layer) {
   const bool is_road = layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
-  return is_road ? kQuantum_m : kFollow_m;
+  return is_road ? Closeness{kQuantum_m, 0.25} : Closeness{kFollow_m, 0.5};
 }
 
 struct Following {
@@ -86,33 +89,35 @@ Stray stray_of(const Following& all, std::uint32_t f, HeightLayer layer) {
 }
 
 // Too near to a corner, or to an edge that may not be cut.
-bool is_crowded(const Following& all, std::uint32_t f, Vec2 p) {
+bool is_crowded(const Following& all, std::uint32_t f, Vec2 p, double nearest_m) {
   const std::array<Vec2, 3> c = all.corners_of(f);
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
-    if (distance(p, c[i]) < kNearest_m) return true;
+    if (distance(p, c[i]) < nearest_m) return true;
     if (!all.triangulation.faces()[f].is_constrained[i]) continue;
-    if (cross(b - a, p - a) < kNearest_m * distance(a, b)) return true;
+    if (cross(b - a, p - a) < nearest_m * distance(a, b)) return true;
   }
   return false;
 }
 
 // Faces of standing water are level whatever lies under them.
-bool may_stray(const Following& all, std::uint32_t f) {
+bool may_stray(const Following& all, std::uint32_t f, double nearest_m) {
   if (all.height_of(f).level_m) return false;
   const std::array<Vec2, 3> c = all.corners_of(f);
   const double longest = longest_m(c);
-  return longest >= 2 * kShortest_m && twice_area_m2(c) >= kNearest_m * longest;
+  return longest >= 2 * kShortest_m && twice_area_m2(c) >= nearest_m * longest;
 }
 
 // The faces that changed; none where the face follows, or no point may go in.
 std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
-  if (!may_stray(all, f)) return {};
-  const Stray worst = stray_of(all, f, all.height_of(f).layer);
+  const HeightLayer layer = all.height_of(f).layer;
+  const auto [follow_m, nearest_m] = closeness_of(layer);
+  if (!may_stray(all, f, nearest_m)) return {};
+  const Stray worst = stray_of(all, f, layer);
   all.is_seen[f] = true;
-  if (worst.off_m <= follow_m(all.height_of(f).layer)) return {};
+  if (worst.off_m <= follow_m) return {};
   const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
-  if (split == kNoFace || is_crowded(all, split, worst.at)) return {};
+  if (split == kNoFace || is_crowded(all, split, worst.at, nearest_m)) return {};
   const std::uint32_t surface = all.face_surface[split];
   const auto changed = all.triangulation.insert(grid_point(worst.at), split);
   all.heights.push_back(worst.heights);

@@ -18,9 +18,9 @@ struct Followed {
 /// Looks at the centres of faces and at the middles of edges that are no borders, each face on its own layer, and puts
 /// points in where a face strays by more than kFollow_m, on roads by more than kQuantum_m.
 /// @param face_heights  Of each surface of the partition; kNoSurface lies on the land.
-/// Guarantees: nothing on borders, lines or the cell's border changes; no point goes in within half a metre of a corner
-/// of the face it splits, so beside steps of the ground a face may stay off. Depends on the order of faces, which the
-/// partition alone decides. O(n log n) in vertices, each asked for once.
+/// Guarantees: nothing on borders, lines or the cell's border changes; no point goes in within half a metre, on roads a
+/// quarter, of a corner of the face it splits, so beside steps of the ground a face may stay off. Depends on the order
+/// of faces, which the partition alone decides. O(n log n) in vertices, each asked for once.
 Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving);
 
 }  // namespace citykiln::ground
