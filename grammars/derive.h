@@ -102,7 +102,7 @@ struct Derivation {
 };
 
 /// A footprint as the first shape: level at `height_m`; scope x along edge `front` of the outer ring, y up, z outward
-/// of that edge. `street` lists the edges that run along the street.
+/// of that edge. `street` lists the edges that run along the street. Of fewer than three corners: no faces.
 Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId id,
           const std::vector<std::size_t>& street = {});
 
