@@ -264,7 +264,10 @@ Polygon made_footprint(Choices& choices) {
 bool is_sound(const Polygon& footprint) {
   Box2 box;
   for (const Vec2 p : footprint.outer) box.grow(p);
-  return std::max(box.width(), box.height()) < 100 && is_simple(footprint.outer);
+  const auto crosses = [&](const Ring& hole) { return borders_touch(footprint.outer, hole); };
+  const bool is_apart = std::none_of(footprint.holes.begin(), footprint.holes.end(), crosses);
+  return std::max(box.width(), box.height()) < 100 && is_simple(footprint.outer) && is_apart &&
+         signed_area_m2(footprint.outer) > 0;
 }
 
 Shape made_shape(Choices& choices, const Polygon& footprint) {
