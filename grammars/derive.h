@@ -62,6 +62,7 @@ struct Terminal {
   Scope scope;
   bool cut = false;    ///< Ended by the tolerance: stands for all that its rule would have made.
   double error_m = 0;  ///< If cut: between `faces` and what they stand for, Hausdorff, both ways.
+  double out_m = 0;    ///< If cut: no point of what they stand for lies farther from `faces`.
 };
 
 /// One report(name, value).

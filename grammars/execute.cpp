@@ -142,7 +142,6 @@ bool is_in_world(const Shape& shape) {
   if (row.alters != Alters::kSurface && row.alters != Alters::kFrame) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
-  if (row.alters == Alters::kSurface) execution.shape.moved_at = static_cast<std::uint32_t>(run.births.size());
   if (is_in_world(execution.shape)) return;
   run.trouble(statement.place, "'" + statement.name + "' takes the shape out of the world; it stays as it was");
   execution.shape = std::move(before);
@@ -294,9 +293,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
   Removed removed = weigh_from(run, first);
   // something that is wide enough to be seen looks otherwise
   if (outcome.trace.seen.show_other_than(removed.look)) return;
-  forget_terminals(run.memo, first);
-  terminals.resize(first);
-  run.notes.resize(first);
+  cut_away_from(run, first);
   terminals.push_back({{},
                        execution.name,
                        execution.path,
@@ -306,8 +303,9 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
                        {},
                        start.scope,
                        true,
-                       outcome.trace.moved.largest_m()});
-  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2)), start.moved_at});
+                       outcome.trace.moved.largest_m(),
+                       outcome.trace.moved.out_m});
+  run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2))});
   outcome.trace.seen = seen_of(run, terminals.back());
 }
 
@@ -325,6 +323,7 @@ Outcome end_ahead(Execution& execution, Displacement moved) {
   Outcome outcome = end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
   run.out.terminals.back().cut = true;
   run.out.terminals.back().error_m = moved.largest_m();
+  run.out.terminals.back().out_m = moved.out_m;
   outcome.trace.moved = moved;
   return outcome;
 }
@@ -361,7 +360,7 @@ Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
 
 Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
-  run.notes.push_back({shape.birth, shape.texture, 0, shape.moved_at});
+  run.notes.push_back({shape.birth, shape.texture, 0});
   run.out.terminals.push_back({{},
                                name,
                                path,
@@ -371,6 +370,7 @@ Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::u
                                std::move(shape.asset),
                                shape.scope,
                                false,
+                               0,
                                0});
   return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }

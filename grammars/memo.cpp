@@ -23,48 +23,53 @@ std::int64_t whole(double v) {
   return static_cast<std::int64_t>(std::floor(scaled + 0.5));
 }
 
-void add(MemoKey& key, Vec3 v) { key.insert(key.end(), {whole(v.x), whole(v.y), whole(v.z)}); }
+void add(MemoKey& key, Vec3 v) { key.add(whole(v.x)), key.add(whole(v.y)), key.add(whole(v.z)); }
 
 void add(MemoKey& key, const Value& value) {
-  key.push_back(static_cast<std::int64_t>(value.index()));
+  key.add(static_cast<std::int64_t>(value.index()));
   const std::string* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return key.push_back(whole(number_of(value)));
-  key.push_back(static_cast<std::int64_t>(text->size()));
-  for (const char c : *text) key.push_back(c);
+  if (text == nullptr) return key.add(whole(number_of(value)));
+  key.add(static_cast<std::int64_t>(text->size()));
+  for (const char c : *text) key.add(c);
 }
 
 void add_face(MemoKey& key, const Face& face, const Scope& scope) {
-  key.insert(key.end(), {static_cast<std::int64_t>(face.outer.size()), static_cast<std::int64_t>(face.tag), face.street,
-                         static_cast<std::int64_t>(face.street_edges.size())});
+  key.add(static_cast<std::int64_t>(face.outer.size() << 32 | face.street_edges.size()));
+  key.add(static_cast<std::int64_t>(face.tag) << 1 | face.street);
   for (const Vec3 p : face.outer) {
     const Vec3 v = p - scope.origin;
     add(key, Vec3{dot(scope.axis[0], v), dot(scope.axis[1], v), dot(scope.axis[2], v)});
   }
-  for (const std::uint8_t street : face.street_edges) key.push_back(street);
+  for (const std::uint8_t street : face.street_edges) key.add(street);
 }
 
 void add_inherited(MemoKey& key, const Shape& shape) {
   const bool same = shape.projection == shape.texture;
-  key.insert(key.end(), {shape.look, shape.attributes, shape.projection == 0, shape.texture == 0, same});
+  key.add(std::int64_t{shape.look} << 32 | shape.attributes);
+  key.add((shape.projection == 0) << 2 | (shape.texture == 0) << 1 | same);
 }
 
 // up as the scope sees it: a motion may turn the shape about the vertical alone
-void make_key(const Execution& execution, const Body& body, MemoKey& key) {
+MemoKey key_of(const Execution& execution, const Body& body) {
   const Shape& shape = execution.shape;
   const Scope& scope = shape.scope;
-  key.clear();
-  key.insert(key.end(), {body.number, execution.path, execution.depth});
+  MemoKey key;
+  key.add(std::int64_t{body.number} << 32 | execution.path);
+  key.add(execution.depth);
   add_face(key, shape.faces.front(), scope);
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
   for (const Value& value : execution.frame) add(key, value);
+  return key;
 }
 
+// a face without area has axes without length
 bool is_frame(const Scope& scope) {
   constexpr double kNearly = 1e-9;
   const auto& [x, y, z] = scope.axis;
-  return length(cross(x, y) - z) < kNearly && std::abs(length(x) - 1) < kNearly && std::abs(dot(x, y)) < kNearly;
+  const auto is_unit = [](Vec3 v) { return std::abs(dot(v, v) - 1) < kNearly; };
+  return length(cross(x, y) - z) < kNearly && is_unit(x) && is_unit(y) && std::abs(dot(x, y)) < kNearly;
 }
 
 bool may_repeat(const Shape& shape) {
@@ -110,74 +115,64 @@ bool fits_limits(const Run& run, const Made& made) {
   return run.out.shapes + made.shapes <= limits.shapes && run.out.steps + made.steps <= limits.steps;
 }
 
-bool make_pattern(const Run& run, MemoEntry& entry) {
-  std::optional<Pattern> pattern = pattern_of(run, entry.shape, entry.made);
-  if (!pattern) return false;
-  entry.pattern = std::move(*pattern);
-  entry.state = MemoState::kPattern;
-  return true;
+/// Those of one kind: the one that this shape's dice will make again, or where the next of them goes.
+struct Kind {
+  MemoEntry* known = nullptr;
+  MemoEntry** end = nullptr;
+  bool closed = false;  ///< One of them is under way or no pattern, or there are too many.
+};
+
+Kind kind_of(Run& run, const Shape& shape, MemoEntry*& first) {
+  Kind kind{nullptr, &first};
+  Dicing dicing{run, shape.birth};
+  std::size_t count = 0;
+  for (; *kind.end != nullptr && !kind.closed; kind.end = &(*kind.end)->next, ++count) {
+    MemoEntry& entry = **kind.end;
+    kind.closed = !entry.ready || count + 1 >= kMostVariants;
+    if (entry.ready && kind.known == nullptr && dicing.would_fall_as(entry.pattern)) kind.known = &entry;
+  }
+  return kind;
 }
 
 Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
-  Memo& memo = execution.run.memo;
-  // one that was lost is made a pattern as soon as it is derived again
-  const bool lost = entry.state == MemoState::kLost;
-  if (!lost) entry.state = MemoState::kUnderWay;
-  entry.shape = execution.shape;
-  memo.open.push_back({execution.shape.birth, true});
-  return {&entry, false, ends_of(execution.run)};
-}
-
-// of those that are derived, whichever's dice fell as this shape's will
-MemoEntry* variant_of(Run& run, const Shape& shape, const MemoVariants& variants) {
-  for (const std::unique_ptr<MemoEntry>& entry : variants)
-    if (would_throw(run, shape.birth, entry->throws)) return entry.get();
-  return nullptr;
-}
-
-bool any_under_way(const MemoVariants& variants) {
-  return std::any_of(variants.begin(), variants.end(),
-                     [](const auto& entry) { return entry->state == MemoState::kUnderWay; });
+  Run& run = execution.run;
+  entry.pattern.stand = stand_of(execution.shape);
+  run.memo.open.push_back({execution.shape.birth, true});
+  return {&entry, false, ends_of(run)};
 }
 
 }  // namespace
 
-std::size_t MemoKeyHash::operator()(const MemoKey& key) const {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::int64_t word : key) hash = (hash ^ static_cast<std::uint64_t>(word)) * 0x9e3779b97f4a7c15u;
-  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-  return hash ^ (hash >> 31);
+void MemoKey::add(std::int64_t word) {
+  const auto w = static_cast<std::uint64_t>(word);
+  a = (a ^ w) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
+  b = (b ^ w) * 0xd6e8feb86659fd93u, b ^= b >> 29;
 }
 
 Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
   if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
-  make_key(execution, body, run.memo.asked);
-  MemoVariants& variants = run.memo.entries[run.memo.asked];
-  if (any_under_way(variants)) return {};
-  MemoEntry* known = variant_of(run, execution.shape, variants);
-  if (known == nullptr && variants.size() >= kMostVariants) return {};
-  const bool is_new = known == nullptr;
-  record.misses += is_new;
-  MemoEntry& entry = is_new ? *variants.emplace_back(std::make_unique<MemoEntry>()) : *known;
-  if (is_new || entry.state == MemoState::kLost) return first_of_its_kind(execution, entry);
-  if (!fits_limits(run, entry.made)) return {};
-  if (entry.state == MemoState::kSeen && !make_pattern(run, entry)) {
-    record.never = true;
-    return {};
+  const Kind kind = kind_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
+  if (kind.known == nullptr) {
+    if (kind.closed) return {};
+    ++record.misses;
+    *kind.end = &run.memo.entries.emplace_back();
+    return first_of_its_kind(execution, **kind.end);
   }
+  if (!fits_limits(run, kind.known->pattern.made)) return {};
   ++record.hits;
-  return {&entry, true, {}};
+  return {kind.known, true, {}};
 }
 
 NodeTrace repeat(Execution& execution, const MemoEntry& entry) {
   Run& run = execution.run;
+  const Made& made = entry.pattern.made;
   copy_pattern(run, entry.pattern, execution.shape);
-  run.out.shapes += entry.made.shapes;
-  run.out.copied += entry.made.shapes;
-  run.out.steps += entry.made.steps;
-  NodeTrace trace = entry.made.trace;
+  run.out.shapes += made.shapes;
+  run.out.copied += made.shapes;
+  run.out.steps += made.steps;
+  NodeTrace trace = made.trace;
   // both the shape and its like are as large as the other but for kSame_m, at each of their ends
   if (!trace.vanished) trace.moved = trace.moved + Displacement{4 * kSame_m, 4 * kSame_m};
   return trace;
@@ -188,31 +183,31 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   Memo& memo = run.memo;
   BodyRecord& record = memo.bodies[body.number];
   MemoEntry& entry = *recording.entry;
-  const bool lost = entry.state == MemoState::kLost;
-  entry.made = between(recording.before, ends_of(run), trace);
-  const IndexRange throws = entry.made.throws;
-  const bool repeats = memo.open.back().repeats && throws.end - throws.first <= kMostThrows;
+  const Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
+  const bool is_small = made.shapes <= kFewShapes;
+  entry.ready = memo.open.back().repeats && made.throws.size() <= kMostThrows;
   memo.open.pop_back();
-  const bool is_small = entry.made.shapes <= kFewShapes;
   record.small_ones += is_small;
   record.never |= is_small && body.kind == BodyKind::kStatements;
-  record.never |= !repeats || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
-  entry.state = MemoState::kUnderWay;
-  if (!repeats) return;
-  entry.throws = throws_of(run, entry.shape.birth, throws);
-  if (lost) {
-    record.never |= !make_pattern(run, entry);
-  } else {
-    entry.state = MemoState::kSeen;
-    memo.seen.push_back(&entry);
-  }
+  record.never |= !entry.ready || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
+  if (entry.ready) memo.seen.push_back(&entry);
 }
 
-void forget_terminals(Memo& memo, std::size_t first) {
-  while (!memo.seen.empty() && memo.seen.back()->made.terminals.end > first) {
-    if (memo.seen.back()->state == MemoState::kSeen) memo.seen.back()->state = MemoState::kLost;
-    memo.seen.pop_back();
+void cut_away_from(Run& run, std::size_t first) {
+  Memo& memo = run.memo;
+  std::vector<Terminal>& terminals = run.out.terminals;
+  const auto is_in = [&](const MemoEntry& entry) { return entry.pattern.made.terminals.end > first; };
+  if (!memo.seen.empty() && is_in(*memo.seen.back())) {
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    memo.cut_away.push_back(
+        {first,
+         {std::make_move_iterator(terminals.begin() + from), std::make_move_iterator(terminals.end())},
+         {run.notes.begin() + from, run.notes.end()}});
   }
+  for (; !memo.seen.empty() && is_in(*memo.seen.back()); memo.seen.pop_back())
+    memo.seen.back()->pattern.cut_away = static_cast<std::uint32_t>(memo.cut_away.size());
+  terminals.resize(first);
+  run.notes.resize(first);
 }
 
 }  // namespace citykiln::grammars

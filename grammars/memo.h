@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -16,35 +16,28 @@
 
 namespace citykiln::grammars {
 
+struct Body;
 struct Run;
 struct Execution;
 
 /// Shapes whose measures differ by less count as the same. Far above rounding, far below what one sees.
 inline constexpr double kSame_m = 0x1p-20;
 
-enum class MemoState : std::uint8_t {
-  kUnderWay,  ///< Being derived.
-  kSeen,      ///< Derived once: `made` says where.
-  kLost,      ///< Derived, but what it made was cut away with what is around it.
-  kPattern    ///< Ready to be copied.
-};
-
 struct MemoEntry {
-  MemoState state = MemoState::kUnderWay;
-  Shape shape;  ///< The first one.
-  Made made;
-  Throws throws;  ///< As the dice fell.
   Pattern pattern;
+  bool ready = false;         ///< It has been derived, and depends on nothing but its key and its throws.
+  MemoEntry* next = nullptr;  ///< The same shape, as other dice fell.
 };
 
-/// All that became of shapes that are the same, as their dice fell.
-using MemoVariants = std::vector<std::unique_ptr<MemoEntry>>;
+/// 128 bits for all that a node depends on: two kinds of nodes of one building have the same with chance 2^-128.
+struct MemoKey {
+  std::uint64_t a = 0x243f6a8885a308d3u, b = 0x13198a2e03707344u;
+  void add(std::int64_t word);
+  bool operator==(const MemoKey&) const = default;
+};
 
-using MemoKey = std::vector<std::int64_t>;
-
-/// FNV-1a over whole words, finished as SplitMix64 is.
 struct MemoKeyHash {
-  std::size_t operator()(const MemoKey& key) const;
+  std::size_t operator()(const MemoKey& key) const { return key.a; }
 };
 
 /// How often a body's nodes were worth a note.
@@ -60,9 +53,10 @@ struct OpenNode {
 };
 
 struct Memo {
-  std::unordered_map<MemoKey, MemoVariants, MemoKeyHash> entries;  ///< Looked up, never gone through.
-  MemoKey asked;                                                   ///< The key that is being made.
-  std::vector<MemoEntry*> seen;                                    ///< Those of kSeen, in the order of their terminals.
+  std::deque<MemoEntry> entries;
+  std::unordered_map<MemoKey, MemoEntry*, MemoKeyHash> first_of;  ///< Looked up, never gone through.
+  std::vector<MemoEntry*> seen;  ///< Those whose terminals are the derivation's, in their order.
+  std::vector<CutAway> cut_away;
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
 };
@@ -74,14 +68,16 @@ struct Recording {
   Made before;                 ///< Where the tables of the run ended.
 };
 
-/// Looks the node up, and notes where it begins if it is the first of its kind.
+/// Looks the node up, before anything has been done with its shape.
 Recording begin_recording(Execution& execution, const Body& body);
-/// Copies what the first of its kind became to this node's shape: within kSame_m of what its own derivation would be,
-/// where no rule decides by less.
+
+/// Makes of the shape what the entry's first one was made to.
 NodeTrace repeat(Execution& execution, const MemoEntry& entry);
-/// Notes what the node made, if it may be a pattern.
+
+/// Notes what the node has become. Recordings end in the reverse order of their beginnings.
 void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace);
-/// Has to be told before terminals from `first` on are taken away.
-void forget_terminals(Memo& memo, std::size_t first);
+
+/// Takes the terminals from `first` on out of the derivation; patterns keep theirs.
+void cut_away_from(Run& run, std::size_t first);
 
 }  // namespace citykiln::grammars

@@ -52,13 +52,12 @@ struct Shape {
   std::uint32_t texture = 0;     ///< A texture frame on the surface.
   std::uint32_t attributes = 0;  ///< An AttributeSet.
   std::uint32_t birth = 0;       ///< Which shape of the derivation this is.
-  std::uint32_t moved_at = 0;    ///< How many shapes had been born when its surface was last moved, as by extrude.
 };
 
 /// All that a successor inherits, but for the faces: those are its own.
 inline Shape heir_of(const Shape& from) {
   return {from.id,   from.scope,      {},           from.parent_scope, from.asset, from.in_split, from.in_comp,
-          from.look, from.projection, from.texture, from.attributes,   from.birth, from.moved_at};
+          from.look, from.projection, from.texture, from.attributes,   from.birth};
 }
 
 /// Fits the scope to the faces, keeping its axes.

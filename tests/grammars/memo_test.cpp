@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/rule_files.h"
 
@@ -75,35 +73,6 @@ TEST(Copies, AreWhatTheirOwnDerivationsWouldBe) {
   }
 }
 
-using Point = std::array<double, 3>;
-
-// edges of which no face has the opposite, bit for bit
-std::size_t open_edges(const Derivation& derivation) {
-  std::multiset<std::pair<Point, Point>> edges;
-  const auto bits = [](Vec3 p) { return Point{p.x, p.y, p.z}; };
-  for (const Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces)
-      for (std::size_t i = 0; i < face.outer.size(); ++i)
-        edges.emplace(bits(face.outer[i]), bits(face.outer[(i + 1) % face.outer.size()]));
-  return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
-    return !edges.contains({e.second, e.first});
-  }));
-}
-
-TEST(Copies, MeetTheirNeighboursBitForBit) {
-  const Result<Program> program = read_rules("old_town_house.cga", shipped);
-  ASSERT_TRUE(program) << to_string(program.error());
-  // tiles are divided at the same heights on both sides of their border
-  const Program grid = program_of(
-      "Lot --> extrude(9.3) comp(f) { side : Facade | all : Roof. }\n"
-      "Facade --> split(y) { { ~3 : split(x) { { ~2 : Tile }* } }* }\n"
-      "Tile --> split(y) { ~1 : A. | 1.07 : split(x) { ~1 : B. | 0.41 : A. | ~2 : Niche } | ~1.3 : A. }\n"
-      "Niche --> extrude(-0.2) comp(f) { front : NIL | all : reverseNormals() Block. }");
-  for (const Shape& first : {turned_lot(), lot_of(18.3, 12.1)})
-    for (const Program* rules : {&*program, &grid})
-      EXPECT_LE(open_edges(derived_with(true, *rules, first)), open_edges(derived_with(false, *rules, first)));
-}
-
 struct CopiedRule {
   const char* name;
   const char* tile;
@@ -132,6 +101,12 @@ INSTANTIATE_TEST_SUITE_P(
     Table, Tiles,
     testing::Values(
         CopiedRule{"Niches", "Tile --> setback(0.3) { all = Frame. | remainder : Niche }"},
+        // tiles are divided at the same heights on both sides of their border
+        CopiedRule{"Borders",
+                   "Tile --> split(y) { ~1 : A. | 1.07 : split(x) { ~1 : B. | 0.41 : A. | ~2 : Niche } | ~1.3 : A. }"},
+        // faces without area, whose scopes have no axes
+        CopiedRule{"Flat",
+                   "Tile --> primitiveCube() comp(f) { all : B }\nB --> extrude(0.2) split(x) { ~1 : X. | ~2 : Y. }"},
         CopiedRule{"Chance",
                    "Tile --> setback(0.3) { all = Frame. | remainder : 50% : Niche else : t(0, 0, rand) X. }"},
         CopiedRule{
