@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grammars/few.h"
+
 namespace citykiln::grammars {
 namespace {
 
@@ -96,7 +98,7 @@ Ring3 vertices_of(std::span<const Face> faces) {
 
 NodeTrace together(std::span<const ChildTrace> children) {
   NodeTrace node;
-  std::vector<double> back_of_group_m;
+  Few<double, 8> back_of_group_m;
   for (const ChildTrace& child : children) {
     node.vanished &= child.vanished;
     if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
