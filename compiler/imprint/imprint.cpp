@@ -1,6 +1,7 @@
 #include "compiler/imprint/imprint.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -105,24 +106,32 @@ std::optional<Flat> flat_of(const Canvas& canvas, const Facet& facet) {
   return Flat{{*a, *c, *b}, {canvas.behind_m(facet.a), canvas.behind_m(facet.c), canvas.behind_m(facet.b)}};
 }
 
-// The samples whose middles may lie between two places.
+// The samples whose middles lie between two places, ends among them.
 struct Span {
   std::int64_t first, end;
 };
 Span span_of(std::int64_t low, std::int64_t high, std::int64_t count) {
+  constexpr std::int64_t kHalf = kSteps / 2;
+  // shifts round down, also what is negative
+  const auto steps_down = [](std::int64_t v) { return v >> std::countr_zero(static_cast<std::uint64_t>(kSteps)); };
   const auto clamped = [&](std::int64_t v) { return std::clamp<std::int64_t>(v, 0, count); };
-  // one more on either side is cheaper than to think of signs
-  return {clamped(low / kSteps - 1), clamped(high / kSteps + 1)};
+  return {clamped(steps_down(low - kHalf + kSteps - 1)), clamped(steps_down(high - kHalf) + 1)};
+}
+
+// An edge's value at the middle of samples: not below 0 where these are inside, or on an edge that the triangle owns.
+struct EdgeAt {
+  std::int64_t value, by_column, by_row;
+};
+
+EdgeAt edge_at(Point a, Point b, std::int64_t row, std::int64_t column) {
+  const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
+  return {edge(a, b, p) - (owns(a, b) ? 0 : 1), -(b.y - a.y) * kSteps, (b.x - a.x) * kSteps};
 }
 
 void put(Canvas& canvas, const Flat& flat, std::int64_t row, std::int64_t column, std::uint32_t coat) {
   const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
   std::array<std::int64_t, 3> weight{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = flat.at[(i + 1) % 3], b = flat.at[(i + 2) % 3];
-    weight[i] = edge(a, b, p);
-    if (weight[i] < 0 || (weight[i] == 0 && !owns(a, b))) return;
-  }
+  for (std::size_t i = 0; i < 3; ++i) weight[i] = edge(flat.at[(i + 1) % 3], flat.at[(i + 2) % 3], p);
   double behind_m = 0;
   const auto area = static_cast<double>(weight[0] + weight[1] + weight[2]);
   for (std::size_t i = 0; i < 3; ++i) behind_m += static_cast<double>(weight[i]) / area * flat.behind_m[i];
@@ -134,14 +143,45 @@ void put(Canvas& canvas, const Flat& flat, std::int64_t row, std::int64_t column
   if (is_foremost) sample = {depth, coat};
 }
 
+void put_all(Canvas& canvas, const Flat& flat, Span across, Span down, std::uint32_t coat) {
+  std::array<EdgeAt, 3> edges;
+  for (std::size_t i = 0; i < 3; ++i)
+    edges[i] = edge_at(flat.at[(i + 1) % 3], flat.at[(i + 2) % 3], down.first, across.first);
+  for (std::int64_t row = down.first; row < down.end; ++row) {
+    std::int64_t a = edges[0].value, b = edges[1].value, c = edges[2].value;
+    for (std::int64_t column = across.first; column < across.end; ++column) {
+      if ((a | b | c) >= 0) put(canvas, flat, row, column, coat);
+      a += edges[0].by_column, b += edges[1].by_column, c += edges[2].by_column;
+    }
+    for (EdgeAt& edge : edges) edge.value += edge.by_row;
+  }
+}
+
+// Beyond the depth that the view shows; not where rounding may decide.
+bool is_out_of_depth(const Canvas& canvas, double least_m, double most_m) {
+  return most_m < -canvas.view.before_m - kQuantum_m || least_m > canvas.view.behind_m + kQuantum_m;
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Facet& facet) {
+  const auto [low, high] = std::minmax({canvas.behind_m(facet.a), canvas.behind_m(facet.b), canvas.behind_m(facet.c)});
+  return is_out_of_depth(canvas, low, high);
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Box3& box) {
+  const double middle_m = canvas.behind_m((box.low + box.high) * 0.5);
+  const Vec3 half = (box.high - box.low) * 0.5, out = canvas.out;
+  const double reach_m = std::abs(out.x) * half.x + std::abs(out.y) * half.y + std::abs(out.z) * half.z;
+  return is_out_of_depth(canvas, middle_m - reach_m, middle_m + reach_m);
+}
+
 void draw(Canvas& canvas, const Facet& facet) {
+  if (is_out_of_depth(canvas, facet)) return;
   const std::optional<Flat> flat = flat_of(canvas, facet);
   if (!flat) return;
   const auto& [a, b, c] = flat->at;
   const Span across = span_of(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
   const Span down = span_of(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
-  for (std::int64_t row = down.first; row < down.end; ++row)
-    for (std::int64_t column = across.first; column < across.end; ++column) put(canvas, *flat, row, column, facet.coat);
+  put_all(canvas, *flat, across, down, facet.coat);
 }
 
 // What of a shape a view shows, of coats that `is_asked_for`.
@@ -150,7 +190,7 @@ Canvas drawn(const Shape& shape, const View& view, Asked is_asked_for) {
   Canvas canvas{view};
   const Box3 reach = reach_of(canvas);
   for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
-    if (!meet(reach, shape.blocks[block])) continue;
+    if (!meet(reach, shape.blocks[block]) || is_out_of_depth(canvas, shape.blocks[block])) continue;
     const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
     for (std::size_t i = first; i < end; ++i)
       if (is_asked_for(shape.facets[i].coat) && meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);

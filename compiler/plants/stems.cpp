@@ -1,6 +1,7 @@
 #include "compiler/plants/stems.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/geometry/trig.h"
 #include "lsystems/tubes.h"
@@ -51,12 +52,13 @@ Skeleton only(const Skeleton& skeleton, const std::vector<bool>& stays) {
   return stems;
 }
 
-void add_prism(Mesh& mesh, const Segment& segment) {
+using Turns = std::array<Vec2, 3>;
+
+void add_prism(Mesh& mesh, const Segment& segment, const Turns& turns) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const Vec3 end = segment.end().at;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const Vec2 turn = direction_of(i / 3.0);
-    const Vec3 out = segment.start.left * turn.x + segment.start.up * turn.y;
+    const Vec3 out = segment.start.left * turns[i].x + segment.start.up * turns[i].y;
     mesh.positions.push_back(segment.start.at + out * (segment.start_radius * kPrismRadius));
     mesh.positions.push_back(end + out * (segment.end_radius * kPrismRadius));
     mesh.normals.insert(mesh.normals.end(), 2, out);
@@ -76,9 +78,10 @@ StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m) {
   lsystems::PlantMesh tubes = lsystems::mesh_plant(only(skeleton, thick), options);
   StemMesh stems{{std::move(tubes.bark.positions), std::move(tubes.bark.normals), std::move(tubes.bark.triangles)},
                  tubes.error_m};
+  const Turns turns = {direction_of(0), direction_of(1 / 3.0), direction_of(2 / 3.0)};
   for (std::size_t i = 0; i < stays.size(); ++i) {
     if (!stays[i] || thick[i]) continue;
-    add_prism(stems.mesh, skeleton.segments[i]);
+    add_prism(stems.mesh, skeleton.segments[i], turns);
     stems.error_m = std::max(stems.error_m, kPrismOff * radius_of(skeleton.segments[i]));
   }
   return stems;
