@@ -1,6 +1,7 @@
 #include "compiler/imprint/imprint.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -105,15 +106,17 @@ std::optional<Flat> flat_of(const Canvas& canvas, const Facet& facet) {
   return Flat{{*a, *c, *b}, {canvas.behind_m(facet.a), canvas.behind_m(facet.c), canvas.behind_m(facet.b)}};
 }
 
-// The samples whose middles may lie between two places.
+// The samples whose middles lie between two places, ends among them.
 struct Span {
   std::int64_t first, end;
   std::size_t size() const { return static_cast<std::size_t>(end - first); }
 };
 Span span_of(std::int64_t low, std::int64_t high, std::int64_t count) {
+  constexpr std::int64_t kHalf = kSteps / 2;
+  // shifts round down, also what is negative
+  const auto steps_down = [](std::int64_t v) { return v >> std::countr_zero(static_cast<std::uint64_t>(kSteps)); };
   const auto clamped = [&](std::int64_t v) { return std::clamp<std::int64_t>(v, 0, count); };
-  // one more on either side is cheaper than to think of signs
-  return {clamped(low / kSteps - 1), clamped(high / kSteps + 1)};
+  return {clamped(steps_down(low - kHalf + kSteps - 1)), clamped(steps_down(high - kHalf) + 1)};
 }
 
 // The triangle along a row of samples: the three edges' areas, and how far behind the rectangle it is.
@@ -164,7 +167,25 @@ void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint3
   }
 }
 
+// Beyond the depth that the view shows; not where rounding may decide.
+bool is_out_of_depth(const Canvas& canvas, double least_m, double most_m) {
+  return most_m < -canvas.view.before_m - kQuantum_m || least_m > canvas.view.behind_m + kQuantum_m;
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Facet& facet) {
+  const auto [low, high] = std::minmax({canvas.behind_m(facet.a), canvas.behind_m(facet.b), canvas.behind_m(facet.c)});
+  return is_out_of_depth(canvas, low, high);
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Box3& box) {
+  const double middle_m = canvas.behind_m((box.low + box.high) * 0.5);
+  const Vec3 half = (box.high - box.low) * 0.5, out = canvas.out;
+  const double reach_m = std::abs(out.x) * half.x + std::abs(out.y) * half.y + std::abs(out.z) * half.z;
+  return is_out_of_depth(canvas, middle_m - reach_m, middle_m + reach_m);
+}
+
 void draw(Canvas& canvas, const Facet& facet) {
+  if (is_out_of_depth(canvas, facet)) return;
   const std::optional<Flat> flat = flat_of(canvas, facet);
   if (!flat) return;
   const auto& [a, b, c] = flat->at;
@@ -185,7 +206,7 @@ Canvas drawn(const Shape& shape, const View& view, Asked is_asked_for) {
   Canvas canvas{view};
   const Box3 reach = reach_of(canvas);
   for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
-    if (!meet(reach, shape.blocks[block])) continue;
+    if (!meet(reach, shape.blocks[block]) || is_out_of_depth(canvas, shape.blocks[block])) continue;
     const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
     for (std::size_t i = first; i < end; ++i)
       if (is_asked_for(shape.facets[i].coat) && meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
