@@ -77,12 +77,13 @@ void read_cutouts(Source& source, std::size_t first, std::span<const std::option
 }
 
 bool are_one_size(const imprint::Atlas& atlas) {
-  const auto& [colour, surface, emission, normal] = atlas;
+  // by its name: clang before 16 lets no lambda have what a structured binding names
+  const materials::Sheet& colour = atlas.colour;
   const auto is_as_large = [&](const materials::Sheet& other) {
     return colour.columns == other.columns && colour.rows == other.rows && colour.texel_m == other.texel_m;
   };
-  return is_as_large(surface) && (emission.texels.empty() || is_as_large(emission)) &&
-         (normal.texels.empty() || is_as_large(normal));
+  return is_as_large(atlas.surface) && (atlas.emission.texels.empty() || is_as_large(atlas.emission)) &&
+         (atlas.normal.texels.empty() || is_as_large(atlas.normal));
 }
 
 }  // namespace

@@ -114,16 +114,18 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
           const std::vector<std::size_t>& street) {
   Shape shape;
   shape.id = id;
+  shape.scope.origin = shape.parent_scope.origin = {0, 0, height_m};
+  const std::size_t n = footprint.outer.size();
+  if (n < 3) return shape;
   Face& face = shape.faces.emplace_back();
   for (const Vec2 p : footprint.outer) face.outer.push_back(at_height(p, height_m));
   for (const Ring& hole : footprint.holes) {
     Ring3& ring = face.holes.emplace_back();
     for (const Vec2 p : hole) ring.push_back(at_height(p, height_m));
   }
-  const std::size_t n = face.outer.size();
   face.street_edges.assign(street.empty() ? 0 : n, 0);
   for (const std::size_t edge : street) face.street_edges[edge % n] = 1;
-  const Vec3 along = n == 0 ? Vec3{} : face.outer[(front + 1) % n] - face.outer[front % n];
+  const Vec3 along = face.outer[(front + 1) % n] - face.outer[front % n];
   const Vec3 x = length(along) > 0 ? unit(along) : Vec3{1, 0, 0};
   shape.scope = scope_around(shape.faces, {x, Vec3{0, 0, 1}, cross(x, Vec3{0, 0, 1})}, {0, 0, height_m});
   shape.parent_scope = shape.scope;

@@ -62,6 +62,7 @@ struct Terminal {
   Scope scope;
   bool cut = false;    ///< Ended by the tolerance: stands for all that its rule would have made.
   double error_m = 0;  ///< If cut: between `faces` and what they stand for, Hausdorff, both ways.
+  double out_m = 0;    ///< If cut: no point of what they stand for lies farther from `faces`.
 };
 
 /// One report(name, value).
@@ -102,7 +103,7 @@ struct Derivation {
 };
 
 /// A footprint as the first shape: level at `height_m`; scope x along edge `front` of the outer ring, y up, z outward
-/// of that edge. `street` lists the edges that run along the street.
+/// of that edge. `street` lists the edges that run along the street. Of fewer than three corners: no faces.
 Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId id,
           const std::vector<std::size_t>& street = {});
 

@@ -61,13 +61,19 @@ double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling) 
   return best_m;
 }
 
-// from a vanished surface to what became of its siblings
-double distance_to_siblings_m(const ChildTrace& vanished, std::span<const ChildTrace> children) {
+// Of so many siblings on either side one is surely near; a comp() of thousands of faces would look at millions of
+// pairs.
+constexpr std::size_t kNearestSiblings = 256;
+
+// from a vanished surface to what became of its siblings, those that stand next to it among the children
+double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> children) {
+  const std::size_t first = vanished - std::min(vanished, kNearestSiblings);
+  const std::size_t end = std::min(children.size(), vanished + kNearestSiblings + 1);
   double best_m = kUnbounded_m;
-  for (const ChildTrace& sibling : children) {
+  for (const ChildTrace& sibling : children.subspan(first, end - first)) {
     // one that is worse than the best for itself need not be measured
     if (sibling.vanished || sibling.own.back_m >= best_m) continue;
-    best_m = std::min(best_m, farthest_from_m(vanished.vertices, sibling) + sibling.own.back_m);
+    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling) + sibling.own.back_m);
   }
   return best_m;
 }
@@ -99,10 +105,11 @@ Ring3 vertices_of(std::span<const Face> faces) {
 NodeTrace together(std::span<const ChildTrace> children) {
   NodeTrace node;
   Few<double, 8> back_of_group_m;
-  for (const ChildTrace& child : children) {
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const ChildTrace& child = children[i];
     node.vanished &= child.vanished;
     if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
-    const double own_m = child.vanished ? distance_to_siblings_m(child, children) : child.own.back_m;
+    const double own_m = child.vanished ? distance_to_siblings_m(i, children) : child.own.back_m;
     if (child.group >= back_of_group_m.size()) back_of_group_m.resize(child.group + 1, -1);
     double& back_m = back_of_group_m[child.group];
     back_m = std::max(back_m, child.before.back_m + own_m);

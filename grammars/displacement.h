@@ -70,7 +70,8 @@ struct NodeTrace {
 /// the group's children; that lies within own.back of what became of the child; or, if the child vanished, within the
 /// distance to a convex face, or an edge, of a sibling that did not, and from there within that sibling's own.back. Any
 /// one group will do, so the best counts. Distance to what is convex is convex: it is largest at a vertex of the
-/// vanished hull.
+/// vanished hull. Of siblings those next to it among the children are looked at: any will do, and so the cost is
+/// linear.
 NodeTrace together(std::span<const ChildTrace> children);
 
 }  // namespace citykiln::grammars

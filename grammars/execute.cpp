@@ -305,7 +305,8 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
                        {},
                        start.scope,
                        true,
-                       outcome.trace.moved.largest_m()});
+                       outcome.trace.moved.largest_m(),
+                       outcome.trace.moved.out_m});
   run.notes.push_back({start.birth, removed.texture, run.tables.add(std::move(removed.areas_m2))});
   outcome.trace.seen = seen_of(run, terminals.back());
 }
@@ -324,6 +325,7 @@ Outcome end_ahead(Execution& execution, Displacement moved) {
   Outcome outcome = end_as_terminal(run, std::move(execution.shape), execution.name, execution.path);
   run.out.terminals.back().cut = true;
   run.out.terminals.back().error_m = moved.largest_m();
+  run.out.terminals.back().out_m = moved.out_m;
   outcome.trace.moved = moved;
   return outcome;
 }
@@ -370,6 +372,7 @@ Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::u
                                std::move(shape.asset),
                                shape.scope,
                                false,
+                               0,
                                0});
   return {{{}, false, seen_of(run, run.out.terminals.back())}};
 }

@@ -39,6 +39,21 @@ roofs::RoofShape shape_of(const RoofRequest& request) {
   return shape;
 }
 
+// beyond it arrange() has no grid, with room for eaves; no eaves are so wide
+constexpr double kFar_m = 256e3, kMostOverhang_m = 100, kSteepest_deg = 89.5;
+
+bool lies_on_the_grid(const Polygon& footprint) {
+  const auto is_near = [](Vec2 p) { return std::abs(p.x) < kFar_m && std::abs(p.y) < kFar_m; };
+  return std::all_of(footprint.outer.begin(), footprint.outer.end(), is_near);
+}
+
+bool can_be_built(const RoofRequest& request) {
+  const double rise = request.by_height ? request.height_m : request.angle_deg;
+  if (!(rise > 0) || rise > (request.by_height ? kFar_m : kSteepest_deg)) return false;
+  if (request.overhang_m < 0 || request.overhang_m > kMostOverhang_m) return false;
+  return request.footprint.outer.size() >= 3 && lies_on_the_grid(request.footprint);
+}
+
 FaceTag tag_of(roofs::Part part) {
   switch (part) {
     case roofs::Part::kRoof:
@@ -159,8 +174,7 @@ std::vector<Face> faces_of(const roofs::Roof& roof) {
 
 RoofBuilder form_roofs(double tolerance_m) {
   return [tolerance_m](const RoofRequest& request) -> std::optional<std::vector<Face>> {
-    const bool rises = request.by_height ? request.height_m > 0 : request.angle_deg > 0;
-    if (!rises || request.footprint.outer.size() < 3) return std::nullopt;
+    if (!can_be_built(request)) return std::nullopt;
     Report ignored;
     const roofs::Roof roof = roofs::expand_roof(request.footprint, shape_of(request), tolerance_m, {}, ignored);
     if (roof.triangles.empty() || roof.form == roofs::Form::kFlat) return std::nullopt;

@@ -156,8 +156,6 @@ void resolve_settable(Resolver& names, Expression& name) {
     return names.fail(name.place, "expected the name of an attribute or material value");
   name.target = Target::kWord;
   name.index = ~0u;
-  // rand is written with and without parentheses
-  if (is_builtin(builtin_functions(), Target::kBuiltin, name)) return check_arity(names, name, arity_of_row(name));
   if (is_look_value(name.text)) return;
   const auto found = names.program.attribute_of.find(names.prefix + name.text);
   if (found == names.program.attribute_of.end())

@@ -80,6 +80,24 @@ Imprint finely_seen(const imprint::Shape& looks, View view) {
   return seen;
 }
 
+// Of the face, what has something before it or near behind it.
+double shown_share(const Imprint& seen, const View& view, const Face& face) {
+  std::uint64_t samples = 0;
+  for (const imprint::Texel& texel : seen.picture.texels) samples += texel.shown;
+  const double sample_m2 = view.texel_m * view.texel_m / imprint::kSamplesOfTexel;
+  return static_cast<double>(samples) * sample_m2 / std::max(area_m2(face), sample_m2);
+}
+
+// A railing is mostly holes. Its face stays, for the derivation certifies that; what one sees of it is what stands
+// behind the bars, as far as balconies are deep. Its slopes would be those of what is behind.
+Imprint seen_through(const imprint::Shape& looks, View view, const Face& face) {
+  constexpr double kMostlyThere = 0.6;
+  Imprint seen = finely_seen(looks, view);
+  if (seen.commonest_share == 0 || shown_share(seen, view, face) > kMostlyThere) return seen;
+  view.behind_m = std::max(view.behind_m, kStandsOut_m), view.has_slopes = false;
+  return finely_seen(looks, view);
+}
+
 bool shines(const imprint::Picture& picture) { return mean(picture).emission != std::array<std::uint16_t, 3>{}; }
 
 // Faces on their way to meshes.
@@ -112,7 +130,7 @@ struct Dressing {
     const View view = view_of(face, texel_m);
     const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
     if (texels > kMostTexelsOfFace) return add_plain(face, own);
-    Imprint seen = finely_seen(looks, view);
+    Imprint seen = seen_through(looks, view, face);
     if (seen.commonest_share == 0) return add_plain(face, own);
     if (seen.commonest_share >= plain_share(view)) return add_plain(face, seen.commonest);
     const bool is_small = texels < kFewTexels || std::min(view.columns, view.rows) == 1;

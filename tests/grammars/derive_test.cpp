@@ -25,6 +25,15 @@ TEST(Derive, WhatIsMadeOfAShapeAndNotNamedIsATerminalOfItsRule) {
   EXPECT_EQ(derivation.terminals[1].faces.size(), 6u);
 }
 
+TEST(Derive, OfALotWithoutCornersMakesNothing) {
+  const Program program = program_of("Lot --> extrude(3) innerRectangle() { shape : X. } comp(f) { all : Y. }");
+  for (const Ring& ring : {Ring{}, Ring{{0, 0}}, Ring{{0, 0}, {4, 0}}}) {
+    const Shape nothing = lot({ring, {}}, 2, 3, StableId{1}, {0, 7});
+    EXPECT_TRUE(nothing.faces.empty());
+    EXPECT_TRUE(derive(program, nothing, {}).terminals.empty());
+  }
+}
+
 TEST(Derive, NilLeavesNothing) {
   EXPECT_TRUE(derived("Lot --> NIL").terminals.empty());
   EXPECT_EQ(derived("Lot --> split(x) { { ~1 : A | ~1 : NIL }* }").terminals.size(), 5u);

@@ -53,6 +53,16 @@ TEST(Displacement, AConcaveFaceIsMeasuredToItsEdges) {
   EXPECT_GE(together(std::vector{l, in_notch}).moved.back_m, 3);
 }
 
+// Any sibling bounds it, so that only those next to it have to be looked at: thousands of faces would be millions of
+// pairs.
+TEST(Displacement, WhatVanishedAsksTheSiblingsNextToIt) {
+  std::vector<ChildTrace> children(5000, gone({0, 0}));
+  for (const std::size_t i : {0, 400, 800}) children[i] = kept({0, 0}, {0, 0.5});
+  EXPECT_EQ(together(children).moved.back_m, kUnbounded_m);
+  children.resize(1000);
+  EXPECT_DOUBLE_EQ(together(children).moved.back_m, 2.5);
+}
+
 TEST(Displacement, WithoutSurvivorsTheNodeVanishes) {
   EXPECT_TRUE(together(std::vector{gone({0, 0}), gone({1, 1})}).vanished);
   EXPECT_TRUE(together({}).vanished);

@@ -57,6 +57,21 @@ TEST(FormRoofs, StandOut) {
   EXPECT_GT(count_named(derivation, "Eaves"), 0u);
 }
 
+TEST(FormRoofs, AreNotBuiltWhereThereIsNoGrid) {
+  RoofRequest request;
+  request.kind = RoofKind::kGable;
+  request.footprint = kFootprints[0];
+  request.angle_deg = 30;
+  EXPECT_TRUE(form_roofs(0.01)(request));
+  for (const double overhang_m : {-0.5, 101.0, 1e6}) {
+    request.overhang_m = overhang_m;
+    EXPECT_FALSE(form_roofs(0.01)(request));
+  }
+  request.overhang_m = 0.5;
+  for (Vec2& p : request.footprint.outer) p = p * 1e5;
+  EXPECT_FALSE(form_roofs(0.01)(request));
+}
+
 TEST(FormRoofs, ShedsRiseFromTheirEdge) {
   const Derivation derivation = roofed(kFootprints[0], "roofShed(byHeight, 2, 0) comp(f) { top : Tiles. | all : NIL }");
   for (const Vec3 p : named(derivation, "Tiles").at(0)->faces.at(0).outer) EXPECT_NEAR(p.z, 9 + p.y / 4, 0.01);

@@ -2,63 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
 
-#include "compiler/geometry/triangulate.h"
 #include "grammars/memo.h"
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/surfaces.h"
 
 namespace citykiln::grammars {
 namespace {
-
-struct Triangle3 {
-  Vec3 a, b, c;
-};
-
-std::vector<Triangle3> triangles_of(const Derivation& derivation) {
-  std::vector<Triangle3> made;
-  for (const Terminal& terminal : derivation.terminals) {
-    for (const Face& face : terminal.faces) {
-      const FaceFrame frame = frame_of(face);
-      const PlaneTriangles flat_ones = triangulate(flat(face, frame));
-      for (const Triangle& t : flat_ones.triangles)
-        made.push_back({frame.to_space(flat_ones.points[t[0]]), frame.to_space(flat_ones.points[t[1]]),
-                        frame.to_space(flat_ones.points[t[2]])});
-    }
-  }
-  return made;
-}
-
-// Source: Ericson, Real-Time Collision Detection, 5.1.5.
-double distance_m(Vec3 p, const Triangle3& t) {
-  const Vec3 ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return length(ap);
-  const Vec3 bp = p - t.b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return length(bp);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return length(p - (t.a + ab * (d1 / (d1 - d3))));
-  const Vec3 cp = p - t.c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return length(cp);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return length(p - (t.a + ac * (d2 / (d2 - d6))));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    return length(p - (t.b + (t.c - t.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))));
-  const double denominator = va + vb + vc;
-  return length(p - (t.a + ab * (vb / denominator) + ac * (vc / denominator)));
-}
-
-double distance_m(Vec3 p, const std::vector<Triangle3>& surface) {
-  double nearest_m = std::numeric_limits<double>::infinity();
-  for (const Triangle3& t : surface) nearest_m = std::min(nearest_m, distance_m(p, t));
-  return nearest_m;
-}
 
 struct Levels : testing::Test {
   std::mt19937 chance{2};
@@ -66,21 +19,8 @@ struct Levels : testing::Test {
   double between(double low, double high) { return low + (high - low) * unit(); }
   std::string metres_text(double low, double high) { return std::to_string(between(low, high)); }
 
-  Vec3 point_on(const Triangle3& t) {
-    double u = unit(), v = unit();
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    // corners and edges are where distances are largest
-    if (chance() % 4 == 0) u = 0;
-    if (chance() % 4 == 0) v = 0;
-    return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
-  }
-
-  /// The largest distance found from points of one surface to the other.
   double sampled_m(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to) {
-    double farthest_m = 0;
-    for (int i = 0; i < 300; ++i)
-      farthest_m = std::max(farthest_m, distance_m(point_on(from[chance() % from.size()]), to));
-    return farthest_m;
+    return grammars::sampled_m(from, to, 300, [&] { return chance(); });
   }
 
   /// A rule's name below `level`, or a terminal or nothing.

@@ -82,6 +82,7 @@ const Mistake kMistakes[] = {
     {"A --> t(1 + '0.5, 0, 0)", "x.cga:1:13: a share ' of the scope's size cannot stand here"},
     {"const c = 1\nA --> set(c, 2)", "x.cga:2:11: 'c' is a constant; only attributes can be set"},
     {"A --> set(material.colour, 2)", "x.cga:1:11: expected an attribute or material value, found 'material.colour'"},
+    {"A --> set(rand, 2)", "x.cga:1:11: expected an attribute or material value, found 'rand'"},
     {"import w : \"w.cga\"", "w.cga: there is no such rule file"},
 };
 

@@ -1,0 +1,76 @@
+// What derivations are made of, as triangles, and how far one lies from another: by points drawn on them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "compiler/geometry/triangulate.h"
+#include "grammars/derive.h"
+
+namespace citykiln::grammars {
+
+struct Triangle3 {
+  Vec3 a, b, c;
+};
+
+inline std::vector<Triangle3> triangles_of(const Derivation& derivation) {
+  std::vector<Triangle3> made;
+  for (const Terminal& terminal : derivation.terminals) {
+    for (const Face& face : terminal.faces) {
+      const FaceFrame frame = frame_of(face);
+      const PlaneTriangles flat_ones = triangulate(flat(face, frame));
+      for (const Triangle& t : flat_ones.triangles)
+        made.push_back({frame.to_space(flat_ones.points[t[0]]), frame.to_space(flat_ones.points[t[1]]),
+                        frame.to_space(flat_ones.points[t[2]])});
+    }
+  }
+  return made;
+}
+
+inline double distance_m(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return length(p - (a + ab * t));
+}
+
+/// To the nearest edge, or to the plane where the point lies over the triangle: slivers cost no digits.
+inline double distance_m(Vec3 p, const Triangle3& t) {
+  const double to_edge_m = std::min({distance_m(p, t.a, t.b), distance_m(p, t.b, t.c), distance_m(p, t.c, t.a)});
+  const Vec3 normal = unit(cross(t.b - t.a, t.c - t.a));
+  const auto is_left_of = [&](Vec3 a, Vec3 b) { return dot(normal, cross(b - a, p - a)) >= 0; };
+  const bool is_over = is_left_of(t.a, t.b) && is_left_of(t.b, t.c) && is_left_of(t.c, t.a);
+  return is_over && length(normal) > 0.5 ? std::min(to_edge_m, std::abs(dot(normal, p - t.a))) : to_edge_m;
+}
+
+inline double distance_m(Vec3 p, const std::vector<Triangle3>& surface) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Triangle3& t : surface) nearest_m = std::min(nearest_m, distance_m(p, t));
+  return nearest_m;
+}
+
+/// A point of the triangle, out of three numbers; every other one lies on its border, where distances are largest.
+inline Vec3 point_on(const Triangle3& t, std::uint32_t first, std::uint32_t second, std::uint32_t border) {
+  double u = first / 4294967296.0, v = second / 4294967296.0;
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  if (border % 4 == 0) u = 0;
+  if (border / 4 % 4 == 0) v = 0;
+  return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
+}
+
+/// The largest distance found from points of one surface to the other.
+/// @param chance  Gives 32 bits a call.
+template <typename Chance>
+double sampled_m(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to, int points, Chance chance) {
+  double farthest_m = 0;
+  for (int i = 0; i < points; ++i) {
+    const Triangle3& on = from[chance() % from.size()];
+    const std::uint32_t first = chance(), second = chance(), border = chance();
+    farthest_m = std::max(farthest_m, distance_m(point_on(on, first, second, border), to));
+  }
+  return farthest_m;
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""No building is lost between the map and the tiles: what goes in comes out, or is merged into its parts, and each of those is diagnosed; roofs that are
+flat because theirs could not be made are fewer than one in 200."""
+import unittest
+from pathlib import Path
+
+from citykiln_program import ProgramTest, report_of
+
+EXTRACTS = [
+    "helsinki/Helsinki.osm.pbf", "monaco/monaco-2023.osm.pbf", "monaco/monaco-2016-cadastre.osm.pbf", "neubrandenburg/neubrandenburg.osm.bz2",
+    "chicago-loop/chicago_loop.osm.pbf", "nyc/nyc-west-village.osm.pbf", "berlin/berlin-mitte-gesundbrunnen.osm", "berlin/berlin-neukolln.osm",
+    "berlin/berlin-reinickendorf-2026.osm.pbf", "berlin/berlin-siegessaeule.osm.gz", "liechtenstein/liechtenstein-2015.osm.pbf",
+]
+LOD_M = "2.5"
+
+
+def count_of(report, code):
+    return report["diagnoses"].get(code, {}).get("count", 0)
+
+
+class BuildingsReal(ProgramTest):
+    def expect_kept(self, map_name):
+        report = report_of(self.compiled("out", self.data(map_name), "--lods", LOD_M))
+        read, planned = report["ledger"]["map/footprint"], report["ledger"]["buildings/footprint"]
+        replaced, flat = count_of(report, "OutlineReplacedByParts"), count_of(report, "RoofFallback")
+        print(f"{map_name}: in {planned['in']}, out {planned['out']}, merged into parts {planned['merged']}, dropped before {read['dropped']}, "
+              f"flat for want of their roof {flat} ({100 * flat / max(1, planned['out']):.3f} %)")
+        self.assertEqual(read["out"], planned["in"])
+        self.assertEqual(planned["in"], planned["out"] + planned["merged"])
+        self.assertEqual(planned["merged"], replaced)
+        self.assertEqual(planned["dropped"], {})
+        self.assertEqual(report["counts"]["buildings"], planned["out"])
+        self.assertLess(flat, 0.005 * planned["out"] + 1)
+
+
+for path in EXTRACTS:
+    name = Path(path).name.split(".")[0].replace("-", "_").lower()
+    setattr(BuildingsReal, f"test_{name}", lambda self, path=path: self.expect_kept(path))
+
+
+if __name__ == "__main__":
+    unittest.main()
