@@ -21,9 +21,10 @@ std::uint32_t found_or_added(std::vector<Entry>& table, IndexOf& index_of, const
 }  // namespace
 
 std::size_t LookHash::operator()(const Look& look) const {
-  std::uint64_t hash = std::hash<std::string>{}(look.name);
-  for (const double v : {look.red, look.green, look.blue, look.opacity})
-    hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32;
+  std::uint64_t hash = look.name.size();
+  const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32; };
+  for (const char c : look.name) add(static_cast<unsigned char>(c));
+  for (const double v : {look.red, look.green, look.blue, look.opacity}) add(std::bit_cast<std::uint64_t>(v));
   return hash;
 }
 
