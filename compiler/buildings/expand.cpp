@@ -131,16 +131,17 @@ void expand_by_rules(const Building& building, const Dressable& dressable, const
                      Setting setting, LevelOf level, Expanded& expanded, Report& report) {
   const Mass& mass = dressable.mass;
   // what the roof has left of the tolerance is for rules
+  const double tolerance_m = level.tolerance_m - mass.roof.error_m;
   const grammars::Derivation derivation =
-      derive_on(building, mass, program, setting, level.tolerance_m - mass.roof.error_m, level.looks == nullptr);
+      derive_on(building, mass, program, setting, tolerance_m, level.looks == nullptr);
   const std::uint64_t times = times_of(derivation);
   if (times > 0) report.add(Code::kRuleTrouble, building.id.osm, static_cast<double>(times));
-  expanded.error_m += std::max(derivation.error_m, dressable.left_out_m);
   DressedFaces faces;
   if (level.looks != nullptr)
-    faces = imprint_walls(derivation, *level.looks, level.tolerance_m, building.id.osm);
+    faces = imprint_walls(derivation, *level.looks, level.tolerance_m, tolerance_m, building.id.osm);
   else
     faces.meshes = meshes_of(derivation, building.id.osm);
+  expanded.error_m += std::max({derivation.error_m, dressable.left_out_m, faces.error_m});
   for (DressedMesh& mesh : faces.meshes) expanded.meshes.push_back(std::move(mesh));
   expanded.imprinted = std::move(faces.imprinted);
 }

@@ -88,14 +88,31 @@ double shown_share(const Imprint& seen, const View& view, const Face& face) {
   return static_cast<double>(samples) * sample_m2 / std::max(area_m2(face), sample_m2);
 }
 
-// A railing is mostly holes. Its face stays, for the derivation certifies that; what one sees of it is what stands
-// behind the bars, as far as balconies are deep. Its slopes would be those of what is behind.
-Imprint seen_through(const imprint::Shape& looks, View view, const Face& face) {
-  constexpr double kMostlyThere = 0.6;
-  Imprint seen = finely_seen(looks, view);
-  if (seen.commonest_share == 0 || shown_share(seen, view, face) > kMostlyThere) return seen;
-  view.behind_m = std::max(view.behind_m, kStandsOut_m), view.has_slopes = false;
-  return finely_seen(looks, view);
+// Less than this of a face is there: it is a railing, mostly holes, and as a face it would be a box.
+constexpr double kMostlyHoles = 0.5;
+
+bool is_rectangle(const Face& face) {
+  const auto& p = face.outer;
+  if (p.size() != 4 || !face.holes.empty()) return false;
+  const bool is_parallelogram = length(p[0] - p[1] + p[2] - p[3]) < 0.01;
+  return is_parallelogram && std::abs(dot(unit(p[1] - p[0]), unit(p[2] - p[1]))) < 0.01;
+}
+
+// Two rails of it, along its longer sides, and how far what lay between them is from them.
+struct Rails {
+  std::array<Face, 2> faces;
+  double gap_m = 0;
+};
+
+Rails rails_of(const Face& face, double share) {
+  const auto& p = face.outer;
+  const std::size_t i = length(p[1] - p[0]) >= length(p[2] - p[1]) ? 0 : 1;
+  const Vec3 a = p[i], b = p[i + 1], across = p[(i + 3) % 4] - a, deep = across * (share / 2);
+  Rails rails;
+  rails.faces[0].outer = {a, b, b + deep, a + deep};
+  rails.faces[1].outer = {a + across - deep, b + across - deep, b + across, a + across};
+  rails.gap_m = length(across) * (1 - share) / 2;
+  return rails;
 }
 
 bool shines(const imprint::Picture& picture) { return mean(picture).emission != std::array<std::uint16_t, 3>{}; }
@@ -103,7 +120,7 @@ bool shines(const imprint::Picture& picture) { return mean(picture).emission != 
 // Faces on their way to meshes.
 struct Dressing {
   const imprint::Shape& looks;
-  double texel_m;
+  double texel_m, tolerance_m;
   OsmId feature;
   DressedFaces dressed{};
   std::map<Coat, DressedMesh> plain{};
@@ -125,13 +142,25 @@ struct Dressing {
     if (!imprinted.mesh.mesh.triangles.empty()) dressed.imprinted.push_back(std::move(imprinted));
   }
 
-  void add(const Face& face, const Coat& own) {
+  // Rails instead of a face that is mostly holes, where that is still within the tolerance: as much of it as is there,
+  // so that it darkens what is behind as its bars do. False: it is a face.
+  bool add_rails(const Face& face, const Coat& own, double share, double out_m) {
+    if (share > kMostlyHoles || !is_rectangle(face)) return false;
+    const Rails rails = rails_of(face, share);
+    if (out_m + rails.gap_m > tolerance_m) return false;
+    for (const Face& rail : rails.faces) add_plain(rail, own);
+    dressed.error_m = std::max(dressed.error_m, out_m + rails.gap_m);
+    return true;
+  }
+
+  void add(const Face& face, const Coat& own, double out_m) {
     if (face.outer.size() < 3) return;
     const View view = view_of(face, texel_m);
     const std::uint64_t texels = std::uint64_t{view.columns} * view.rows;
     if (texels > kMostTexelsOfFace) return add_plain(face, own);
-    Imprint seen = seen_through(looks, view, face);
+    Imprint seen = finely_seen(looks, view);
     if (seen.commonest_share == 0) return add_plain(face, own);
+    if (add_rails(face, own, shown_share(seen, view, face), out_m)) return;
     if (seen.commonest_share >= plain_share(view)) return add_plain(face, seen.commonest);
     const bool is_small = texels < kFewTexels || std::min(view.columns, view.rows) == 1;
     if (is_small && !shines(seen.picture)) return add_plain(face, mean_coat(seen));
@@ -142,15 +171,15 @@ struct Dressing {
 }  // namespace
 
 DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
-                           OsmId feature) {
+                           double tolerance_m, OsmId feature) {
   std::vector<Coat> own;
   for (const grammars::Look& look : derivation.looks) {
     const SurfaceDress dress = dress_of(look);
     own.push_back({dress.material, dress.tint});
   }
-  Dressing dressing{looks, texel_m, feature};
+  Dressing dressing{looks, texel_m, tolerance_m, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) dressing.add(face, own[terminal.look]);
+    for (const Face& face : terminal.faces) dressing.add(face, own[terminal.look], terminal.out_m);
   for (auto& [coat, mesh] : dressing.plain)
     if (!mesh.mesh.triangles.empty()) dressing.dressed.meshes.push_back(std::move(mesh));
   return std::move(dressing.dressed);

@@ -18,20 +18,24 @@ struct ImprintedMesh {
 struct DressedFaces {
   std::vector<materials::DressedMesh> meshes;  ///< What one material and tint is enough for: one mesh each, in order.
   std::vector<ImprintedMesh> imprinted;        ///< In the terminals' order.
+  double error_m = 0;  ///< How far rails are from what the terminals that they stand for stand for.
 };
 
 /// The terminals' faces as meshes_of() makes them, dressed as what stands before and behind them looks.
 ///
 /// @param looks    The same building, finer.
+/// @param tolerance_m  Of the derivation: no error here is larger.
 /// @param texel_m  Of pictures; of how far the finer one may stand behind a face, and before it up to 2 m: farther
 ///                 before a wall of a court stands the other wing.
 ///
 /// A face on which all is of one material and tint takes them, and a roof where nearly all is; where nothing shines,
 /// what is smaller than kFewTexels, or a texel wide, takes the mean colour, as paint on what most of it is made
 /// of; the rest have pictures, with slopes where texels are under 2 m. Faces before which nothing stands, or with more
-/// than kMostTexelsOfFace, look as the terminal does. The same bytes on every CPU. Total. Cost: imprint()'s, a face.
+/// than kMostTexelsOfFace, look as the terminal does. Of a rectangle that is mostly holes, as a railing, two rails are
+/// left, as large as what is there, where that is within the tolerance. The same bytes on every CPU. Total. Cost:
+/// imprint()'s, a face.
 DressedFaces imprint_walls(const grammars::Derivation& derivation, const imprint::Shape& looks, double texel_m,
-                           OsmId feature);
+                           double tolerance_m, OsmId feature);
 
 /// From here on a picture says more than its mean does.
 inline constexpr std::uint32_t kFewTexels = 9;

@@ -1,5 +1,5 @@
 // What facades cost over the tolerance, and what they look like: triangles, bytes and time of some of a map's houses,
-// and the error of their picture from where the tolerance is one pixel.
+// and the error of their picture from where the tolerance is one pixel, and from 100 m.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,6 +28,9 @@ constexpr int kFewestPixels = 5, kMostPixels = 256;
 constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 24;
 /// Focal length: that of 1,080 lines at 45 degrees.
 constexpr double kFocal_px = 1304;
+/// Where pictures of all tolerances are compared too, and how many pixels wide.
+constexpr double kAcrossTheSquare_m = 100;
+constexpr int kSquarePixels = 160;
 
 int pixels_at(double tolerance_m) {
   return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestPixels, kMostPixels);
@@ -120,7 +123,8 @@ double difference(const preview::Image& a, const preview::Image& b) {
 }
 
 struct Costs {
-  double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0;
+  double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0, error_at_100_m = 0,
+         noise_at_100_m = 0;
 };
 
 double triangles_of(const bake::BakedTile& tile) {
@@ -159,8 +163,34 @@ void add_picture_error(const House& house, const bake::BakedTile& finest, double
   costs.error_by_low_sun += difference(picture(finest, low, camera, pixels, 1), picture(tile, low, camera, pixels, 2));
 }
 
+preview::Image seen_across_the_square(const House& house, const bake::BakedTile& tile, std::uint64_t seed) {
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kAcrossTheSquare_m, kSquarePixels);
+  return picture(tile, house.header.sky, camera, kSquarePixels, seed);
+}
+
+/// What coarser ones are compared with.
+struct Finest {
+  bake::BakedTile tile;
+  preview::Image across_the_square;
+  double noise = 0;  ///< Of that picture.
+};
+
+Finest finest_of(const House& house, int threads) {
+  Finest finest{fired(house, kFinest_m, threads), {}};
+  finest.across_the_square = seen_across_the_square(house, finest.tile, 1);
+  finest.noise = difference(finest.across_the_square, seen_across_the_square(house, finest.tile, 2));
+  return finest;
+}
+
+void add_error_across_the_square(const House& house, const Finest& finest, double tolerance_m, int threads,
+                                 Costs& costs) {
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  costs.noise_at_100_m += finest.noise;
+  costs.error_at_100_m += difference(finest.across_the_square, seen_across_the_square(house, tile, 2));
+}
+
 std::vector<Chart> empty_charts(std::size_t houses) {
-  std::vector<Chart> charts(2);
+  std::vector<Chart> charts(3);
   for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
   charts[0].name = "facade_costs", charts[0].title = fmt::format("A house, mean of {}", houses);
   charts[0].y.label = "triangles; bytes of .glb; microseconds", charts[0].y.is_logarithmic = true;
@@ -169,6 +199,10 @@ std::vector<Chart> empty_charts(std::size_t houses) {
   charts[1].title = "Error of the picture from where the tolerance is one pixel";
   charts[1].y.label = "mean difference (share of white)";
   charts[1].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}, {"by low sun along the wall", {}}};
+  charts[2].name = "facade_picture_100_m";
+  charts[2].title = "Error of the picture from 100 m";
+  charts[2].y.label = charts[1].y.label;
+  charts[2].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}};
   return charts;
 }
 
@@ -179,6 +213,8 @@ void add_points(double tolerance_m, const Costs& costs, double houses, std::vect
   charts[1].series[0].points.emplace_back(tolerance_m, costs.error / houses);
   charts[1].series[1].points.emplace_back(tolerance_m, costs.noise / houses);
   charts[1].series[2].points.emplace_back(tolerance_m, costs.error_by_low_sun / houses);
+  charts[2].series[0].points.emplace_back(tolerance_m, costs.error_at_100_m / houses);
+  charts[2].series[1].points.emplace_back(tolerance_m, costs.noise_at_100_m / houses);
 }
 
 }  // namespace
@@ -189,13 +225,14 @@ Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
   const std::vector<House> houses = houses_of(*scene);
   if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
   std::vector<Chart> charts = empty_charts(houses.size());
-  std::vector<bake::BakedTile> finest;
-  for (const House& house : houses) finest.push_back(fired(house, kFinest_m, request.threads));
+  std::vector<Finest> finest;
+  for (const House& house : houses) finest.push_back(finest_of(house, request.threads));
   for (const double tolerance_m : kTolerances_m) {
     Costs costs;
     for (std::size_t i = 0; i < houses.size(); ++i) {
       add_costs(houses[i], tolerance_m, request.threads, costs);
-      add_picture_error(houses[i], finest[i], tolerance_m, request.threads, costs);
+      add_picture_error(houses[i], finest[i].tile, tolerance_m, request.threads, costs);
+      add_error_across_the_square(houses[i], finest[i], tolerance_m, request.threads, costs);
     }
     add_points(tolerance_m, costs, static_cast<double>(houses.size()), charts);
   }

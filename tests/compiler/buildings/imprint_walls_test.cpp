@@ -95,6 +95,44 @@ TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
   }
 }
 
+// One of two houses of an old street that has balconies.
+Building with_iron_balconies() {
+  Building block = house(Style::kCourtyardBlock, 30, 21);
+  block.fronts.resize(4);
+  block.fronts[0].faces_street = true;
+  return block;
+}
+
+// Of what stands upright before the front, which is the plane y = 0: railings, and the edges of slabs.
+double balconies_m2(const Expanded& house) {
+  Shown shown;
+  for (const DressedMesh& mesh : house.meshes) {
+    Mesh before = mesh.mesh;
+    std::erase_if(before.triangles, [&](const Triangle& t) {
+      return std::ranges::any_of(t, [&](std::uint32_t v) { return before.positions[v].y > -0.85; });
+    });
+    shown.add(before, {});
+  }
+  return shown.wall_m2;
+}
+
+// As faces they would be boxes, and five times as much as their bars, which are seen from both sides.
+TEST(ImprintWalls, LeaveRailsOfRailings) {
+  Building block = with_iron_balconies();
+  std::size_t houses_with_balconies = 0;
+  for (std::int64_t id = 1; id <= 12; ++id) {
+    block.id.osm.id = id;
+    const double bars_m2 = balconies_m2(expanded(block, 0.05));
+    if (bars_m2 == 0) continue;
+    ++houses_with_balconies;
+    const Expanded coarse = expanded(block, 0.5);
+    EXPECT_GT(balconies_m2(coarse), 0.4 * bars_m2) << id;
+    EXPECT_LT(balconies_m2(coarse), bars_m2) << id;
+    EXPECT_LE(coarse.error_m, 0.5);
+  }
+  EXPECT_GE(houses_with_balconies, 3u);
+}
+
 // Reveals and sills are slopes where a window is several texels.
 TEST(ImprintWalls, LeanWhereGeometryIsLeftOut) {
   const auto leaning = [](const Expanded& house) {
