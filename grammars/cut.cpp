@@ -162,21 +162,45 @@ std::array<std::int64_t, 3> place_of(Vec3 p) {
   return {cell(p.x), cell(p.y), cell(p.z)};
 }
 
-using Count = std::map<std::pair<std::array<std::int64_t, 3>, std::array<std::int64_t, 3>>, int>;
+using Place3 = std::array<std::int64_t, 3>;
 
-Count count_directed(std::span<const Edge3> edges) {
-  Count count;
-  for (const Edge3& edge : edges) {
-    const auto a = place_of(edge.first), b = place_of(edge.second);
-    if (a == b) continue;
-    int& opposite = count[{b, a}];
-    if (opposite > 0) {
-      --opposite;
-    } else {
-      ++count[{a, b}];
-    }
+/// An edge by its places, the lesser first, and which of the edges it is.
+struct Sided {
+  Place3 low, high;
+  bool turned = false;  ///< It runs from `high` to `low`.
+  std::size_t index = 0;
+  auto operator<=>(const Sided&) const = default;
+};
+
+// without those that end where they begin
+std::vector<Sided> sided(std::span<const Edge3> edges) {
+  std::vector<Sided> sorted;
+  sorted.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Place3 a = place_of(edges[i].first), b = place_of(edges[i].second);
+    if (a != b) sorted.push_back({std::min(a, b), std::max(a, b), b < a, i});
   }
-  return count;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+// what is left when opposites have taken each other away: of several alike the first
+std::vector<Edge3> without_opposites(std::span<const Edge3> edges) {
+  const std::vector<Sided> sorted = sided(edges);
+  std::vector<bool> stays(edges.size());
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto is_other = [&](const Sided& edge) { return edge.low != first->low || edge.high != first->high; };
+    const auto end = std::find_if(first, sorted.end(), is_other);
+    const auto turn = std::find_if(first, end, [](const Sided& edge) { return edge.turned; });
+    const auto one = turn - first, other = end - turn;
+    for (auto edge = first; edge < turn && edge - first < one - other; ++edge) stays[edge->index] = true;
+    for (auto edge = turn; edge < end && edge - turn < other - one; ++edge) stays[edge->index] = true;
+    first = end;
+  }
+  std::vector<Edge3> left;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (stays[i]) left.push_back(edges[i]);
+  return left;
 }
 
 // grows with the angle to the left, from -2 to 2
@@ -310,14 +334,11 @@ bool cut_in_two(Face& face, const CutPlane& plane, Face& below) {
 
 bool is_closed(std::span<const Face> faces) {
   if (faces.size() < 4) return false;
-  const std::vector<Edge3> edges = edges_of(faces);
-  const Count count = count_directed(edges);
-  return std::all_of(count.begin(), count.end(), [](const auto& entry) { return entry.second == 0; });
+  return without_opposites(edges_of(faces)).empty();
 }
 
-std::vector<Face> faces_along(std::vector<Edge3> edges, Vec3 normal) {
-  Count left = count_directed(edges);
-  std::erase_if(edges, [&](const Edge3& edge) { return left[{place_of(edge.first), place_of(edge.second)}]-- <= 0; });
+std::vector<Face> faces_along(std::span<const Edge3> all, Vec3 normal) {
+  const std::vector<Edge3> edges = without_opposites(all);
   std::vector<bool> used(edges.size());
   std::vector<Ring3> rings;
   for (std::size_t first = 0; first < edges.size(); ++first) {
@@ -343,7 +364,7 @@ std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane
   for (const Edge3& edge : edges_of(parts))
     if (height_above(plane, edge.first) == 0 && height_above(plane, edge.second) == 0)
       open.push_back({edge.second, edge.first});
-  for (Face& cap : faces_along(std::move(open), plane.normal * -1.0)) parts.push_back(std::move(cap));
+  for (Face& cap : faces_along(open, plane.normal * -1.0)) parts.push_back(std::move(cap));
   return parts;
 }
 

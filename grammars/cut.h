@@ -38,7 +38,7 @@ std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane
 
 /// The rings that run along all edges whose opposites are not there too, put together to faces with this normal.
 /// What does not close within 1e-6 m is left out. O(n²).
-std::vector<Face> faces_along(std::vector<Edge3> edges, Vec3 normal);
+std::vector<Face> faces_along(std::span<const Edge3> edges, Vec3 normal);
 
 /// Faces of one plane that share edges, as one: all edges of which there is no opposite.
 std::vector<Face> merged(std::span<const Face> faces);

@@ -82,16 +82,20 @@ void Run::hit(LimitKind kind, const std::string& rule, Place place) {
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
-  for (const KnownPath& known : paths_below[parent])
-    if (known.name == &rule) return known.path;
+  for (std::uint32_t i = first_below[parent]; i != 0; i = known_paths[i - 1].next)
+    if (known_paths[i - 1].name == &rule) return known_paths[i - 1].path;
   auto path = static_cast<std::uint32_t>(out.paths.size());
-  for (const KnownPath& known : paths_below[parent])
-    if (*known.name == rule) path = known.path;
-  paths_below[parent].push_back({&rule, path});
-  if (path < out.paths.size()) return path;
-  out.paths.push_back({parent, rule});
-  paths_below.emplace_back();
+  for (std::uint32_t i = first_below[parent]; i != 0; i = known_paths[i - 1].next)
+    if (*known_paths[i - 1].name == rule) path = known_paths[i - 1].path;
+  known_paths.push_back({&rule, path, first_below[parent]});
+  first_below[parent] = static_cast<std::uint32_t>(known_paths.size());
+  if (path == out.paths.size()) add_path(parent, rule);
   return path;
+}
+
+void Run::add_path(std::uint32_t parent, const std::string& rule) {
+  out.paths.push_back({parent, rule});
+  first_below.push_back(0);
 }
 
 std::uint32_t Run::look_index(std::uint32_t look) {
@@ -133,10 +137,9 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.attributes.resize(program.attributes.size());
   run.attribute_under_way.resize(program.attributes.size());
   run.constants.resize(program.functions.size());
-  run.out.paths.push_back({0, ""});
-  run.paths_below.emplace_back();
+  run.add_path(0, "");
   run.memo.bodies.resize(program.bodies);
-  run.reaches.found.resize(program.bodies);
+  run.reaches.first_of.resize(program.bodies);
   run.out.shapes = 1;
   begin(run);
   sort_troubles(run);

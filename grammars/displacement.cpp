@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grammars/few.h"
+
 namespace citykiln::grammars {
 namespace {
 
@@ -102,7 +104,7 @@ Ring3 vertices_of(std::span<const Face> faces) {
 
 NodeTrace together(std::span<const ChildTrace> children) {
   NodeTrace node;
-  std::vector<double> back_of_group_m;
+  Few<double, 8> back_of_group_m;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const ChildTrace& child = children[i];
     node.vanished &= child.vanished;

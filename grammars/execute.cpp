@@ -107,8 +107,8 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   execution.pending = false;
 }
 
-std::vector<Argument> arguments_of(const Statement& statement, Context& context) {
-  std::vector<Argument> arguments;
+Few<Argument, 4> arguments_of(const Statement& statement, Context& context) {
+  Few<Argument, 4> arguments;
   arguments.reserve(statement.arguments.size());
   for (const Expression& expression : statement.arguments) {
     Argument& argument = arguments.emplace_back();
@@ -133,13 +133,15 @@ bool is_in_world(const Shape& shape) {
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
   Context context = context_of(execution);
-  const std::vector<Argument> arguments = arguments_of(statement, context);
+  const Few<Argument, 4> evaluated = arguments_of(statement, context);
+  const std::span<const Argument> arguments = all_of(evaluated);
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
   if (row.alters == Alters::kSurface || row.alters == Alters::kFrame || statement.has_selectors)
     remember_start(execution);
-  if (row.alters != Alters::kSurface && row.alters != Alters::kFrame) return row.run(execution, statement, arguments);
+  // what leaves the points where they are leaves them in the world
+  if (row.alters != Alters::kSurface) return row.run(execution, statement, arguments);
   Shape before = execution.shape;
   row.run(execution, statement, arguments);
   if (is_in_world(execution.shape)) return;

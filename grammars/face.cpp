@@ -29,6 +29,8 @@ Ring3 lifted_ring(std::span<const Vec2> ring, const FaceFrame& frame, const Face
 }  // namespace
 
 Vec3 area_vector_m2(std::span<const Vec3> ring) {
+  // of four points the diagonals say it
+  if (ring.size() == 4) return cross(ring[2] - ring[0], ring[3] - ring[1]);
   Vec3 sum;
   for (std::size_t i = 2; i < ring.size(); ++i) sum = sum + cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
   return sum;

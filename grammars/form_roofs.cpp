@@ -130,7 +130,7 @@ Vec3 seen_from(const Patch& patch) {
 void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
   std::vector<Edge3> edges;
   for (const auto& [a, b, c] : patch) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
-  for (Face& face : faces_along(std::move(edges), seen_from(patch))) {
+  for (Face& face : faces_along(edges, seen_from(patch))) {
     face.tag = tag;
     faces.push_back(std::move(face));
   }

@@ -57,13 +57,23 @@ NumberRange range_of_comparison(const std::string& sign, NumberRange a, NumberRa
 }
 
 NumberRange range_of_binary(const std::string& sign, NumberRange a, NumberRange b) {
-  if (sign == "+") return around({a.low + b.low, a.high + b.high});
-  if (sign == "-") return around({a.low - b.high, a.high - b.low});
-  if (sign == "*") return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  if (sign == "&&") return decided(is_true(a) && is_true(b), is_false(a) || is_false(b));
-  if (sign == "||") return decided(is_true(a) || is_true(b), is_false(a) && is_false(b));
-  if (is_among(sign, " < > <= >= == != ")) return range_of_comparison(sign, a, b);
-  return {};
+  switch (sign.front()) {
+    case '+':
+      return around({a.low + b.low, a.high + b.high});
+    case '-':
+      return around({a.low - b.high, a.high - b.low});
+    case '*':
+      return around({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+    case '&':
+      return decided(is_true(a) && is_true(b), is_false(a) || is_false(b));
+    case '|':
+      return decided(is_true(a) || is_true(b), is_false(a) && is_false(b));
+    case '/':
+    case '%':
+      return {};
+    default:
+      return range_of_comparison(sign, a, b);
+  }
 }
 
 NumberRange range_of_value(const Value& value) {
@@ -72,6 +82,7 @@ NumberRange range_of_value(const Value& value) {
 
 NumberRange range_of_function(Outlook outlook, const Expression& call, const NumberRanges& frame) {
   NumberRanges arguments;
+  arguments.reserve(call.operands.size());
   for (const Expression& operand : call.operands) arguments.push_back(range_of(outlook, operand, frame));
   return range_of(outlook, outlook.execution.run.program.functions[call.index].value, arguments);
 }
@@ -314,6 +325,7 @@ void look_at_successor(Course& course, const Statement& statement) {
   // a prism is no face
   if (course.form != Form::kFace) return void(course.unbounded = true);
   NumberRanges arguments;
+  arguments.reserve(statement.arguments.size());
   for (const Expression& argument : statement.arguments)
     arguments.push_back(range_of(course.outlook, argument, course.frame));
   const Rule& rule = course.outlook.execution.run.program.rules[statement.index];
@@ -378,12 +390,16 @@ Reach found_reach(Outlook outlook, const Body& body, NumberRanges frame) {
 Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame) {
   ReachTable& table = outlook.execution.run.reaches;
   const std::uint32_t attributes = outlook.has_set ? kAnyAttributes : outlook.execution.shape.attributes;
-  for (const KnownReach& known : table.found[body.number])
-    if (known.attributes == attributes && known.arguments == frame) return known.reach;
+  std::uint32_t& first = table.first_of[body.number];
+  for (std::uint32_t i = first; i != 0; i = table.found[i - 1].next)
+    if (table.found[i - 1].attributes == attributes && table.found[i - 1].arguments == frame)
+      return table.found[i - 1].reach;
   // what is under way is unbounded: a rule that comes to itself again
-  const std::size_t place = table.found[body.number].size();
-  table.found[body.number].push_back({attributes, frame, {}});
-  return table.found[body.number][place].reach = found_reach(outlook, body, frame);
+  const std::size_t place = table.found.size();
+  table.found.push_back({attributes, frame, {}, first});
+  first = static_cast<std::uint32_t>(place + 1);
+  const Reach reach = found_reach(outlook, body, frame);
+  return table.found[place].reach = reach;
 }
 
 }  // namespace

@@ -42,12 +42,14 @@ struct KnownReach {
   std::uint32_t attributes = 0;
   NumberRanges arguments;
   Reach reach;
+  std::uint32_t next = 0;  ///< Of the same body: 1 + where ReachTable::found has it; 0 for the last.
 };
 
-/// What has been found so far, by Body::number.
+/// What has been found so far.
 struct ReachTable {
-  std::vector<std::vector<KnownReach>> found;
-  std::uint32_t looks = 0;  ///< Bodies and values looked at; after so many, everything is unbounded.
+  std::vector<KnownReach> found;
+  std::vector<std::uint32_t> first_of;  ///< By Body::number: 1 + the newest of `found`; 0 for none.
+  std::uint32_t looks = 0;              ///< Bodies and values looked at; after so many, everything is unbounded.
 };
 
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are

@@ -8,6 +8,7 @@
 #include "compiler/contract/draw.h"
 #include "grammars/derive.h"
 #include "grammars/displacement.h"
+#include "grammars/few.h"
 #include "grammars/memo.h"
 #include "grammars/reach.h"
 #include "grammars/tables.h"
@@ -23,12 +24,14 @@ struct Dice {
   std::uint32_t birth = 0;  ///< Of the shape.
 };
 
-using Frame = std::vector<Value>;
+/// By slot.
+using Frame = Few<Value, 4>;
 
 /// A path, by the name that led there: of equal names that stand in several places of the program each is known.
 struct KnownPath {
-  const std::string* name;
-  std::uint32_t path;
+  const std::string* name = nullptr;
+  std::uint32_t path = 0;
+  std::uint32_t next = 0;  ///< Of the same parent: 1 + where Run::known_paths has it; 0 for the last.
 };
 
 /// What a function of attributes alone is worth, and the steps to find that out.
@@ -54,7 +57,8 @@ struct Run {
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
   std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
   std::uint64_t troubles_told = 0;
-  std::vector<std::vector<KnownPath>> paths_below = {};  ///< By path.
+  std::vector<KnownPath> known_paths = {};
+  std::vector<std::uint32_t> first_below = {};  ///< By path: 1 + the newest of `known_paths` below it; 0 for none.
   Memo memo = {};
   std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
   ReachTable reaches = {};
@@ -74,6 +78,7 @@ struct Run {
   void hit(LimitKind kind, const std::string& rule, Place place);
   /// @param rule  Has to live in the program.
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
+  void add_path(std::uint32_t parent, const std::string& rule);
   /// Where Derivation::looks has this look of the tables.
   std::uint32_t look_index(std::uint32_t look);
 };

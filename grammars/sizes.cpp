@@ -11,7 +11,7 @@ constexpr double kNearlyWhole = 1e-9;  // so that 3 · 0.1 fits into 0.3
 struct Divider {
   double whole_m = 0;  ///< What relative sizes are shares of.
   std::size_t most = 0;
-  std::vector<Interval> made;
+  Intervals made;
   double at_m = 0;  ///< Where the last interval ends.
   bool too_many = false;
 
@@ -56,9 +56,9 @@ double times_fitting(Natural pattern, double room_m, bool others_float) {
 
 /// One list, its repeats counted.
 struct Plan {
-  std::vector<double> times;  ///< Of each item: 1 but for repeats.
-  double stretch = 0;         ///< Of floating sizes.
-  bool fills = false;         ///< Something floats, and there is room for it.
+  Few<double, 8> times;  ///< Of each item: 1 but for repeats.
+  double stretch = 0;    ///< Of floating sizes.
+  bool fills = false;    ///< Something floats, and there is room for it.
 };
 
 bool is_repeat(const SizeItem& item) { return item.kind == SizeKind::kRepeat; }
@@ -122,7 +122,7 @@ void divide(Divider& divider, std::span<const SizeItem> items, double from_m, do
 
 }  // namespace
 
-std::optional<std::vector<Interval>> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most) {
+std::optional<Intervals> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most) {
   Divider divider{length_m, most, {}, 0, false};
   divider.made.reserve(items.size());
   divide(divider, items, 0, std::max(length_m, 0.0));

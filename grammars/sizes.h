@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "grammars/few.h"
 #include "grammars/syntax.h"
 
 namespace citykiln::grammars {
@@ -23,6 +24,8 @@ struct Interval {
   std::uint32_t leaf = 0;
 };
 
+using Intervals = Few<Interval, 8>;
+
 /// A piece thinner than this is given to its neighbour.
 inline constexpr double kSliver_m = 1e-6;
 
@@ -36,6 +39,6 @@ inline constexpr double kSliver_m = 1e-6;
 ///
 /// Guarantees: intervals begin at 0, follow each other without gaps, and do not go beyond the length; with a floating
 /// size they end at it, exactly. std::nullopt where there would be more than `most`. O(intervals).
-std::optional<std::vector<Interval>> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most);
+std::optional<Intervals> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most);
 
 }  // namespace citykiln::grammars

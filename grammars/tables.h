@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "grammars/shape.h"
@@ -12,13 +13,17 @@ namespace citykiln::grammars {
 /// Square metres by look.
 using LookAreas = std::map<std::uint32_t, double>;
 
+struct LookHash {
+  std::size_t operator()(const Look& look) const;
+};
+
 /// Entry 0 of each is what a lot has: the default, or nothing. Entries never change.
 struct Tables {
   std::vector<Look> looks = {Look{}};
   std::vector<TextureFrame> textures = {TextureFrame{}};  ///< In the order in which they were made; twins stay apart.
   std::vector<AttributeSet> attribute_sets = {AttributeSet{}};
   std::vector<LookAreas> look_areas = {LookAreas{}};
-  std::map<Look, std::uint32_t> look_of = {{Look{}, 0}};
+  std::unordered_map<Look, std::uint32_t, LookHash> look_of = {{Look{}, 0}};  ///< Looked up, never gone through.
   std::map<AttributeSet, std::uint32_t> attribute_set_of = {{AttributeSet{}, 0}};
 
   /// Where the table has it, now if not before.

@@ -70,9 +70,13 @@ struct Growth {
     std::swap(now, next);
   }
 
+  bool asks() const {
+    return std::ranges::any_of(now.kinds(), [&](Kind kind) { return system.kinds[kind].name[0] == '?'; });
+  }
+
   // writes into each ?-module what the environment says where it stands
   void answer(int step) {
-    if (!system.has_queries || result.cut) return;
+    if (!system.has_queries || result.cut || !asks()) return;
     const ModuleString string{{now.kinds().begin(), now.kinds().end()}, {now.values().begin(), now.values().end()}};
     // interpretations may move the turtle, and keep the ?-modules and their order
     DeriveOptions rest = options;

@@ -30,6 +30,7 @@ struct Row {
 struct Face {
   std::array<int, 4> corners{};
   std::array<Vec2, 4> uvs{};
+  int stem = 0;  // whose uvs they are
 };
 
 // level 0: box corners, then four points a ring
@@ -40,11 +41,11 @@ struct Cage {
 
 // four quads from a face of the box, or a ring's points, to a ring
 void add_stem(Cage& cage, const std::array<int, 4>& from, const std::array<int, 4>& to,
-              const std::array<Vec2, 5>& from_uv, const std::array<Vec2, 5>& to_uv) {
+              const std::array<Vec2, 5>& from_uv, const std::array<Vec2, 5>& to_uv, int stem = 0) {
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) % 4;
     cage.faces.push_back(
-        {{from[k], from[next], to[next], to[k]}, {from_uv[k], from_uv[k + 1], to_uv[k + 1], to_uv[k]}});
+        {{from[k], from[next], to[next], to[k]}, {from_uv[k], from_uv[k + 1], to_uv[k + 1], to_uv[k]}, stem});
   }
 }
 
@@ -58,21 +59,19 @@ std::array<int, 4> next_ring(Cage& cage) {
 void add_side(Cage& cage, int side, bool open) {
   const int next = (side + 1) % 4;
   const std::array<int, 4> corners{side, next, 4 + next, 4 + side};
-  const double left = side / 4.0, right = left + 0.25, low = 1 / 3.0, high = 2 / 3.0;
-  const std::array<Vec2, 5> uvs{{{left, low}, {right, low}, {right, high}, {left, high}, {left, low}}};
-  if (!open) return cage.faces.push_back({corners, {uvs[0], uvs[1], uvs[2], uvs[3]}});
-  const Vec2 middle = (uvs[0] + uvs[2]) * 0.5;
-  std::array<Vec2, 5> inner;
-  for (int i = 0; i < 5; ++i) inner[i] = (uvs[i] + middle) * 0.5;
-  add_stem(cage, corners, next_ring(cage), uvs, inner);
+  const double left = side / 4.0, right = left + 0.25;
+  if (!open)
+    return cage.faces.push_back({corners, {{{left, kBoxLow}, {right, kBoxLow}, {right, kBoxHigh}, {left, kBoxHigh}}}});
+  const std::array<int, 4> ring = next_ring(cage);
+  add_stem(cage, corners, ring, level_uvs(0), level_uvs(1), (ring[0] - 8) / 4);
 }
 
 Cage make_cage(unsigned open) {
   Cage cage;
   const std::array<int, 4> low{0, 1, 2, 3}, high{4, 5, 6, 7};
   const std::array<int, 4> lower_ring = next_ring(cage), upper_ring = next_ring(cage);
-  add_stem(cage, lower_ring, low, level_uvs(0), level_uvs(1 / 3.0));
-  add_stem(cage, high, upper_ring, level_uvs(2 / 3.0), level_uvs(1));
+  add_stem(cage, lower_ring, low, level_uvs(0), level_uvs(kBoxLow));
+  add_stem(cage, high, upper_ring, level_uvs(kBoxHigh), level_uvs(1));
   for (int side = 0; side < 4; ++side) add_side(cage, side, (open >> side & 1) != 0);
   return cage;
 }
@@ -164,6 +163,7 @@ std::vector<Face> faces_at(const Far::TopologyRefiner& refiner, const Cage& cage
       const std::array<Vec2, 4>& uvs = faces[f].uvs;
       for (int i = 0; i < 4; ++i) {
         Face& child = finer[children[i]];
+        child.stem = faces[f].stem;
         const Far::ConstIndexArray corners = refiner.GetLevel(l + 1).GetFaceVertices(children[i]);
         for (int c = 0; c < 4; ++c) child.corners[c] = corners[c];
         child.uvs[i] = uvs[i];
@@ -201,10 +201,10 @@ JointShape make_joint_shape(int sides, unsigned open) {
   shape.starts.push_back(0);
   std::vector<int> row_of(rings.size(), -1);
   // one corner of a face, in one place and with one uv, is one vertex
-  std::map<std::tuple<int, double, double>, std::uint32_t> vertices;
-  const auto vertex_of = [&](int corner, Vec2 uv) {
-    const auto [found, is_new] =
-        vertices.try_emplace({corner, rounded(uv.x), rounded(uv.y)}, static_cast<std::uint32_t>(shape.vertices.size()));
+  std::map<std::tuple<int, int, double, double>, std::uint32_t> vertices;
+  const auto vertex_of = [&](int corner, Vec2 uv, int stem) {
+    const auto [found, is_new] = vertices.try_emplace({corner, stem, rounded(uv.x), rounded(uv.y)},
+                                                      static_cast<std::uint32_t>(shape.vertices.size()));
     if (!is_new) return found->second;
     if (rings[corner].stem < 0 && row_of[corner] < 0) {
       row_of[corner] = static_cast<int>(shape.starts.size()) - 1;
@@ -213,12 +213,12 @@ JointShape make_joint_shape(int sides, unsigned open) {
     }
     const bool on_ring = rings[corner].stem >= 0;
     shape.vertices.push_back(
-        {rings[corner].stem, on_ring ? rings[corner].index : static_cast<std::uint32_t>(row_of[corner]), uv});
+        {rings[corner].stem, on_ring ? rings[corner].index : static_cast<std::uint32_t>(row_of[corner]), uv, stem});
     return found->second;
   };
   for (const Face& face : faces_at(*refiner, cage, level)) {
     std::array<std::uint32_t, 4> v;
-    for (int i = 0; i < 4; ++i) v[i] = vertex_of(face.corners[i], face.uvs[i]);
+    for (int i = 0; i < 4; ++i) v[i] = vertex_of(face.corners[i], face.uvs[i], face.stem);
     shape.triangles.push_back({v[0], v[1], v[2]});
     shape.triangles.push_back({v[0], v[2], v[3]});
   }

@@ -22,6 +22,9 @@ inline constexpr double kRingReach = 1 / 0.9019;
 inline constexpr double kCornerReach = 1 / 0.6574;
 inline constexpr double kRoundness = 0.0006;
 
+/// Between which v the box lies.
+inline constexpr double kBoxLow = 1 / 3.0, kBoxHigh = 2 / 3.0;
+
 struct JointShape {
   struct Weight {
     std::uint32_t point = 0;
@@ -30,7 +33,10 @@ struct JointShape {
   struct Vertex {
     std::int32_t stem = -1;   ///< On this one's ring, or on none.
     std::uint32_t index = 0;  ///< On the ring, or into `starts`.
-    Vec2 uv;                  ///< u in turns about the stem that goes on, v from 0 on the lower ring to 1 on the upper.
+    /// u in turns about the stem that goes on, v from 0 on the lower ring to 1 on the upper; on the sleeve of a side
+    /// stem of its own, v from 0 on the box to 1 on its ring.
+    Vec2 uv;
+    int uv_stem = 0;  ///< 0: the stem that goes on; else 2 and more, in the order of rings.
   };
   std::vector<Weight> weights;
   std::vector<std::uint32_t> starts;  ///< Row i is weights starts[i] … starts[i + 1].

@@ -129,6 +129,7 @@ struct LSystem {
   Vec3 tropism;           ///< {0, 0, -1} is gravity.
   double elasticity = 0;  ///< Radians a segment turns that stands square to the tropism.
   double height = 0;      ///< The grown plant is scaled to be as high; 0: it stays as it is.
+  std::string bark;       ///< What stems are covered by: a name for whoever draws them; or none.
 };
 
 }  // namespace citykiln::lsystems

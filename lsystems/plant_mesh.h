@@ -17,7 +17,9 @@ struct PartMesh {
 };
 
 struct PlantMesh {
-  PartMesh bark;  ///< u: turns around the stem, v: metres along it. Closed where vertices in one place count as one.
+  /// u around the stem (TubeOptions::bark_m), v in metres along it: where a stem goes on both do, through joints too,
+  /// but for whole pictures. A side stem's begin where it leaves. Closed where vertices in one place count as one.
+  PartMesh bark;
   PartMesh leaf;  ///< u across, v along, 0 … 1. Open: a leaf has two sides and no thickness.
 
   /// From the bark to what it stands for (see mesh_plant), Hausdorff, both ways; without what was left out.

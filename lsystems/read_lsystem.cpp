@@ -117,6 +117,10 @@ void read_height(Reader& reader, Gathered&) { reader.system.height = read_number
 void read_seed(Reader& reader, Gathered&) {
   reader.system.seed = static_cast<std::uint64_t>(read_number_of(reader, "a seed", 0, 1e15));
 }
+void read_bark(Reader& reader, Gathered&) {
+  reader.system.bark = take_name(reader);
+  if (reader.system.bark.empty()) reader.fail_expected("the bark's name");
+}
 void read_elasticity(Reader& reader, Gathered&) {
   reader.system.elasticity = read_number_of(reader, "an elasticity", -1e3, 1e3);
 }
@@ -212,6 +216,7 @@ constexpr Directive kDirectives[] = {
     {"width unit", read_width_unit},
     {"width", read_width},
     {"height", read_height},
+    {"bark", read_bark},
     {"seed", read_seed},
     {"tropism", read_tropism},
     {"elasticity", read_elasticity},

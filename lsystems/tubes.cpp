@@ -21,6 +21,8 @@ constexpr int kLevels = 5;  // 4, 8, … kMostSides
 // each level.
 constexpr double kJointBend[kLevels] = {0.26, 0.093, 0.039, 0.014, 0.0055};
 constexpr std::uint32_t kNotDrawn = 0xffffffff;
+constexpr double kMostPictures = 64;  // around a stem
+constexpr double kFirst = 1;          // where u begins, so that rings may begin up to half a side before their stem
 
 // what goes on from where
 struct Branching {
@@ -72,11 +74,19 @@ Branching branching_of(const Skeleton& skeleton, double tolerance_m) {
   return branching;
 }
 
+// what u is around a stem, in sides of the bark's picture: how much more after a turn, a whole number, and where turns
+// begin
+struct Around {
+  double per_turn = 1, at = 0;
+  double u(double turn) const { return at + per_turn * turn; }
+};
+
 // a ring whose points, sides + 1 of them, stand in the mesh from `first` on
 struct Drawn {
   Ring ring;
   std::uint32_t first = kNotDrawn;
-  double u = 0;  // of the ring's first point, which need not be the first that is drawn
+  double turn = 0;  // of the ring's first point, which need not be the first that is drawn
+  Around around{};  // of the stem
 };
 
 // two sums at once; all of x86-64 has these
@@ -92,6 +102,7 @@ struct Mesher {
   const Skeleton& skeleton;
   const TubeOptions& options;
   const Circle circle = make_circle();
+  const double unit_m = options.bark_m > 0 ? options.bark_m : 1;  // of u
   Branching branching;
   std::vector<Drawn> begins;  // of each segment, as its parent left it
   std::unique_ptr<JointShape> shapes[kLevels][16];
@@ -105,25 +116,27 @@ struct Mesher {
   }
   void bound(double error_m) { out.error_m = std::max(out.error_m, error_m); }
 
-  std::uint32_t draw_ring(const Ring& ring, int shift, double u);
-  void weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double u);
+  std::uint32_t draw_ring(const Ring& ring, const Around& around, int shift = 0, double turn = 0);
+  void weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double turn);
   void bound_strip(const Ring& lower, const Ring& upper);
   Drawn draw_tube(const Drawn& lower, Ring upper, bool turned);
   void cap(const Ring& ring, Vec3 normal);
-  Drawn draw_foot(const Segment& root);
+  Drawn draw_foot(const Segment& root, const Around& around);
   Drawn begin_alone(std::size_t i);
   void end_in_tip(std::size_t i, const Drawn& begin);
   void go_on(std::size_t i, const Drawn& begin);
   void end_in_joint(std::size_t i, const Drawn& begin);
-  void draw_joint(const Joint& joint, double u);
+  double pictures_around(std::size_t i) const;
+  void lay_around(const Joint& joint, const Drawn& end);
+  void draw_joint(const Joint& joint, const Around& arriving);
   void spread_points(const Joint& joint);
   void evaluate(const JointShape& shape, const Joint& joint);
   void reserve();
   void draw_bark();
 };
 
-// points from `shift` on, with u from `u`
-std::uint32_t Mesher::draw_ring(const Ring& ring, int shift, double u) {
+// points from `shift` on, which lies at `turn`
+std::uint32_t Mesher::draw_ring(const Ring& ring, const Around& around, int shift, double turn) {
   const auto first = static_cast<std::uint32_t>(out.bark.positions.size());
   const Vec3 y = cross(ring.axis, ring.x);
   const int stride = kMostSides / ring.sides;
@@ -133,18 +146,18 @@ std::uint32_t Mesher::draw_ring(const Ring& ring, int shift, double u) {
     const Vec3 out_of = outward(ring, y, circle[(i + shift) % ring.sides * stride]);
     out.bark.positions.push_back(point_on(ring, out_of));
     out.bark.normals.push_back(out_of * scale + lean);
-    out.bark.uvs.push_back({u + i * step, ring.along_m});
+    out.bark.uvs.push_back({around.u(turn + i * step) * unit_m, ring.along_m});
   }
   return first;
 }
 
-// merges two rings by their angles; the upper begins at `u` where the lower begins at 0
-void Mesher::weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double u) {
+// merges two rings by their angles; the upper begins at `turn` where the lower begins at 0
+void Mesher::weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double turn) {
   const int m = lower.ring.sides, n = upper.sides;
   const double step_a = 1.0 / m, step_b = 1.0 / n;
   std::uint32_t a = lower.first, b = upper_first;
   for (int i = 0, j = 0; i < m || j < n;) {
-    const bool on_lower = j == n || (i < m && (i + 0.5) * step_a <= u + (j + 0.5) * step_b);
+    const bool on_lower = j == n || (i < m && (i + 0.5) * step_a <= turn + (j + 0.5) * step_b);
     if (on_lower) {
       out.bark.triangles.push_back({a, a + 1, b});
       ++a, ++i;
@@ -169,24 +182,24 @@ Drawn Mesher::draw_tube(const Drawn& lower, Ring upper, bool turned) {
   const Vec3 x = carried(lower.ring.x, lower.ring.axis, upper.axis);
   upper.along_m = lower.ring.along_m + length(upper.at - lower.ring.at);
   int shift = 0;
-  double u = 0, turn = 0;
+  double from = 0, turn = 0;
   if (turned) {
-    // the point that is next to where u is 0
+    // the point that is next to where the lower one begins
     turn = arctangent2_deg(dot(upper.x, cross(upper.axis, x)), dot(upper.x, x)) / 360;
     const double places = std::floor(-turn * upper.sides + 0.5);
     shift = (static_cast<int>(places) + upper.sides) % upper.sides;
-    u = turn + places / upper.sides;
+    from = turn + places / upper.sides;
   } else {
     upper.x = x;
   }
-  const std::uint32_t first = draw_ring(upper, shift, u);
-  weld(lower, upper, first, u);
+  const std::uint32_t first = draw_ring(upper, lower.around, shift, from);
+  weld(lower, upper, first, from);
   bound_strip(lower.ring, upper);
-  return {upper, first, turn};
+  return {upper, first, turn, lower.around};
 }
 
 void Mesher::cap(const Ring& ring, Vec3 normal) {
-  const std::uint32_t first = draw_ring(ring, 0, 0);
+  const std::uint32_t first = draw_ring(ring, {});
   for (int i = 0; i <= ring.sides; ++i) out.bark.normals[first + i] = normal;
   const bool is_upper = dot(normal, ring.axis) > 0;
   for (std::uint32_t i = 1; i + 1 < static_cast<std::uint32_t>(ring.sides); ++i)
@@ -213,19 +226,19 @@ bool has_foot(const Segment& root, double flare) {
 }
 
 // a parabola from the ground to the trunk, in pieces; less where the trunk is too short for it
-Drawn Mesher::draw_foot(const Segment& root) {
+Drawn Mesher::draw_foot(const Segment& root, const Around& around) {
   const double height = foot_height(root), radius = root.start_radius;
   const double more = options.flare * height / 3;
   const double error_m = options.tolerance_m / 4;
   const int pieces = error_m > 0 ? std::clamp(static_cast<int>(std::sqrt(more / (4 * error_m))) + 1, 1, 64) : 64;
-  Drawn foot;
+  Drawn foot{{}, kNotDrawn, 0, around};
   for (int i = 0; i <= pieces; ++i) {
     const double up = static_cast<double>(i) / pieces, rest = 1 - up;
     Ring ring = ring_on(root, radius + more * rest * rest - slope(root) * height * up, options.tolerance_m * 0.75);
     ring.at = ring.at + ring.axis * (height * up);
     ring.slope += 2 * more * rest / height;
     if (i == 0) cap(ring, ring.axis * -1.0);
-    foot = i == 0 ? Drawn{ring, draw_ring(ring, 0, 0)} : draw_tube(foot, ring, false);
+    foot = i == 0 ? Drawn{ring, draw_ring(ring, around), 0, around} : draw_tube(foot, ring, false);
   }
   bound(foot.ring.radius * sagitta(foot.ring.sides) + more / (4.0 * pieces * pieces));
   bound((radius + more) * sagitta(sides_of(radius + more, options.tolerance_m * 0.75)) +
@@ -235,11 +248,12 @@ Drawn Mesher::draw_foot(const Segment& root) {
 
 Drawn Mesher::begin_alone(std::size_t i) {
   ++out.unjoined;
-  if (has_foot(segment(i), options.flare)) return draw_foot(segment(i));
+  const Around around{pictures_around(i), kFirst};
+  if (has_foot(segment(i), options.flare)) return draw_foot(segment(i), around);
   Ring ring = ring_on(segment(i), segment(i).start_radius, options.tolerance_m);
   ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
   cap(ring, ring.axis * -1.0);
-  return {ring, draw_ring(ring, 0, 0)};
+  return {ring, draw_ring(ring, around), 0, around};
 }
 
 void Mesher::end_in_tip(std::size_t i, const Drawn& begin) {
@@ -307,7 +321,64 @@ void Mesher::evaluate(const JointShape& shape, const Joint& joint) {
   }
 }
 
-void Mesher::draw_joint(const Joint& joint, double u) {
+// around the stem that segment i begins, to where it parts or ends
+double Mesher::pictures_around(std::size_t i) const {
+  if (!(options.bark_m > 0)) return 1;
+  const double first = thickest(segment(i));
+  while (children_of(i).size() == 1) i = children_of(i)[0];
+  const double mean = (first + segment(i).end_radius) / 2;
+  return std::clamp(std::floor(kTau * mean / options.bark_m + 0.5), 1.0, kMostPictures);
+}
+
+double fraction(double u) { return u - std::floor(u); }
+
+// What a stem has more or less around it above than below a joint it leaves to the side stem at side 0: so it is
+// sheared least opposite of it.
+constexpr double kOpposite = 0.625;
+
+// u of what leaves a joint
+void Mesher::lay_around(const Joint& joint, const Drawn& end) {
+  const double per_turn = pictures_around(joint.names[1]);
+  const double at = end.around.u(end.turn + kOpposite) - per_turn * kOpposite;
+  begins[joint.names[1]].around = {per_turn, kFirst + fraction(at)};
+  for (std::size_t s = 2; s < joint.stems; ++s)
+    begins[joint.names[s]].around = {pictures_around(joint.names[s]), kFirst};
+}
+
+// Where a place of a joint lies on the bark.
+struct JointBark {
+  const Joint& joint;
+  Around below, above;
+  std::array<double, 2 + kMostSideStems> sleeve_m{};
+
+  JointBark(const Joint& of, const Around& arriving, const Around& leaving) : joint(of), below(arriving) {
+    above.per_turn = leaving.per_turn;
+    above.at = below.u(kOpposite) - above.per_turn * kOpposite;
+    const double whole = kFirst - std::floor(std::min(below.at, above.at));
+    below.at += whole, above.at += whole;
+    std::size_t s = 2;
+    for (int side = 0; side < 4; ++side) {
+      if ((joint.open >> side & 1) == 0) continue;
+      const int next = (side + 1) % 4;
+      const Vec3 middle = (joint.box[side] + joint.box[next] + joint.box[4 + side] + joint.box[4 + next]) * 0.25;
+      sleeve_m[s] = length(joint.rings[s].at - middle), ++s;
+    }
+  }
+
+  // in sides of the picture, and metres
+  Vec2 at(const JointShape::Vertex& vertex, std::span<const Drawn> begins) const {
+    const auto [turn, v] = vertex.uv;
+    if (vertex.uv_stem != 0) {
+      const std::size_t s = vertex.uv_stem;
+      return {begins[joint.names[s]].around.u(turn), joint.rings[s].along_m - (1 - v) * sleeve_m[s]};
+    }
+    const double share = std::clamp((v - kBoxLow) / (kBoxHigh - kBoxLow), 0.0, 1.0);
+    const double low_m = joint.rings[0].along_m;
+    return {std::lerp(below.u(turn), above.u(turn), share), low_m + v * (joint.rings[1].along_m - low_m)};
+  }
+};
+
+void Mesher::draw_joint(const Joint& joint, const Around& arriving) {
   const int level = std::bit_width(static_cast<unsigned>(joint.rings[0].sides)) - 3;
   std::unique_ptr<JointShape>& made = shapes[level][joint.open];
   if (!made) made = std::make_unique<JointShape>(make_joint_shape(joint.rings[0].sides, joint.open));
@@ -317,9 +388,10 @@ void Mesher::draw_joint(const Joint& joint, double u) {
   const int stride = kMostSides / joint.rings[0].sides;
   std::array<Vec3, 2 + kMostSideStems> y;
   for (int s = 0; s < shape.stems; ++s) y[s] = cross(joint.rings[s].axis, joint.rings[s].x);
-  const double low_m = joint.rings[0].along_m, span_m = joint.rings[1].along_m - low_m;
+  const JointBark bark(joint, arriving, begins[joint.names[1]].around);
   for (const JointShape::Vertex& vertex : shape.vertices) {
-    out.bark.uvs.push_back({u + vertex.uv.x, low_m + vertex.uv.y * span_m});
+    const Vec2 at = bark.at(vertex, begins);
+    out.bark.uvs.push_back({at.x * unit_m, at.y});
     if (vertex.stem < 0) {
       out.bark.positions.push_back(positions[vertex.index]);
       out.bark.normals.push_back(normals[vertex.index]);
@@ -377,7 +449,8 @@ void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
   joint.rings[0].along_m = low_m;
   for (std::size_t s = 1; s < joint.stems; ++s)
     joint.rings[s].along_m = low_m + length(joint.rings[s].at - joint.rings[0].at);
-  draw_joint(joint, end.u);
+  lay_around(joint, end);
+  draw_joint(joint, {end.around.per_turn, end.around.u(end.turn)});
   for (std::size_t s = 1; s < joint.stems; ++s) begins[joint.names[s]].ring = joint.rings[s];
   for (std::size_t s = joined; s < stems.size(); ++s) branching.attached[stems[s].name] = false;
   const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
@@ -409,7 +482,7 @@ void Mesher::draw_bark() {
       continue;
     }
     Drawn begin = branching.attached[i] ? begins[i] : begin_alone(i);
-    if (begin.first == kNotDrawn) begin.first = draw_ring(begin.ring, 0, 0);
+    if (begin.first == kNotDrawn) begin.first = draw_ring(begin.ring, begin.around);
     const std::size_t children = children_of(i).size();
     if (children == 0) end_in_tip(i, begin);
     if (children == 1) go_on(i, begin);

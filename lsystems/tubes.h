@@ -28,6 +28,9 @@ struct TubeOptions {
   /// By Instance::kind; kinds beyond its end, and empty surfaces, become cards: a kite of four corners.
   std::span<const LeafSurface> surfaces;
   bool instances = true;  ///< Else they are left to who places prototypes.
+  /// The side of the picture of the bark, which repeats: u then counts metres on it, a whole number of pictures around
+  /// each stem, as many as fit its mean girth; at least one. 0: one of a side of 1, so that u counts turns. From 1 on.
+  double bark_m = 0;
 };
 
 inline constexpr int kMostSides = 64;

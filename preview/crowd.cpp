@@ -94,14 +94,16 @@ struct Crowd::Calls {
   }
 };
 
-Crowd::Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture)
-    : shape_(&shape), scene_(rtcNewScene(device)) {
+Crowd::Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture,
+             std::vector<const SurfaceTexture*> surfaces)
+    : shape_(&shape), surfaces_(std::move(surfaces)), scene_(rtcNewScene(device)) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   if (!shape.cutout.colour.texels.empty()) cutout_ = std::make_unique<CutoutTexture>(shape.cutout);
   low_ = {kFar, kFar, kFar}, high_ = {-kFar, -kFar, -kFar};
-  for (const bake::Primitive& primitive : shape.primitives) {
+  for (std::size_t i = 0; i < shape.primitives.size(); ++i) {
+    const bake::Primitive& primitive = shape.primitives[i];
     if (primitive.triangles.empty()) continue;
-    parts_.push_back(moved(primitive, {}, texture, nullptr, nullptr, cutout_.get()));
+    parts_.push_back(moved(primitive, {}, texture, surfaces_[i], nullptr, cutout_.get()));
     for (const bake::Float3& p : primitive.positions) {
       low_ = {std::min<double>(low_.x, p[0]), std::min<double>(low_.y, p[1]), std::min<double>(low_.z, p[2])};
       high_ = {std::max<double>(high_.x, p[0]), std::max<double>(high_.y, p[1]), std::max<double>(high_.z, p[2])};
@@ -114,12 +116,13 @@ Crowd::Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture*
 
 Crowd::~Crowd() { rtcReleaseScene(scene_); }
 
-bool Crowd::is_of(const bake::Instanced& shape, const SheetTexture* texture) const {
+bool Crowd::is_of(const bake::Instanced& shape, const SheetTexture* texture,
+                  std::span<const SurfaceTexture* const> surfaces) const {
   const auto is_on_it = [&](const MeshPart& part) {
     return part.primitive->coloured != materials::Coloured::kBySheet || part.texture == texture;
   };
   return shape_->primitives == shape.primitives && shape_->cutout == shape.cutout &&
-         std::ranges::all_of(parts_, is_on_it);
+         std::ranges::equal(surfaces_, surfaces) && std::ranges::all_of(parts_, is_on_it);
 }
 
 void Crowd::add(const bake::Instanced& instanced, Vec3 offset) {

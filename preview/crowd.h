@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "preview/mesh_part.h"
@@ -20,13 +21,16 @@ struct Place {
 class Crowd {
  public:
   /// @param texture  The sheet of the shape's tile, if any.
-  Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture);
+  /// @param surfaces  Of each of its primitives the tile's texture of its material, if any.
+  Crowd(RTCDevice device, const bake::Instanced& shape, const SheetTexture* texture,
+        std::vector<const SurfaceTexture*> surfaces);
   ~Crowd();
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// Is it the same shape, triangle by triangle, and on the same sheet, if on any?
-  bool is_of(const bake::Instanced& shape, const SheetTexture* texture) const;
+  /// Is it the same shape, triangle by triangle, and on the same sheet and textures, if on any?
+  bool is_of(const bake::Instanced& shape, const SheetTexture* texture,
+             std::span<const SurfaceTexture* const> surfaces) const;
   /// Adds the places of a tile whose origin is at `offset` in the world.
   void add(const bake::Instanced& instanced, Vec3 offset);
   /// Adds all places to the uncommitted top scene. They are numbered from `first` in RTCHit::instID; the crowd must
@@ -42,6 +46,7 @@ class Crowd {
   struct Calls;
 
   const bake::Instanced* shape_;
+  std::vector<const SurfaceTexture*> surfaces_;
   std::unique_ptr<CutoutTexture> cutout_;
   std::vector<MeshPart> parts_;
   RTCScene scene_;

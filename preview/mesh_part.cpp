@@ -47,8 +47,8 @@ Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners
 }
 
 // The same where a metre of the surface need not be one of the picture: atlases of several levels in one have texels of
-// one size.
-Patch patch_on_atlas(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
+// one size, and plants stand in many.
+Patch patch_in_scale(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
                      const Beam& beam) {
   Patch patch = patch_of(part, corners, found, beam);
   const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
@@ -89,7 +89,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   std::array<double, 3> colour{own[0], own[1], own[2]};
   if (part.texture != nullptr) colour = part.texture->mean(patch_of(part, corners, found, beam));
   if (part.surface != nullptr) {
-    const Patch patch = patch_of(part, corners, found, beam);
+    const Patch patch = patch_in_scale(part, corners, found, beam);
     colour = part.surface->colour(patch);
     if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch), {});
   }
@@ -98,14 +98,14 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   hit.material = primitive.material;
   hit.roughness = values.roughness;
   if (part.imprint != nullptr) {
-    const Patch patch = patch_on_atlas(part, corners, found, beam);
+    const Patch patch = patch_in_scale(part, corners, found, beam);
     colour = part.imprint->colour(patch);
     hit.roughness = part.imprint->roughness(patch);
     emission = part.imprint->emission(patch);
     if (part.imprint->has_normals()) roughen(hit, part, corners, part.imprint->normal(patch), {});
   }
   if (part.cutout != nullptr) {
-    const Patch patch = patch_on_atlas(part, corners, found, beam);
+    const Patch patch = patch_in_scale(part, corners, found, beam);
     colour = part.cutout->colour(patch);
     if (part.cutout->has_normals()) roughen(hit, part, corners, part.cutout->normal(patch), beam.direction);
   }

@@ -81,6 +81,12 @@ struct World::Scene {
     return surfaces.emplace_back(std::make_unique<SurfaceTexture>(*own)).get();
   }
 
+  std::vector<const SurfaceTexture*> surfaces_of(const bake::BakedTile& tile, const bake::Instanced& instanced) {
+    std::vector<const SurfaceTexture*> of;
+    for (const bake::Primitive& primitive : instanced.primitives) of.push_back(surface_of(tile, primitive.material));
+    return of;
+  }
+
   // No two tiles have the same.
   const ImprintTexture* imprint_of(const bake::BakedTile& tile) {
     if (tile.imprints.colour.texels.empty()) return nullptr;
@@ -98,8 +104,11 @@ struct World::Scene {
   void add_crowds(const bake::BakedTile& tile) {
     const SheetTexture* texture = texture_of(tile);
     for (const bake::Instanced& instanced : tile.instanced) {
-      auto crowd = std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced, texture); });
-      if (crowd == crowds.end()) crowd = crowds.insert(crowd, std::make_unique<Crowd>(device, instanced, texture));
+      const auto surfaces = surfaces_of(tile, instanced);
+      auto crowd =
+          std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced, texture, surfaces); });
+      if (crowd == crowds.end())
+        crowd = crowds.insert(crowd, std::make_unique<Crowd>(device, instanced, texture, surfaces));
       (*crowd)->add(instanced, tile.origin - origin);
     }
   }

@@ -86,9 +86,9 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
 
   tile.features.assign(firing.features.begin(), firing.features.end());
   merge_meshes(firing);
-  tile.textures = textures_shown(tile.primitives, firing.texel_m(), header.seed);
   fire_trees(firing, placed.trees, grove);
   fire_lamps(firing, placed.lamps, common.carving, report);
+  tile.textures = textures_shown(tile, firing.texel_m(), header.seed);
   return tile;
 }
 

@@ -80,7 +80,7 @@ struct BakedTile {
   std::vector<Instanced> instanced;
   materials::Sheet sheet{};   ///< What primitives on the sheet are coloured by; no texels: there are none.
   imprint::Atlas imprints{};  ///< Likewise: what facades of this level show as pictures.
-  /// Of the tile's own primitives that have uvs and are coloured by their material, by material, rising, where the
+  /// Of primitives, shared ones too, that have uvs and are coloured by their material, by material, rising, where the
   /// tolerance has any.
   std::vector<materials::Texture> textures{};
   std::optional<SeenFrom> seen_from{};  ///< Then tolerance_m is the finest of many.

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <set>
 
 namespace citykiln::bake {
 namespace {
@@ -86,12 +87,15 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
   }
 }
 
-std::vector<materials::Texture> textures_shown(std::span<const Primitive> primitives, double tolerance_m,
-                                               std::uint64_t seed) {
-  std::vector<materials::Material> shown;
-  for (const Primitive& p : primitives)
-    if (!p.uvs.empty() && p.coloured == materials::Coloured::kByMaterial) shown.push_back(p.material);
-  return materials::textures_of(shown, tolerance_m, seed);
+std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m, std::uint64_t seed) {
+  std::set<materials::Material> shown;
+  const auto look_at = [&](const std::vector<Primitive>& primitives) {
+    for (const Primitive& p : primitives)
+      if (!p.uvs.empty() && p.coloured == materials::Coloured::kByMaterial) shown.insert(p.material);
+  };
+  look_at(tile.primitives);
+  for (const Instanced& instanced : tile.instanced) look_at(instanced.primitives);
+  return materials::textures_of(std::vector(shown.begin(), shown.end()), tolerance_m, seed);
 }
 
 std::vector<Primitive> primitives_of(Merged&& merged) {

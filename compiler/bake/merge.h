@@ -24,9 +24,8 @@ std::vector<Primitive> primitives_of(Merged&& merged);
 /// Meshes that stand in many places: about their own origin, without features, which the places have.
 std::vector<Primitive> shared_primitives(std::span<const materials::DressedMesh> meshes);
 
-/// The textures of what shows its material's, in the order of materials.
-std::vector<materials::Texture> textures_shown(std::span<const Primitive> primitives, double tolerance_m,
-                                               std::uint64_t seed);
+/// The textures of what of a tile and of its shared meshes shows its material's, in the order of materials.
+std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m, std::uint64_t seed);
 
 Float3 offset_from(Vec3 origin, Vec3 p);
 

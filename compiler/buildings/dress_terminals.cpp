@@ -25,16 +25,18 @@ std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp
 
 bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green < 1 || look.blue < 1; }
 
-// Strictly: then a fan from any corner has no flat triangle.
+bool turns_left(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - b), normal) > kLeast_m2; }
+
+// Strictly: then a fan from any corner has no flat triangle. Of more than four corners one that goes round twice turns
+// left everywhere too, but not as its first corner sees it.
 bool is_convex(const grammars::Ring3& ring, Vec3 normal) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
-    if (dot(cross(b - a, c - b), normal) <= kLeast_m2) return false;
-  }
-  return true;
+  const std::size_t n = ring.size();
+  bool is = n >= 3;
+  for (std::size_t i = 0; i < n && is; ++i) is = turns_left(ring[i], ring[(i + 1) % n], ring[(i + 2) % n], normal);
+  for (std::size_t i = 2; n > 4 && i < n && is; ++i) is = turns_left(ring[0], ring[i - 1], ring[i], normal);
+  return is;
 }
 
-// Of up to four corners: those that turn the same way everywhere go round once.
 void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
@@ -76,7 +78,7 @@ void add_triangulated(const Face& face, Mesh& mesh) {
 
 void add_face(const Face& face, Vec3 normal, Mesh& mesh) {
   if (area_m2(face) < kLeast_m2) return;
-  const bool is_simple = face.holes.empty() && face.outer.size() <= 4 && is_convex(face.outer, normal);
+  const bool is_simple = face.holes.empty() && is_convex(face.outer, normal);
   if (is_simple) return add_fan(face.outer, mesh);
   add_triangulated(face, mesh);
 }

@@ -1,6 +1,7 @@
 #include "compiler/imprint/imprint.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -105,43 +106,98 @@ std::optional<Flat> flat_of(const Canvas& canvas, const Facet& facet) {
   return Flat{{*a, *c, *b}, {canvas.behind_m(facet.a), canvas.behind_m(facet.c), canvas.behind_m(facet.b)}};
 }
 
-// The samples whose middles may lie between two places.
+// The samples whose middles lie between two places, ends among them.
 struct Span {
   std::int64_t first, end;
+  std::size_t size() const { return static_cast<std::size_t>(end - first); }
 };
 Span span_of(std::int64_t low, std::int64_t high, std::int64_t count) {
+  constexpr std::int64_t kHalf = kSteps / 2;
+  // shifts round down, also what is negative
+  const auto steps_down = [](std::int64_t v) { return v >> std::countr_zero(static_cast<std::uint64_t>(kSteps)); };
   const auto clamped = [&](std::int64_t v) { return std::clamp<std::int64_t>(v, 0, count); };
-  // one more on either side is cheaper than to think of signs
-  return {clamped(low / kSteps - 1), clamped(high / kSteps + 1)};
+  return {clamped(steps_down(low - kHalf + kSteps - 1)), clamped(steps_down(high - kHalf) + 1)};
 }
 
-void put(Canvas& canvas, const Flat& flat, std::int64_t row, std::int64_t column, std::uint32_t coat) {
+// The triangle along a row of samples: the three edges' areas, and how far behind the rectangle it is.
+struct Scan {
+  std::array<std::int64_t, 3> inside{}, along{}, down{};  ///< Not negative inside; and from one sample to the next.
+  double behind_m = 0, along_m = 0, down_m = 0;
+
+  bool is_inside() const { return (inside[0] | inside[1] | inside[2]) >= 0; }
+  void move(const std::array<std::int64_t, 3>& way) {
+    for (std::size_t i = 0; i < 3; ++i) inside[i] += way[i];
+  }
+};
+
+// At the middle of a sample.
+Scan scan_from(const Flat& flat, std::int64_t column, std::int64_t row) {
   const Point p{column * kSteps + kSteps / 2, row * kSteps + kSteps / 2};
-  std::array<std::int64_t, 3> weight{};
+  const double area = static_cast<double>(edge(flat.at[0], flat.at[1], flat.at[2]));
+  Scan scan;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point a = flat.at[(i + 1) % 3], b = flat.at[(i + 2) % 3];
-    weight[i] = edge(a, b, p);
-    if (weight[i] < 0 || (weight[i] == 0 && !owns(a, b))) return;
+    const double share_m = flat.behind_m[i] / area;
+    const std::int64_t weight = edge(a, b, p);
+    scan.inside[i] = owns(a, b) ? weight : weight - 1;
+    scan.along[i] = (a.y - b.y) * kSteps, scan.down[i] = (b.x - a.x) * kSteps;
+    scan.behind_m += static_cast<double>(weight) * share_m;
+    scan.along_m += static_cast<double>(scan.along[i]) * share_m;
+    scan.down_m += static_cast<double>(scan.down[i]) * share_m;
   }
-  double behind_m = 0;
-  const auto area = static_cast<double>(weight[0] + weight[1] + weight[2]);
-  for (std::size_t i = 0; i < 3; ++i) behind_m += static_cast<double>(weight[i]) / area * flat.behind_m[i];
-  if (!(behind_m >= -canvas.view.before_m && behind_m <= canvas.view.behind_m)) return;
+  return scan;
+}
+
+void put(const View& view, double behind_m, std::uint32_t coat, Sample& sample) {
+  if (!(behind_m >= -view.before_m && behind_m <= view.behind_m)) return;
   const auto depth = static_cast<std::int32_t>(std::floor(behind_m / kQuantum_m + 0.5));
-  Sample& sample = canvas.samples[static_cast<std::size_t>(row * canvas.columns + column)];
   const bool is_foremost =
       sample.coat == Sample::kNothing || depth < sample.depth || (depth == sample.depth && coat < sample.coat);
   if (is_foremost) sample = {depth, coat};
 }
 
+// What is convex is left once. @param samples  As many as the scan may meet.
+void draw_row(const View& view, Scan scan, std::span<Sample> samples, std::uint32_t coat) {
+  bool entered = false;
+  for (std::size_t i = 0; i < samples.size(); ++i, scan.move(scan.along)) {
+    if (!scan.is_inside() && entered) return;
+    if (!scan.is_inside()) continue;
+    entered = true;
+    put(view, scan.behind_m + static_cast<double>(i) * scan.along_m, coat, samples[i]);
+  }
+}
+
+// Beyond the depth that the view shows; not where rounding may decide.
+bool is_out_of_depth(const Canvas& canvas, double least_m, double most_m) {
+  return most_m < -canvas.view.before_m - kQuantum_m || least_m > canvas.view.behind_m + kQuantum_m;
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Facet& facet) {
+  const auto [low, high] = std::minmax({canvas.behind_m(facet.a), canvas.behind_m(facet.b), canvas.behind_m(facet.c)});
+  return is_out_of_depth(canvas, low, high);
+}
+
+bool is_out_of_depth(const Canvas& canvas, const Box3& box) {
+  const double middle_m = canvas.behind_m((box.low + box.high) * 0.5);
+  const Vec3 half = (box.high - box.low) * 0.5, out = canvas.out;
+  const double reach_m = std::abs(out.x) * half.x + std::abs(out.y) * half.y + std::abs(out.z) * half.z;
+  return is_out_of_depth(canvas, middle_m - reach_m, middle_m + reach_m);
+}
+
 void draw(Canvas& canvas, const Facet& facet) {
+  if (is_out_of_depth(canvas, facet)) return;
   const std::optional<Flat> flat = flat_of(canvas, facet);
   if (!flat) return;
   const auto& [a, b, c] = flat->at;
   const Span across = span_of(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), canvas.columns);
   const Span down = span_of(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), canvas.rows);
-  for (std::int64_t row = down.first; row < down.end; ++row)
-    for (std::int64_t column = across.first; column < across.end; ++column) put(canvas, *flat, row, column, facet.coat);
+  Scan scan = scan_from(*flat, across.first, down.first);
+  const double first_m = scan.behind_m;
+  for (std::int64_t row = down.first; row < down.end; ++row, scan.move(scan.down)) {
+    scan.behind_m = first_m + static_cast<double>(row - down.first) * scan.down_m;
+    const auto at = static_cast<std::size_t>(row * canvas.columns + across.first);
+    draw_row(canvas.view, scan, std::span(canvas.samples).subspan(at, across.size()), facet.coat);
+  }
 }
 
 // What of a shape a view shows, of coats that `is_asked_for`.
@@ -150,7 +206,7 @@ Canvas drawn(const Shape& shape, const View& view, Asked is_asked_for) {
   Canvas canvas{view};
   const Box3 reach = reach_of(canvas);
   for (std::size_t block = 0; block < shape.blocks.size(); ++block) {
-    if (!meet(reach, shape.blocks[block])) continue;
+    if (!meet(reach, shape.blocks[block]) || is_out_of_depth(canvas, shape.blocks[block])) continue;
     const std::size_t first = block * kBlock, end = std::min(first + kBlock, shape.facets.size());
     for (std::size_t i = first; i < end; ++i)
       if (is_asked_for(shape.facets[i].coat) && meet(reach, shape.facets[i].box)) draw(canvas, shape.facets[i]);
@@ -210,18 +266,35 @@ std::array<std::uint16_t, 3> emission_at(const Seen& seen, std::span<const Show>
   return shows[lamp.depth - front.depth > kAside ? lamp.coat : front.coat].emission;
 }
 
-// The mean of a texel's samples.
+// Samples in a row that show the same, as one texel.
+struct Alike {
+  Texel texel{};
+  std::uint32_t coat = Sample::kNothing;
+
+  bool takes(std::uint32_t other, const std::array<std::uint16_t, 3>& emission) {
+    const bool is_same = texel.shown > 0 && coat == other && texel.emission == emission;
+    texel.shown = static_cast<std::uint8_t>(texel.shown + is_same);
+    return is_same;
+  }
+};
+
+// The mean of a texel's samples. Most texels show one coat, and that is theirs.
 Texel texel_of(const Seen& seen, std::span<const Show> shows, std::size_t column, std::size_t row) {
   const Canvas& canvas = seen.all;
   TexelSum sum;
+  Alike alike;
   for (std::size_t y = row * kSamples; y < (row + 1) * kSamples; ++y)
     for (std::size_t x = column * kSamples; x < (column + 1) * kSamples; ++x) {
       const std::size_t at = y * static_cast<std::size_t>(canvas.columns) + x;
-      const Sample& sample = canvas.samples[at];
-      if (sample.coat == Sample::kNothing) continue;
-      const Show& show = shows[sample.coat];
-      sum.add({show.light, show.roughness, show.metalness, 1, emission_at(seen, shows, at)});
+      const std::uint32_t coat = canvas.samples[at].coat;
+      if (coat == Sample::kNothing) continue;
+      const auto emission = emission_at(seen, shows, at);
+      if (alike.takes(coat, emission)) continue;
+      sum.add(alike.texel);
+      alike = {{shows[coat].light, shows[coat].roughness, shows[coat].metalness, 1, emission}, coat};
     }
+  if (alike.texel.shown == kSamplesOfTexel) return alike.texel;
+  sum.add(alike.texel);
   return sum.mean(1);
 }
 

@@ -41,8 +41,9 @@ const Row* row_of(Material material) {
 
 // The most texels a side, a power of two, that are as large as the tolerance.
 std::uint32_t texels_at(const Row& row, std::uint32_t most_px, double tolerance_m) {
+  const double least_m = is_bark(row.pattern) ? tolerance_m / kBarkFiner : tolerance_m;
   std::uint32_t px = std::min(row.side_px, most_px);
-  while (px >= kFewest_px && row.side_m / px < tolerance_m) px /= 2;
+  while (px >= kFewest_px && row.side_m / px < least_m) px /= 2;
   return px >= kFewest_px ? px : 0;
 }
 
@@ -128,6 +129,16 @@ double side_m(const Texture& texture) {
 bool has_texture(Material material, double tolerance_m) {
   const Row* row = row_of(material);
   return row != nullptr && tolerance_m < kPlainGround_m && texels_at(*row, row->side_px, tolerance_m) > 0;
+}
+
+double texture_side_m(Material material) {
+  const Row* row = row_of(material);
+  return row == nullptr ? 0 : row->side_m;
+}
+
+bool is_bark(Material material) {
+  const Row* row = row_of(material);
+  return row != nullptr && is_bark(row->pattern);
 }
 
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {

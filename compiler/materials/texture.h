@@ -34,9 +34,18 @@ double side_m(const Texture& texture);
 /// From this tolerance on a texel is larger than what textures show: plain colours, their means, do.
 inline constexpr double kPlainGround_m = 0.25;
 
+/// Bark is looked at from nearer than all else that is as fine: its texels may be so much smaller than the tolerance.
+inline constexpr double kBarkFiner = 8;
+
 /// Does the material have one at this tolerance, which must be under kPlainGround_m? Its texels are at least as large
-/// as the tolerance.
+/// as the tolerance; of bark, as an eighth of it.
 bool has_texture(Material material, double tolerance_m);
+
+/// The side of the material's texture, metres; 0: it has none.
+double texture_side_m(Material material);
+
+/// Is it bark, which has its texture around stems?
+bool is_bark(Material material);
 
 /// The texture of a material that has one.
 ///

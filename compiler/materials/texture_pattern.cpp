@@ -202,6 +202,69 @@ Tones waves(std::uint32_t px, std::uint64_t) {
   return {flat(px), levelled(relief, 1)};
 }
 
+// Of noise, how far from where it passes through 0, up to `width`: 0 … 1.
+double off_zero(double noise, double width) { return std::min(1.0, std::abs(noise) / width); }
+
+Tones furrows(std::uint32_t px, std::uint64_t key) {
+  const Field wide = gradient_noise(px, {11, 3}, key), narrow = gradient_noise(px, {21, 5}, key + 1),
+              cracks = gradient_noise(px, {12, 14}, key + 2), detail = layered_noise(px, {32, 12}, 3, 0.8, key + 10);
+  const Field relief = combined(px, [&](auto c, auto r) {
+    const double ridge = off_zero(wide.at(c, r), 0.26) * (0.55 + 0.45 * off_zero(narrow.at(c, r), 0.24));
+    return ridge - 0.22 * (1 - off_zero(cracks.at(c, r), 0.05)) * ridge + 0.16 * detail.at(c, r);
+  });
+  return fine_tones(relief);
+}
+
+Tones streaks(std::uint32_t px, std::uint64_t key) {
+  const Field across = layered_noise(px, {5, 18}, 3, 0.8, key), detail = layered_noise(px, {24, 24}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) { return across.at(c, r) + 0.7 * detail.at(c, r); }));
+}
+
+// Steps from 0 to 1 where a value passes through `at`.
+double step(double value, double at, double width) { return std::clamp((value - at) / width + 0.5, 0.0, 1.0); }
+
+Tones lenticels(std::uint32_t px, std::uint64_t key) {
+  const Field dashes = gradient_noise(px, {9, 44}, key), bands = layered_noise(px, {4, 30}, 3, 0.9, key + 1);
+  const Cells scars = cells(px, 8, key + 2);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    const double scar = step(scars.chance.at(c, r), 0.94, 0.01) * step(scars.to_edge.at(c, r), 0.3, 0.3);
+    return 0.35 * bands.at(c, r) - 1.3 * std::max(step(dashes.at(c, r), 0.36, 0.12), scar);
+  }));
+}
+
+// Twice side by side: twice as high as wide.
+Tones plates(std::uint32_t px, std::uint64_t key) {
+  const Cells large = cells(px, 7, key);
+  const Field sway = gradient_noise(px, {9, 7}, key + 1), detail = layered_noise(px, {14, 30}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    const auto moved = static_cast<std::uint32_t>(2 * c + px + static_cast<int>(0.05 * px * sway.at(c, r))) % px;
+    return 1.6 * std::min(large.to_edge.at(moved, r), 0.3f) + 0.3 * large.chance.at(moved, r) + 0.3 * detail.at(c, r);
+  }));
+}
+
+Tones flakes(std::uint32_t px, std::uint64_t key) {
+  const Cells patches = cells(px, 20, key);
+  const Field along = layered_noise(px, {16, 16}, 3, 0.8, key + 1),
+              across = layered_noise(px, {16, 16}, 3, 0.8, key + 2),
+              detail = layered_noise(px, {32, 32}, 2, 1, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    const auto moved = [&](std::uint32_t at, const Field& by) {
+      return (at + px + static_cast<std::uint32_t>(static_cast<int>(0.035 * px * by.at(c, r)) + int(px))) % px;
+    };
+    const double chance = patches.chance.at(moved(c, along), moved(r, across));
+    return std::floor(chance * 3) / 2 + 0.16 * detail.at(c, r);
+  }));
+}
+
+Tones scars(std::uint32_t px, std::uint64_t key) {
+  constexpr double kScars = 16;
+  const Field sway = gradient_noise(px, {5, 4}, key), fibres = layered_noise(px, {40, 8}, 3, 0.9, key + 10);
+  return fine_tones(combined(px, [&](auto c, auto r) {
+    const double place = (r + 0.5) / px * kScars + 0.6 * sway.at(c, r), up = place - std::floor(place);
+    return 0.5 * std::min(1.0, 5 * std::min(up, 1 - up)) + 0.5 * fibres.at(c, r);
+  }));
+}
+
 }  // namespace
 
 Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
@@ -232,6 +295,18 @@ Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
       return bricks(side_px, 9, 6, 0.16, key);
     case Pattern::kWaves:
       return waves(side_px, key);
+    case Pattern::kFurrows:
+      return furrows(side_px, key);
+    case Pattern::kStreaks:
+      return streaks(side_px, key);
+    case Pattern::kLenticels:
+      return lenticels(side_px, key);
+    case Pattern::kPlates:
+      return plates(side_px, key);
+    case Pattern::kFlakes:
+      return flakes(side_px, key);
+    case Pattern::kScars:
+      return scars(side_px, key);
   }
   return {flat(side_px), flat(side_px)};
 }

@@ -18,13 +18,22 @@ enum class Pattern : std::uint8_t {
   kMasonry,  ///< Courses of stone along u.
   kBricks,   ///< Courses of bricks along u, a decimetre each on 2 m.
   kTiles,    ///< Rows of roof tiles along u, a third of a metre each on 2 m.
-  kWaves     ///< Of water; tone is flat.
+  kWaves,    ///< Of water; tone is flat.
+  // bark, v along the stem
+  kFurrows,    ///< Ridges along it that part and meet again: oak.
+  kStreaks,    ///< Hardly any, across: beech.
+  kLenticels,  ///< Dark dashes across, and scars: birch.
+  kPlates,     ///< Of some decimetres: pine.
+  kFlakes,     ///< Patches of what has come off at several times: plane.
+  kScars       ///< Rings of leaves that were, a sixteenth apart: palm.
 };
 
 struct Tones {
   Field tone;    ///< Mean 0, two standard deviations 1 (all 0 where there is nothing to see), within -1 … 1.
   Field relief;  ///< Height, mean 0, standard deviation 1.
 };
+
+inline bool is_bark(Pattern pattern) { return pattern >= Pattern::kFurrows; }
 
 /// Guarantees: repeats without a seam; nothing in it is longer than half a side, so that repeating does not show from
 /// afar; a function of the arguments alone. O(texels).

@@ -75,16 +75,26 @@ std::vector<Vec3> places_on(const Mesh& mesh) {
   return places;
 }
 
-// The distance to the nearest, where it is more than `known`; else less than that.
-template <typename Things, typename Distance>
-double beyond(double known, const Things& things, Distance distance_to) {
-  double nearest = 1e300;
-  for (const auto& thing : things) {
-    nearest = std::min(nearest, distance_to(thing));
-    if (nearest <= known) break;
+// The nearest of many things to one place after another. Places that follow each other are near each other, and so are
+// things: what was near the last place is asked first.
+struct Nearest {
+  std::size_t count;
+  std::size_t last = 0;
+
+  // The distance to the nearest, where it is more than `known`; else less than that.
+  template <typename Distance>
+  double beyond(double known, Distance distance_to) {
+    double nearest = 1e300;
+    std::size_t near = last;
+    for (std::size_t i = 0; i < count && nearest > known; ++i) {
+      const std::size_t thing = last + i < count ? last + i : last + i - count;
+      const double off = distance_to(thing);
+      if (off < nearest) nearest = off, near = thing;
+    }
+    last = near;
+    return nearest;
   }
-  return nearest;
-}
+};
 
 double longest_side_m(const Mesh& mesh) {
   double longest = 0;
@@ -96,15 +106,21 @@ double longest_side_m(const Mesh& mesh) {
 
 // From corners of cards to places spread over the hull, and back; no place of the hull is farther from its nearest one
 // than a piece's side over √3.
-double error_m_of(const Mesh& mesh, const Foliage& foliage) {
+// Not less than `least_m`, beyond which alone it is looked for.
+double error_m_of(const Mesh& mesh, const Foliage& foliage, double least_m) {
   const std::vector<Vec3> places = places_on(mesh);
-  double there = 0, back = 0;
-  for (const Card& card : foliage.cards)
+  const std::vector<Card>& cards = foliage.cards;
+  double there = least_m;
+  Nearest place{places.size()};
+  for (const Card& card : cards)
     for (const Vec3 corner : corners_of(card))
-      there = std::max(there, beyond(there, places, [&](Vec3 p) { return length(p - corner); }));
+      there = std::max(there, place.beyond(there, [&](std::size_t i) { return length(places[i] - corner); }));
+  const double piece_m = longest_side_m(mesh) / kPieces / std::sqrt(3.0);
+  double back = std::max(0.0, there - piece_m);
+  Nearest card{cards.size()};
   for (const Vec3 p : places)
-    back = std::max(back, beyond(back, foliage.cards, [&](const Card& card) { return distance(card, p); }));
-  return std::max(there, back + longest_side_m(mesh) / kPieces / std::sqrt(3.0));
+    back = std::max(back, card.beyond(back, [&](std::size_t i) { return distance(cards[i], p); }));
+  return std::max(there, back + piece_m);
 }
 
 // Between which most leaves' middles lie, on an axis.
@@ -125,7 +141,7 @@ CrownHull crown_hull(const Foliage& foliage) {
   const double foot = low.centre().z, top = high.centre().z;
   // not far above the ground, so that the trunk has something near
   hull.mesh = body_of(rings_of(foliage), std::min(foot - 0.1 * (top - foot), 0.25 * top), top + 0.02 * (top - foot));
-  hull.error_m = std::max(error_m_of(hull.mesh, foliage), length(hull.mesh.positions.front()));
+  hull.error_m = error_m_of(hull.mesh, foliage, length(hull.mesh.positions.front()));
   return hull;
 }
 
@@ -149,7 +165,7 @@ CrownHull crown_box(const Foliage& foliage) {
       hull.mesh.triangles.push_back({first, first + 1, first + 2});
       hull.mesh.triangles.push_back({first, first + 2, first + 3});
     }
-  hull.error_m = error_m_of(hull.mesh, foliage);
+  hull.error_m = error_m_of(hull.mesh, foliage, 0);
   return hull;
 }
 

@@ -8,7 +8,7 @@ namespace citykiln::plants {
 
 struct Look {
   materials::Material leaf_material{};  ///< Of bare twigs, bark.
-  materials::Tint leaf{}, bark{};       ///< Of leaf_material and of bark.
+  materials::Tint leaf{}, bark{};       ///< Of leaf_material and of bark, whatever kind that is.
   double leafage = 1, stature = 1;      ///< As in season.h.
 };
 

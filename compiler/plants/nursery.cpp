@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "compiler/materials/texture.h"
 #include "compiler/plants/sprays.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/turtle.h"
@@ -32,12 +33,17 @@ void drop_fruit(Foliage& foliage) {
 
 }  // namespace
 
+materials::Material bark_named(std::string_view name) {
+  const auto named = materials::material_named(std::string(name) + "_bark");
+  return named && materials::is_bark(*named) ? *named : materials::Material::kBark;
+}
+
 Grown grow(const SpeciesText& text, Prototype prototype, Month month) {
   const Result<lsystems::LSystem> system = lsystems::read_lsystem(text.text, text.name + ".lsys");
   if (!system) return {};
   lsystems::DeriveOptions options;
   options.seed = prototype.variant;
-  Grown grown{lsystems::grow(*system, options).skeleton, {}, 0, look_of(prototype, month)};
+  Grown grown{lsystems::grow(*system, options).skeleton, {}, 0, look_of(prototype, month), bark_named(system->bark)};
   grown.foliage = foliage_of(*system, grown.skeleton, grown.look.leaf);
   if (grown.look.leafage < 1) drop_fruit(grown.foliage);
   grown.height_m = height_of(grown);

@@ -17,7 +17,11 @@ struct Grown {
   Foliage foliage;
   double height_m = 0;  ///< Of its highest leaf or stem; 0: nothing grew.
   Look look{};
+  materials::Material bark = materials::Material::kBark;  ///< What it is near by.
 };
+
+/// What the file calls "furrowed" is furrowed_bark; plain bark where there is no such material.
+materials::Material bark_named(std::string_view name);
 
 /// The dice are of species and variant alone: the same plants in all scenes. Seasons change looks alone: where leaves
 /// have fallen there are twigs; but fruit is there only with all leaves.

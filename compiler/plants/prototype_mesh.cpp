@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/materials/texture.h"
 #include "compiler/plants/crossed_cards.h"
 #include "compiler/plants/crown_hull.h"
 #include "compiler/plants/leaf_clusters.h"
@@ -33,10 +34,20 @@ materials::Tint shaded(materials::Tint tint, double share) {
   return tint;
 }
 
-DressedMesh bark_of(const lsystems::Skeleton& skeleton, materials::Tint tint, double tolerance_m, double& error_m) {
-  StemMesh stems = mesh_stems(skeleton, tolerance_m);
+// On the grid of textures, on which 16 bits a number tell it.
+Vec2 on_grid(Vec2 uv) {
+  const auto nearest = [](double v) {
+    return std::floor(v / materials::kTexturePlace_m + 0.5) * materials::kTexturePlace_m;
+  };
+  return {nearest(uv.x), nearest(uv.y)};
+}
+
+// @param material  With its picture, if it has one.
+DressedMesh bark_of(const Grown& grown, Material material, double tolerance_m, double& error_m) {
+  StemMesh stems = mesh_stems(grown.skeleton, tolerance_m, materials::texture_side_m(material));
   error_m = std::max(error_m, stems.error_m);
-  return {std::move(stems.mesh), Material::kBark, tint, {}};
+  for (Vec2& uv : stems.uvs) uv = on_grid(uv);
+  return {std::move(stems.mesh), material, grown.look.bark, {}, std::move(stems.uvs)};
 }
 
 // Sprays on a sheet of texels of size 1, whatever a card's size is.
@@ -72,10 +83,10 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-PrototypeMesh near_mesh(const Grown& grown, double tolerance_m) {
+// @param tolerance_m  In the plant's own metres.
+PrototypeMesh near_mesh(const Grown& grown, Material bark, double tolerance_m) {
   PrototypeMesh plant;
-  if (!grown.skeleton.segments.empty())
-    plant.meshes.push_back(bark_of(grown.skeleton, grown.look.bark, tolerance_m, plant.error_per_m));
+  if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, tolerance_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
@@ -101,7 +112,7 @@ std::vector<DressedMesh> sitter_of(const Grown& grown, double tolerance_m) {
   const Look& look = grown.look;
   const double cover = std::lerp(kTwigsCover, kSprayCover, look.leafage);
   double ignored = 0;
-  std::vector<DressedMesh> meshes{bark_of(grown.skeleton, look.bark, tolerance_m, ignored)};
+  std::vector<DressedMesh> meshes{bark_of(grown, Material::kBark, tolerance_m, ignored)};
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
     if (same == meshes.end()) same = meshes.insert(same, DressedMesh{{}, look.leaf_material, card.tint, {}});
@@ -139,7 +150,8 @@ PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_
   const double own_m = share * grown.height_m;
   const double cards_from = is_clipped(species) ? kBoxFrom : kCardsFrom;
   const double body_from = is_clipped(species) ? kBoxFrom : kBodyFrom;
-  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, own_m)
+  const Material bark = has_texture(grown.bark, tolerance_m) ? grown.bark : Material::kBark;
+  PrototypeMesh plant = share < cards_from  ? near_mesh(grown, bark, own_m)
                         : share < body_from ? far_mesh(grown, own_m)
                                             : farthest_mesh(grown, species);
   scale(plant, stature / grown.height_m);

@@ -1,6 +1,7 @@
 #include "compiler/plants/stems.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/geometry/trig.h"
 #include "lsystems/tubes.h"
@@ -51,12 +52,13 @@ Skeleton only(const Skeleton& skeleton, const std::vector<bool>& stays) {
   return stems;
 }
 
-void add_prism(Mesh& mesh, const Segment& segment) {
+using Turns = std::array<Vec2, 3>;
+
+void add_prism(Mesh& mesh, const Segment& segment, const Turns& turns) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const Vec3 end = segment.end().at;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const Vec2 turn = direction_of(i / 3.0);
-    const Vec3 out = segment.start.left * turn.x + segment.start.up * turn.y;
+    const Vec3 out = segment.start.left * turns[i].x + segment.start.up * turns[i].y;
     mesh.positions.push_back(segment.start.at + out * (segment.start_radius * kPrismRadius));
     mesh.positions.push_back(end + out * (segment.end_radius * kPrismRadius));
     mesh.normals.insert(mesh.normals.end(), 2, out);
@@ -66,19 +68,44 @@ void add_prism(Mesh& mesh, const Segment& segment) {
   }
 }
 
+// From each segment's root to its start.
+std::vector<double> along_m(const Skeleton& skeleton) {
+  std::vector<double> along;
+  for (const Segment& segment : skeleton.segments) {
+    const auto parent = static_cast<std::size_t>(segment.parent);
+    const bool is_root = segment.parent == lsystems::kNoParent;
+    along.push_back(is_root ? 0 : along[parent] + std::abs(skeleton.segments[parent].length));
+  }
+  return along;
+}
+
+// One picture around it, of which the last third comes back to where the first began.
+void lay_on_prism(std::vector<Vec2>& uvs, const Segment& segment, double along_m, double bark_m) {
+  for (int i = 0; i < 3; ++i) {
+    uvs.push_back({i * bark_m / 3, along_m});
+    uvs.push_back({i * bark_m / 3, along_m + std::abs(segment.length)});
+  }
+}
+
 }  // namespace
 
-StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m) {
+StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m) {
   lsystems::TubeOptions options;
   options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(skeleton)), options.instances = false;
+  options.bark_m = bark_m;
   const std::vector<bool> thick = thicker_than(skeleton, kThin * options.tolerance_m),
                           stays = thicker_than(skeleton, options.tolerance_m);
   lsystems::PlantMesh tubes = lsystems::mesh_plant(only(skeleton, thick), options);
   StemMesh stems{{std::move(tubes.bark.positions), std::move(tubes.bark.normals), std::move(tubes.bark.triangles)},
+                 std::move(tubes.bark.uvs),
                  tubes.error_m};
+  if (!(bark_m > 0)) stems.uvs.clear();
+  const std::vector<double> along = along_m(skeleton);
+  const Turns turns = {direction_of(0), direction_of(1 / 3.0), direction_of(2 / 3.0)};
   for (std::size_t i = 0; i < stays.size(); ++i) {
     if (!stays[i] || thick[i]) continue;
-    add_prism(stems.mesh, skeleton.segments[i]);
+    add_prism(stems.mesh, skeleton.segments[i], turns);
+    if (bark_m > 0) lay_on_prism(stems.uvs, skeleton.segments[i], along[i], bark_m);
     stems.error_m = std::max(stems.error_m, kPrismOff * radius_of(skeleton.segments[i]));
   }
   return stems;

@@ -11,7 +11,7 @@ namespace citykiln::grammars {
 namespace {
 
 struct Leaves {
-  std::vector<const Selector*> selectors;  ///< By SizeItem::leaf.
+  Few<const Selector*, 8> selectors;  ///< By SizeItem::leaf.
 };
 
 SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
@@ -29,15 +29,15 @@ SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
   return item;
 }
 
-std::vector<SizeItem> items_of(const Statement& statement, Context& context, Leaves& leaves) {
-  std::vector<SizeItem> items;
+Few<SizeItem, 8> items_of(const Statement& statement, Context& context, Leaves& leaves) {
+  Few<SizeItem, 8> items;
   items.reserve(statement.selectors.size());
   leaves.selectors.reserve(statement.selectors.size());
   for (const Selector& selector : statement.selectors) items.push_back(item_of(selector, context, leaves));
   if (!statement.repeated) return items;
-  std::vector<SizeItem> all(1);
+  Few<SizeItem, 8> all(1);
   all.front().kind = SizeKind::kRepeat;
-  all.front().nested = std::move(items);
+  all.front().nested.assign(items.begin(), items.end());
   return all;
 }
 
@@ -83,8 +83,8 @@ Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool 
   return shape;
 }
 
-std::vector<Piece> saw_up(Execution& execution, int axis, const std::vector<Slice>& slices, const Leaves& leaves,
-                          Saw saw, bool adjust) {
+std::vector<Piece> saw_up(Execution& execution, int axis, std::span<const Slice> slices, const Leaves& leaves, Saw saw,
+                          bool adjust) {
   std::vector<Piece> pieces;
   pieces.reserve(slices.size() + 1);
   const Shape& from = execution.shape;
@@ -122,20 +122,20 @@ void op_split(Execution& execution, const Statement& statement, Arguments argume
     return run.trouble(statement.place, "the shape has no size along " + std::string(word) + "; it is not split");
   Leaves leaves;
   Context context{run, execution.shape, execution.frame, execution.dice};
-  const std::vector<SizeItem> items = items_of(statement, context, leaves);
+  const Few<SizeItem, 8> items = items_of(statement, context, leaves);
   const std::uint64_t most = run.options.limits.shapes;
-  const auto intervals = intervals_of(items, length_m, most > run.out.shapes ? most - run.out.shapes : 0);
+  const auto intervals = intervals_of(all_of(items), length_m, most > run.out.shapes ? most - run.out.shapes : 0);
   if (!intervals) return run.hit(LimitKind::kShapes, execution.name, statement.place);
   const Vec3 along = execution.shape.scope.axis[axis];
   const bool closed = is_closed(execution.shape.faces);
-  Division division = divided(*intervals);
-  if (may_widen(run, execution.shape)) division = widened(execution, std::move(division), leaves.selectors);
+  Division division = divided(all_of(*intervals));
+  if (may_widen(run, execution.shape)) division = widened(execution, std::move(division), all_of(leaves.selectors));
   run.out.error_m = std::max(run.out.error_m, division.error_m);
   Saw saw{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
   const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";
   const Displacement moved =
       cap_displacement(execution.shape, axis, closed) + Displacement{division.error_m, division.error_m};
-  std::vector<Piece> pieces = saw_up(execution, axis, division.slices, leaves, std::move(saw), adjust);
+  std::vector<Piece> pieces = saw_up(execution, axis, all_of(division.slices), leaves, std::move(saw), adjust);
   // half sawn is not split: the shape then ends whole
   if (!run.spend(0)) return run.hit(LimitKind::kSteps, execution.name, statement.place);
   const std::uint64_t first = execution.born;

@@ -79,8 +79,8 @@ std::vector<std::size_t> takers_of(std::span<const Slice> slices, double toleran
   return takers;
 }
 
-std::vector<Slice> without_taken(std::span<const Slice> slices, std::span<const std::size_t> takers) {
-  std::vector<Slice> kept;
+Few<Slice, 8> without_taken(std::span<const Slice> slices, std::span<const std::size_t> takers) {
+  Few<Slice, 8> kept;
   std::uint32_t left_out = 0;
   double from_m = slices.empty() ? 0 : slices.front().interval.from_m;
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -116,8 +116,8 @@ Division widened(Execution& execution, Division division, std::span<const Select
   const auto is_narrow = [&](const Slice& slice) { return width_m(slice) <= tolerance_m; };
   if (std::none_of(division.slices.begin(), division.slices.end(), is_narrow)) return division;
   Reaches reaches{execution, selectors};
-  const auto takers = takers_of(division.slices, tolerance_m, reaches, division.error_m);
-  division.slices = without_taken(division.slices, takers);
+  const auto takers = takers_of(all_of(division.slices), tolerance_m, reaches, division.error_m);
+  division.slices = without_taken(all_of(division.slices), takers);
   return division;
 }
 

@@ -17,7 +17,7 @@ struct Slice {
 };
 
 struct Division {
-  std::vector<Slice> slices;
+  Few<Slice, 8> slices;
   double error_m =
       0;  ///< Between what is made of the slices and what all pieces would have become, Hausdorff, both ways.
 };

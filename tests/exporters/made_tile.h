@@ -109,8 +109,8 @@ inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
   return tile;
 }
 
-/// The same on textures: land, water, a wall, a primitive too wide for 16 bits, and one of a textured material that has
-/// no places.
+/// The same on textures: land, water, a wall, a primitive too wide for 16 bits, one of a textured material that has no
+/// places, and a copied mesh with bark.
 inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 2000);
   bake::BakedTile tile = made_marked_tile(seed);
@@ -127,7 +127,10 @@ inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
   tile.primitives.push_back(placed(Material::kRock, 1.25));
   tile.primitives.push_back(made_primitive(dice, Material::kStone, 12, 4));
   tile.primitives.push_back(placed(Material::kStone, materials::kTexturePlace_m));
-  const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone};
+  tile.instanced[0].primitives.push_back(placed(Material::kPlatedBark, materials::kTexturePlace_m));
+  tile.instanced[0].primitives.back().features.clear();
+  const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone,
+                            Material::kPlatedBark};
   tile.textures = materials::textures_of(shown, 0.05, seed);
   return tile;
 }

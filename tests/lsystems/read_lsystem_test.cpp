@@ -72,6 +72,7 @@ const Mistake kMistakes[] = {
     {"axiom: F\nF(x) -> F(1/0)", "x.lsys:2:11: expected a number; what is divided or computed here has none"},
     {"axiom: F\n#ignore: +\n+ < F -> G", "x.lsys:3:1: '+' is ignored: it cannot be a context"},
     {"axiom: F\ndecomposition:\nA < F -> F", "x.lsys:3:1: these rules look at no context"},
+    {"axiom: F\nbark: 3", "x.lsys:2:7: expected the bark's name, found '3'"},
     {"axiom: F\ninterpretation:\nF -> ?H(x)", "x.lsys:3:9: nothing defines 'x'"},
     {"axiom: F\ninterpretation:\nF -> ?H(0)", "x.lsys:3:6: an interpretation asks nothing: no ?-modules here"},
 };
@@ -106,6 +107,7 @@ step: 2
 width: 0.5
 width unit: 0.1
 height: 12
+bark: furrowed
 seed: 9
 tropism: 0, 0, -1
 elasticity: 0.22

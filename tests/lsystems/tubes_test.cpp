@@ -321,6 +321,68 @@ TEST(Tubes, CountMetresAlongTheBark) {
   EXPECT_NEAR(most, 6, 1e-9);
 }
 
+// A trunk with a branch to the right, halfway up, thick as real ones.
+PlantMesh barked(double bark_m) {
+  TubeOptions options;
+  options.tolerance_m = 0.004, options.flare = 0, options.bark_m = bark_m;
+  return mesh_plant(skeleton_of("axiom: !(0.8)F(4)[/(40)+(60)!(0.4)F(3)!(0.3)F(1)]!(0.5)F(3)!(0.4)F(1)\n"), options);
+}
+
+// Whether two places on the bark show the same.
+bool look_alike(Vec2 a, Vec2 b, double bark_m) {
+  const double off = (a.x - b.x) / bark_m;
+  return std::abs(off - std::floor(off + 0.5)) < 1e-6 && std::abs(a.y - b.y) < 1e-6;
+}
+
+// Area on the picture over area in space, of triangles that are not at stems' ends.
+std::vector<std::pair<double, double>> scales_of(const PartMesh& bark) {
+  std::vector<std::pair<double, double>> scales;
+  for (const auto& [a, b, c] : bark.triangles) {
+    const double area = length(cross(bark.positions[b] - bark.positions[a], bark.positions[c] - bark.positions[a]));
+    const double shown = std::abs(cross(bark.uvs[b] - bark.uvs[a], bark.uvs[c] - bark.uvs[a]));
+    if (area > 1e-9 && shown > 0) scales.push_back({area, shown / area});
+  }
+  return scales;
+}
+
+TEST(Bark, GoesOnThroughJointsButWhereSideStemsBegin) {
+  const double bark_m = 0.5;
+  const PartMesh bark = barked(bark_m).bark;
+  std::map<Vec3, std::vector<std::size_t>> at;
+  for (std::size_t i = 0; i < bark.positions.size(); ++i) at[bark.positions[i]].push_back(i);
+  // the branch leaves at 4 m, within its own width
+  const auto is_at_the_rim = [](Vec3 p) { return std::abs(p.z - 4) < 0.6 && length(in_plan(p)) < 0.7; };
+  std::size_t seen = 0, rim = 0;
+  for (const auto& [place, vertices] : at)
+    for (const std::size_t v : vertices) {
+      if (length(bark.normals[v] - bark.normals[vertices[0]]) > 1e-6) continue;  // a stem's end
+      ++seen;
+      if (look_alike(bark.uvs[v], bark.uvs[vertices[0]], bark_m)) continue;
+      ++rim;
+      EXPECT_TRUE(is_at_the_rim(place)) << place.x << ' ' << place.y << ' ' << place.z;
+    }
+  EXPECT_GT(rim, 0u);
+  EXPECT_LT(rim, seen / 10);
+}
+
+TEST(Bark, IsAsFineEverywhere) {
+  double all = 0, even = 0;
+  for (const auto& [area, scale] : scales_of(barked(0.25).bark)) {
+    all += area;
+    if (scale > 0.7 && scale < 1.4) even += area;
+  }
+  EXPECT_GT(even / all, 0.9);
+}
+
+TEST(Bark, HasOnePictureAroundThinStems) {
+  TubeOptions options;
+  options.tolerance_m = 0.001, options.bark_m = 1;
+  double least = 9, most = 0;
+  for (const Vec2 uv : mesh_plant(skeleton_of("axiom: !(0.05)F(1)F(1)\n"), options).bark.uvs)
+    if (uv.y == 1) least = std::min(least, uv.x), most = std::max(most, uv.x);
+  EXPECT_EQ(most - least, 1);
+}
+
 TEST(Leaves, HaveTheAreaOfTheirPolygons) {
   // an arrow head, which is not convex
   const std::vector<Vec2> ring{{0.5, 0.5}, {0, 2}, {0, 0}, {2, 0}};

@@ -1,11 +1,12 @@
 // Draws species beside each other at several tolerances, one row a species, and says what each costs:
-//   plant_sheet OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights [TIME]]
+//   plant_sheet OUT.png PIXELS TOLERANCE,… SPECIES,… [DISTANCE in heights, 0: 2 m before the trunk [TIME]]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
 #include "compiler/bake/grove.h"
+#include "compiler/bake/merge.h"
 #include "compiler/sky/plan.h"
 #include "exporters/glb.h"
 #include "preview/preview.h"
@@ -38,7 +39,7 @@ bake::Primitive lawn(float half_m) {
   return lawn;
 }
 
-bake::BakedTile planted(const bake::PlantShape& shape, const std::string& name, double height_m) {
+bake::BakedTile planted(const bake::PlantShape& shape, const std::string& name, double height_m, double tolerance_m) {
   bake::BakedTile tile;
   tile.features = {OsmId{}};
   tile.primitives = {lawn(static_cast<float>(6 * height_m))};
@@ -50,6 +51,7 @@ bake::BakedTile planted(const bake::PlantShape& shape, const std::string& name, 
                        {static_cast<float>(height_m / bake::kShape_m)},
                        {0},
                        shape.cutout}};
+  tile.textures = bake::textures_shown(tile, tolerance_m, 1);
   return tile;
 }
 
@@ -59,6 +61,13 @@ void put(const preview::Image& from, int x0, int y0, preview::Image& to) {
       to.rgb[(static_cast<std::size_t>(y0 + y) * to.width + x0) * 3 + i] =
           from.rgb[static_cast<std::size_t>(y) * from.width * 3 + i];
 }
+
+preview::Camera before(double height_m, double away) {
+  const Vec3 middle{0, 0, 0.5 * height_m};
+  return {middle + Vec3{0.25, -1, 0.12} * (away * height_m), middle, 2 * std::atan(0.62 / away) * 57.29578};
+}
+
+preview::Camera before_trunk() { return {{0.5, -2.4, 1.6}, {0, 0, 1.6}, 60}; }
 
 int run(char** argv, double away, const std::string& time) {
   const int pixels = std::atoi(argv[2]);
@@ -76,7 +85,7 @@ int run(char** argv, double away, const std::string& time) {
       const auto start = std::chrono::steady_clock::now();
       const bake::PlantShape& shape = grove.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-      const bake::BakedTile tile = planted(shape, names[row], height_m);
+      const bake::BakedTile tile = planted(shape, names[row], height_m, tolerance_m);
       std::size_t triangles = 0;
       for (const bake::Primitive& p : shape.primitives) triangles += p.triangles.size();
       std::printf("%-8s %6s m: %7zu triangles %8zu bytes %6.3f s error %.3f m\n", names[row].c_str(),
@@ -85,9 +94,7 @@ int run(char** argv, double away, const std::string& time) {
                   shape.error_per_m * plants::values_of(species).tallest_m);
       preview::Options options;
       options.width = options.height = pixels, options.samples = 24;
-      const Vec3 middle{0, 0, 0.5 * height_m};
-      preview::Camera camera{middle + Vec3{0.25, -1, 0.12} * (away * height_m), middle,
-                             2 * std::atan(0.62 / away) * 57.29578};
+      const preview::Camera camera = away > 0 ? before(height_m, away) : before_trunk();
       put(preview::render(std::span(&tile, 1), *sky, camera, options), pixels * static_cast<int>(column),
           pixels * static_cast<int>(row), sheet);
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/preview/solids.h"
@@ -95,6 +96,25 @@ TEST(World, ARayThatLeavesASmallTriangleFarAwayDoesNotMeetItAgain) {
     EXPECT_LT(length(leave(*hit, hit->geometric_normal) - hit->position), 0.005);
   }
   EXPECT_EQ(met, 0);
+}
+
+// One half as large lies on the same picture, seen half as fine: hits are at the same places of it.
+TEST(World, SharedMeshesShowTheirTilesTextures) {
+  bake::Primitive bark = floor({0, 0, 0}, {4, 4, 0}, Material::kPlatedBark);
+  for (const bake::Float3& p : bark.positions) bark.uvs.push_back({p[0] / 2, p[1] / 2});
+  bake::BakedTile tile;
+  tile.features = {OsmId{}};
+  tile.instanced = {{"pine_0", {bark}, {{0, 0, 0}, {10, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0, 1}}, {1, 0.5f}, {0, 0}}};
+  tile.textures = materials::textures_of(std::array{Material::kPlatedBark}, 0.05, 1);
+  const World world(std::span(&tile, 1), {0, 0, 0});
+  const auto light_at = [&](double x, double y) { return world.first_hit({x, y, 5}, {0, 0, -1}, 0)->albedo[1]; };
+  double least = 1, most = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double x = 0.02 + 0.0395 * i, y = 0.02 + std::fmod(1.37 * i, 3.9);
+    EXPECT_NEAR(light_at(x, y), light_at(10 + x / 2, y / 2), 1e-4);
+    least = std::min(least, light_at(x, y)), most = std::max(most, light_at(x, y));
+  }
+  EXPECT_GT(most, 2 * least);
 }
 
 TEST(World, AHitSaysWhereWhatAndHowFar) {

@@ -71,14 +71,19 @@ TEST(Merge, EachVertexHasTheTintOfItsPosition) {
 }
 
 TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
-  const auto primitives =
+  BakedTile tile;
+  tile.primitives =
       merged({laid_out(Material::kAsphalt, Coloured::kBySheet), laid_out(Material::kGrass, Coloured::kByMaterial),
               square(Material::kMeadow), laid_out(Material::kRock, Coloured::kByMaterial)});
-  const auto textures = textures_shown(primitives, 0.1, 1);
-  ASSERT_EQ(textures.size(), 2u);
+  // two shared meshes with one bark
+  for (const char* name : {"pine_0", "spruce_0"})
+    tile.instanced.push_back({name, merged({laid_out(Material::kPlatedBark, Coloured::kByMaterial)}), {}, {}, {}, {}});
+  const auto textures = textures_shown(tile, 0.1, 1);
+  ASSERT_EQ(textures.size(), 3u);
   EXPECT_EQ(textures[0].material, Material::kGrass);
   EXPECT_EQ(textures[1].material, Material::kRock);
-  EXPECT_TRUE(textures_shown(primitives, 2.5, 1).empty());
+  EXPECT_EQ(textures[2].material, Material::kPlatedBark);
+  EXPECT_TRUE(textures_shown(tile, 2.5, 1).empty());
 }
 
 TEST(Merge, MeshesWithoutUvsGetNone) {

@@ -84,7 +84,8 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
       EXPECT_EQ(std::fmod(kTexturePeriod_m, side_m(texture)), 0) << name_of(texture);
       for (const Sheet* sheet : {&texture.colour, &texture.normal}) {
         if (sheet->texels.empty()) continue;
-        EXPECT_GE(sheet->texel_m, tolerance_m) << name_of(texture);
+        EXPECT_GE(sheet->texel_m, is_bark(texture.material) ? tolerance_m / kBarkFiner : tolerance_m)
+            << name_of(texture);
         EXPECT_EQ(sheet->columns, sheet->rows);
         EXPECT_EQ(sheet->texels.size(), std::size_t{sheet->columns} * sheet->rows);
         EXPECT_EQ(sheet->columns * sheet->texel_m, side_m(texture));
@@ -122,7 +123,7 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     EXPECT_NEAR(u / count, 0, 0.02) << name_of(texture);
     EXPECT_NEAR(v / count, 0, 0.02) << name_of(texture);
   }
-  EXPECT_EQ(shaped, 7);  // water, sea, fields, rock, masonry, tiles, slates
+  EXPECT_EQ(shaped, 13);  // water, sea, fields, rock, masonry, tiles, slates, and six barks
 }
 
 TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
@@ -132,7 +133,8 @@ TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
   }
 }
 
-// Seen so far off that a pixel covers an eighth of a side, hardly anything is left to see repeating.
+// Seen so far off that a pixel covers an eighth of a side, hardly anything is left to see repeating; of bark, of which
+// nobody sees many sides at once, not much.
 TEST(Texture, IsEvenFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
     if (texture.colour.texels.empty()) continue;
@@ -144,7 +146,7 @@ TEST(Texture, IsEvenFromAfar) {
         for (std::uint32_t j = 0; j < block; ++j)
           for (std::uint32_t i = 0; i < block; ++i)
             sum += linear_of_srgb(texture.colour.texels[(y * block + j) * side + x * block + i][1]) / block / block;
-        EXPECT_NEAR(sum / mean, 1, 0.15) << name_of(texture);
+        EXPECT_NEAR(sum / mean, 1, is_bark(texture.material) ? 0.2 : 0.15) << name_of(texture);
       }
   }
 }

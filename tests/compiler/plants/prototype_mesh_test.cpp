@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/materials/texture.h"
 #include "compiler/plants/crossed_cards.h"
 #include "compiler/plants/crown_hull.h"
 #include "compiler/plants/leaf_clusters.h"
@@ -30,6 +31,11 @@ std::vector<Species> all_species() {
 
 PrototypeMesh mesh_of(Species species, double tolerance_m) {
   return prototype_mesh(nursery().grown({species, 0}), species, values_of(species).tallest_m, tolerance_m);
+}
+
+bool has_trunk(Species species) {
+  const Leaves leaves = values_of(species).leaves;
+  return leaves != Leaves::kBlade && species != Species::kFern;
 }
 
 std::size_t triangles_of(const PrototypeMesh& plant) {
@@ -179,6 +185,40 @@ TEST(Sprays, CoverAPartOfTheirCard) {
         static_cast<double>(shown) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
     EXPECT_GT(share, 0.2) << name;
   }
+}
+
+TEST(PrototypeBark, IsNamedByEachSpeciesThatHasATrunk) {
+  for (const Species species : all_species())
+    EXPECT_EQ(is_bark(nursery().grown({species, 0}).bark), has_trunk(species)) << values_of(species).file;
+  EXPECT_EQ(bark_named("furrowed"), materials::Material::kFurrowedBark);
+  for (const char* name : {"", "no_such", "grass"}) EXPECT_EQ(bark_named(name), materials::Material::kBark);
+}
+
+TEST(PrototypeBark, HasPlacesOnItsPictureWhereThatIsFineEnoughToShow) {
+  for (const Species species : {Species::kOak, Species::kBirch, Species::kPalm})
+    for (const double tolerance_m : {0.02, 0.1, 0.25, 0.5, 1.0}) {
+      const auto meshes = mesh_of(species, tolerance_m).meshes;
+      const materials::DressedMesh& stems = meshes.front();
+      if (stems.coloured != Coloured::kByMaterial) continue;
+      const bool is_shown = tolerance_m < materials::kPlainGround_m;
+      EXPECT_EQ(stems.uvs.size(), is_shown ? stems.mesh.positions.size() : 0) << values_of(species).file << tolerance_m;
+      EXPECT_EQ(stems.material, is_shown ? nursery().grown({species, 0}).bark : materials::Material::kBark);
+      for (const Vec2 uv : stems.uvs) {
+        EXPECT_EQ(std::fmod(uv.x, materials::kTexturePlace_m), 0);
+        EXPECT_GE(std::min(uv.x, uv.y), 0);
+      }
+    }
+}
+
+TEST(PrototypeBark, IsOfOneColourOnAllLevels) {
+  using materials::Material;
+  const auto plain = materials::values_of(Material::kBark).base_colour;
+  for (int m = 0; m < static_cast<int>(Material::kCount); ++m) {
+    const auto material = static_cast<Material>(m);
+    if (!is_bark(material)) continue;
+    EXPECT_EQ(materials::values_of(material).base_colour, plain);
+  }
+  EXPECT_EQ(mesh_of(Species::kOak, 0.02).meshes.front().tint, mesh_of(Species::kOak, 0.5).meshes.front().tint);
 }
 
 }  // namespace
