@@ -32,6 +32,7 @@ roofs::RoofShape shape_of(const RoofRequest& request) {
   shape.form = form_of(request.kind);
   shape.overhang_m = request.overhang_m;
   (request.by_height ? shape.height_m : shape.angle_deg) = request.by_height ? request.height_m : request.angle_deg;
+  if (request.kind == RoofKind::kMansard) shape.knee = {request.height_m, request.upper_angle_deg};
   const Ring& ring = request.footprint.outer;
   // a shed rises from the edge that it is asked to begin at
   const Vec2 along = ring[(request.edge + 1) % ring.size()] - ring[request.edge % ring.size()];

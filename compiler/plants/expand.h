@@ -50,7 +50,8 @@ struct Land {
 ///
 /// Guarantees: no trunk of a wood or planting within kTrunkClearance_m of a road, building or water; trees of all woods
 /// at even distances (blue_noise.h), clear of mapped trees, rows and lanes; a plant depends on nothing beyond kReach_m.
-/// Single trees on a building, carriageway or water are dropped, diagnosed kTreeOnRoad; those of rows are left out.
+/// Single trees up to 2 m inside of a carriageway's edge stand half a metre beside it, diagnosed kTreeMoved; those
+/// deeper in, on a building or water are dropped, diagnosed kTreeOnRoad; those of rows are left out.
 /// Ledger "bake/tree" for single trees. O(n log n).
 Placed expand(const Recipes& recipes, const Land& land, Report& report);
 

@@ -76,7 +76,8 @@ std::optional<Roof> over_base(const Site& site, const Base& base, double area, d
   if (base.span_m <= 0) return std::nullopt;
   const double rise_m = rise_of(site.shape, base.span_m);
   if (!is_seen(site, rise_m)) return flat_roof(site, rise_m);
-  const Section section = section_over_base(site.shape.form, base.span_m, rise_m, site.tolerance_m);
+  const Section section =
+      section_over_base(site.shape.form, base.span_m, rise_m, site.tolerance_m, knee_of(site.shape, base.span_m));
   RoofPlan plan = plan_on(site, lifted(base, section, rise_m));
   const double steepest = rise_m * (section.corners[1].y / section.corners[1].x) / base.span_m;
   plan.flush_m += drop_m * steepest;

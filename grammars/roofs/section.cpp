@@ -110,7 +110,7 @@ Section flattened(const Arc& arc, Vec2 size_m, Measure measure, double tolerance
 
 // A knee that the tolerance does not see is left out.
 Section knee(Vec2 corner, Vec2 size_m, double tolerance_m) {
-  const double off_m = (corner.y - corner.x) * size_m.y;
+  const double off_m = std::abs(corner.y - corner.x) * size_m.y;
   if (off_m <= tolerance_m) return {{{0, 0}, {1, 1}}, off_m};
   return {{{0, 0}, corner, {1, 1}}, 0};
 }
@@ -137,7 +137,8 @@ Section section_along(Form form, double span_m, double rise_m, double tolerance_
   return section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m);
 }
 
-Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m) {
+Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> corner) {
+  if (form == Form::kMansard && corner) return knee(*corner, {span_m, rise_m}, tolerance_m);
   return section_of(form, {span_m, rise_m}, Measure::kUpright, tolerance_m);
 }
 

@@ -5,6 +5,7 @@
 //     |
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compiler/geometry/vec.h"
@@ -29,7 +30,8 @@ Section section_along(Form form, double span_m, double rise_m, double tolerance_
 
 /// The section of a roof over a base, whose sides meet at any angle: so its error is measured upright, where no angle
 /// makes it larger. Else as section_along().
-Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m);
+/// @param knee  Of a mansard, if not its own.
+Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> knee = {});
 
 /// The section of a body over a pole: x is the distance from the pole over that of the eaves, from 1 to 0, and an
 /// onion's swells. Its error is that of the farthest corner, reach_m from the pole.

@@ -45,6 +45,17 @@ Vec2 size_of_eaves_m(const Site& site) {
   return {kSharpest * overhang_m, kThickness_m + up_m};
 }
 
+bool has_knee(const RoofShape& shape) { return shape.knee && shape.height_m <= 0 && shape.angle_deg > 0; }
+
+double lower_rise_m(const RoofShape& shape, double span_m) {
+  return std::clamp(shape.knee->height_m, 0.0, span_m * tangent(shape.angle_deg));
+}
+
+double upper_rise_m(const RoofShape& shape, double span_m) {
+  const double in_m = lower_rise_m(shape, span_m) / tangent(shape.angle_deg);
+  return (span_m - in_m) * tangent(std::max(shape.knee->upper_angle_deg, 0.0));
+}
+
 }  // namespace
 
 Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m) {
@@ -61,10 +72,18 @@ Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m) {
 
 double rise_of(const RoofShape& shape, double span_m) {
   if (shape.height_m > 0) return shape.height_m;
+  if (has_knee(shape)) return lower_rise_m(shape, span_m) + upper_rise_m(shape, span_m);
   if (shape.angle_deg > 0) return span_m * tangent(shape.angle_deg);
   if (shape.levels > 0) return shape.levels * kStorey_m;
   const double rise_m = span_m * tangent(kPitch_deg[static_cast<std::size_t>(shape.form)]);
   return may_tower(shape.form) ? rise_m : std::min(kMostUntold_m, rise_m);
+}
+
+std::optional<Vec2> knee_of(const RoofShape& shape, double span_m) {
+  if (!has_knee(shape)) return std::nullopt;
+  const double lower_m = lower_rise_m(shape, span_m), rise_m = rise_of(shape, span_m);
+  if (rise_m <= 0) return std::nullopt;
+  return Vec2{lower_m / tangent(shape.angle_deg) / span_m, lower_m / rise_m};
 }
 
 }  // namespace citykiln::roofs

@@ -1,6 +1,8 @@
 // Where a roof is to stand, and what it is to be: what every method starts from.
 #pragma once
 
+#include <optional>
+
 #include "compiler/geometry/polygon.h"
 #include "grammars/roofs/frame.h"
 #include "grammars/roofs/roof_shape.h"
@@ -24,5 +26,9 @@ Site site_of(Polygon footprint, const RoofShape& shape, double tolerance_m);
 
 /// How high a roof rises whose main slopes are span_m long in plan.
 double rise_of(const RoofShape& shape, double span_m);
+
+/// Of a shape with a knee, where that is: how far in and how high, of the span and the rise. Slopes that meet no more
+/// before the ridge are one, and so are a knee at the eaves and what is above it.
+std::optional<Vec2> knee_of(const RoofShape& shape, double span_m);
 
 }  // namespace citykiln::roofs

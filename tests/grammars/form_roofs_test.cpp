@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <set>
+
 #include "grammars/roofs/expand_roof.h"
 #include "tests/grammars/on_lot.h"
 
@@ -55,6 +59,30 @@ TEST(FormRoofs, StandOut) {
     for (const Vec3 p : tiles->faces.at(0).outer) low_x = std::min(low_x, p.x);
   EXPECT_NEAR(low_x, -0.5, 0.01);
   EXPECT_GT(count_named(derivation, "Eaves"), 0u);
+}
+
+TEST(FormRoofs, BendWhereTheyAreAsked) {
+  const Derivation derivation =
+      roofed(kFootprints[0], "roofMansard(70, 20, 2.5) comp(f) { bottom : NIL | top : Tiles. | all : R. }");
+  EXPECT_EQ(count_named(derivation, "Tiles"), 8u);
+  const auto tangent = [](double angle_deg) { return std::tan(angle_deg * std::numbers::pi / 180); };
+  std::set<double> heights_m;
+  for (const Terminal* tiles : named(derivation, "Tiles"))
+    for (const Vec3 p : tiles->faces.at(0).outer) heights_m.insert(std::floor((p.z - 9) * 10 + 0.5) / 10);
+  const double ridge_m = 2.5 + (4 - 2.5 / tangent(70)) * tangent(20);
+  EXPECT_EQ(heights_m, (std::set<double>{0, 2.5, std::floor(ridge_m * 10 + 0.5) / 10}));
+}
+
+TEST(FormRoofs, BendNowhereIfTheSlopesDoNotMeet) {
+  for (const char* roof : {"roofMansard(30, 20, 9)", "roofMansard(60, 30, 0)"}) {
+    const Derivation derivation =
+        roofed(kFootprints[0], std::string(roof) + " comp(f) { bottom : NIL | top : Tiles. | all : R. }");
+    EXPECT_EQ(count_named(derivation, "Tiles"), 4u) << roof;
+    double top_m = 0;
+    for (const Terminal* tiles : named(derivation, "Tiles"))
+      for (const Vec3 p : tiles->faces.at(0).outer) top_m = std::max(top_m, p.z - 9);
+    EXPECT_NEAR(top_m, 4 * std::tan(30 * std::numbers::pi / 180), 0.01) << roof;
+  }
 }
 
 TEST(FormRoofs, AreNotBuiltWhereThereIsNoGrid) {
