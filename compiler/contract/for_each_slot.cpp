@@ -31,7 +31,7 @@ void for_each_in_order(std::size_t count, int threads, const std::function<void(
   };
   using tbb::filter_mode;
   arena.execute([&] {
-    tbb::parallel_pipeline(static_cast<std::size_t>(arena.max_concurrency()),
+    tbb::parallel_pipeline(static_cast<std::size_t>(kUnderWayPerThread * arena.max_concurrency()),
                            tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, next) &
                                tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, made) &
                                tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, taken));

@@ -12,8 +12,11 @@ namespace citykiln {
 /// write only to the i-th slot of what it fills. Blocks until all are done.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
-/// Calls `make(i)` as for_each_index does, and `take(i)` for one index after another, each made: at most as many as
-/// there are threads are made and not yet taken. Ends after the first `take` that returns false.
+/// More than threads: while one that takes long is made, others go on behind it.
+inline constexpr int kUnderWayPerThread = 4;
+
+/// Calls `make(i)` as for_each_index does, and `take(i)` for one index after another, each made: no more than
+/// kUnderWayPerThread a thread are begun and not yet taken. Ends after the first `take` that returns false.
 void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
                        const std::function<bool(std::size_t)>& take);
 
