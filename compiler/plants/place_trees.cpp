@@ -56,16 +56,16 @@ std::vector<Obstacle> place_trees(Placed& placed, std::span<const Tree> trees, c
   std::vector<Obstacle> standing;
   Account account;
   for (const Tree& tree : trees) {
-    const bool is_here = stands_in(land.box, tree.at);
-    if (is_here) ++account.in;
     const std::optional<Vec2> at = place_of(land.surfaces, tree.at);
-    // what is moved stays in its tile, which alone knows its ground
-    if (is_here && (!at || !stands_in(land.box, *at))) report.drop(account, Code::kTreeOnRoad, tree.id.osm);
+    // whoever is moved is his new tile's
+    const bool is_here = stands_in(land.box, at.value_or(tree.at));
+    if (is_here) ++account.in;
+    if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm);
     if (!at) continue;
     const Draw draw(land.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, land, draw);
-    standing.push_back({tree.at, reach_of_crown_m(species, height_m)});
-    if (!is_here || !stands_in(land.box, *at)) continue;
+    standing.push_back({*at, reach_of_crown_m(species, height_m)});
+    if (!is_here) continue;
     if (*at != tree.at) report.add(Code::kTreeMoved, tree.id.osm, distance(*at, tree.at));
     ++account.out;
     stand(placed, land, species, *at, height_m, draw, tree.id.osm);
