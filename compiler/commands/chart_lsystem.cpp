@@ -17,7 +17,8 @@ constexpr const char* kHonda =
     "A(l,w) -> !(w)F(l)[&(45)B(l*0.6,w*0.707)]/(137.5)A(l*0.9,w*0.707)\n"
     "B(l,w) -> !(w)F(l)[-(45)$C(l*0.6,w*0.707)]C(l*0.9,w*0.707)\n"
     "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)\n";
-constexpr int kMostSteps = 17, kMostMeshed = 14, kRuns = 3;
+// Below ten thousand triangles most of the time is what a call costs whatever its size.
+constexpr int kMostSteps = 17, kFewestMeshed = 9, kMostMeshed = 16, kRuns = 3;
 /// RPForest's, on one core of a desktop computer: symbols a second.
 constexpr double kOthersFewest = 12e6, kOthersMost = 17e6;
 
@@ -85,7 +86,7 @@ Result<std::vector<Chart>> chart_lsystem(const ChartRequest&) {
   if (!system) return system.error();
   std::vector<Chart> charts = empty_charts();
   for (int steps = 1; steps <= kMostSteps; ++steps) add_derivation(*system, steps, charts);
-  for (int steps = 4; steps <= kMostMeshed; ++steps) add_mesh(*system, steps, charts[2]);
+  for (int steps = kFewestMeshed; steps <= kMostMeshed; ++steps) add_mesh(*system, steps, charts[2]);
   const auto& symbols = charts[0].series[0].points;
   charts[0].series[1].points = {{symbols.front().first, kOthersFewest}, {symbols.back().first, kOthersFewest}};
   charts[0].series[2].points = {{symbols.front().first, kOthersMost}, {symbols.back().first, kOthersMost}};
