@@ -221,14 +221,25 @@ int compared(const Value& a, const Value& b, Place place, Context& context) {
   return x < y ? -1 : x > y ? 1 : 0;
 }
 
-Value compare(const Expression& binary, const Value& a, const Value& b, Context& context) {
-  const int order = compared(a, b, binary.place, context);
+bool holds(const Expression& binary, int order) {
   const char sign = binary.text[0];
   if (sign == '=') return order == 0;
   if (sign == '!') return order != 0;
   const bool or_equal = binary.text.size() > 1;
   if (or_equal && order == 0) return true;
   return sign == '<' ? order < 0 : order > 0;
+}
+
+/// The operands, where both are numbers that need no work.
+struct Numbers {
+  const double* a = nullptr;
+  const double* b = nullptr;
+  explicit operator bool() const { return a != nullptr && b != nullptr; }
+};
+
+Numbers plain_numbers(const Expression& binary, Context& context) {
+  if (context.depth >= kMostDepth) return {};
+  return {plain_number(binary.operands[0], context), plain_number(binary.operands[1], context)};
 }
 
 // texts that double in every function would fill the memory before a limit sees them
@@ -279,9 +290,14 @@ Value evaluate_binary(const Expression& binary, Context& context) {
     const double left = number_at(binary.operands[0], context);
     return arithmetic(binary, left, number_at(binary.operands[1], context), context);
   }
+  if (const Numbers plain = plain_numbers(binary, context)) {
+    if (!context.run.spend(2)) return 0.0;
+    if (compares) return holds(binary, *plain.a < *plain.b ? -1 : *plain.a > *plain.b);
+    return arithmetic(binary, *plain.a, *plain.b, context);
+  }
   const Value a = evaluate(binary.operands[0], context);
   const Value b = evaluate(binary.operands[1], context);
-  if (compares) return compare(binary, a, b, context);
+  if (compares) return holds(binary, compared(a, b, binary.place, context));
   const bool texts = std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b);
   if (texts) return add_text(binary, a, b, context);
   return arithmetic(binary, number_of(a), number_of(b), context);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grammars/operations/table.h"
+#include "grammars/sizes.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -275,7 +276,7 @@ double width_m(const Terminal& terminal) {
 
 // by its look, what is wider than the tolerance
 SeenLooks seen_of(const Run& run, const Terminal& terminal) {
-  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m) return {};
+  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m + kSliver_m) return {};
   return {SeenLooks::Count::kOne, terminal.look};
 }
 
@@ -333,7 +334,7 @@ Outcome end_ahead(Execution& execution, Displacement moved) {
 Outcome run_node(Execution& execution, const Body& body) {
   if (const auto moved = known_ahead(execution, body)) return end_ahead(execution, *moved);
   const Recording recording = begin_recording(execution, body);
-  if (recording.known) return {repeat(execution, *recording.entry)};
+  if (recording.known) return {repeat(execution, recording)};
   const std::size_t first = execution.run.out.terminals.size();
   run_body(execution, body, true);
   end_pending(execution);
