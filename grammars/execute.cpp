@@ -78,23 +78,29 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   return apply_rule(run, std::move(child), rule, std::move(arguments), depth, execution.path);
 }
 
+Frame frame_of(const Statement& successor, Context context) {
+  Frame arguments;
+  arguments.reserve(successor.arguments.size());
+  for (const Expression& argument : successor.arguments) arguments.push_back(evaluate(argument, context));
+  return arguments;
+}
+
 // as run_successor() of a node of the piece's own would
 Outcome name_piece(Execution& execution, Shape&& shape, const Statement& successor) {
   Run& run = execution.run;
+  Dice dice{"rule", 0, true, shape.birth};
+  Frame arguments = frame_of(successor, {run, shape, execution.frame, dice});
   const auto birth = static_cast<std::uint32_t>(run.births.size());
   run.births.push_back({shape.birth, successor.name.c_str(), 0});
   ++run.out.shapes;
   shape.birth = birth;
-  return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
+  return derive_successor(execution, successor, std::move(shape), std::move(arguments), execution.depth + 2);
 }
 
 // not inlined, nor are other holders of shapes, so that blocks in each other cost the stack no shapes
 // `last`: nothing asks for the current shape any more
 [[gnu::noinline]] void run_successor(Execution& execution, const Statement& statement, bool last) {
-  Frame arguments;
-  arguments.reserve(statement.arguments.size());
-  Context context = context_of(execution);
-  for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
+  Frame arguments = frame_of(statement, context_of(execution));
   if (!last) remember_start(execution);
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
@@ -344,11 +350,10 @@ Outcome run_node(Execution& execution, const Body& body) {
   return outcome;
 }
 
-// `Wall.`, as most pieces of facades have it: a node of which nothing is left but its successor's
+// `Wall.` or `Tile(3)`, as most pieces of facades have it: a node of which nothing is left but its successor's
 bool only_names_successor(const Body& body) {
-  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
-  const Statement& only = body.statements.front();
-  return only.kind == StatementKind::kSuccessor && only.arguments.empty();
+  return body.kind == BodyKind::kStatements && body.statements.size() == 1 && body.locals.empty() &&
+         body.statements.front().kind == StatementKind::kSuccessor;
 }
 
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {

@@ -78,10 +78,11 @@ bool may_repeat(const Shape& shape) {
   return face.holes.empty() && face.outer.size() >= 3 && face.outer.size() <= kMostVertices;
 }
 
-// a body that only names a successor leaves the note to it
+// a body that only names a successor, or one of several, leaves the note to it
 bool only_names(const Body& body) {
-  return body.kind == BodyKind::kStatements && body.statements.size() == 1 &&
-         body.statements.front().kind == StatementKind::kSuccessor;
+  if (body.kind != BodyKind::kStatements)
+    return std::ranges::all_of(body.branches, [](const Branch& branch) { return only_names(branch.body); });
+  return body.statements.size() == 1 && body.statements.front().kind == StatementKind::kSuccessor;
 }
 
 Made ends_of(const Run& run) {
