@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "compiler/buildings/painted.h"
 #include "compiler/geometry/triangulate.h"
@@ -25,19 +26,28 @@ std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp
 
 bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green < 1 || look.blue < 1; }
 
-bool turns_left(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - b), normal) > kLeast_m2; }
+bool turns_left(Vec3 in, Vec3 out, Vec3 normal) { return dot(cross(in, out), normal) > kLeast_m2; }
+
+bool turns_left_everywhere(std::span<const Vec3> ring, Vec3 normal) {
+  Vec3 before = ring.back(), in = before - ring[ring.size() - 2];
+  for (const Vec3 p : ring) {
+    const Vec3 out = p - before;
+    if (!turns_left(in, out, normal)) return false;
+    before = p, in = out;
+  }
+  return true;
+}
 
 // Strictly: then a fan from any corner has no flat triangle. Of more than four corners one that goes round twice turns
 // left everywhere too, but not as its first corner sees it.
-bool is_convex(const grammars::Ring3& ring, Vec3 normal) {
-  const std::size_t n = ring.size();
-  bool is = n >= 3;
-  for (std::size_t i = 0; i < n && is; ++i) is = turns_left(ring[i], ring[(i + 1) % n], ring[(i + 2) % n], normal);
-  for (std::size_t i = 2; n > 4 && i < n && is; ++i) is = turns_left(ring[0], ring[i - 1], ring[i], normal);
+bool is_convex(std::span<const Vec3> ring, Vec3 normal) {
+  bool is = ring.size() >= 3 && turns_left_everywhere(ring, normal);
+  for (std::size_t i = 2; ring.size() > 4 && i < ring.size() && is; ++i)
+    is = turns_left(ring[i - 1] - ring[0], ring[i] - ring[i - 1], normal);
   return is;
 }
 
-void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
+void add_fan(std::span<const Vec3> ring, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
   for (std::uint32_t i = 2; i < ring.size(); ++i) mesh.triangles.push_back({first, first + i - 1, first + i});
@@ -45,7 +55,6 @@ void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
 
 // Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
 void add_places(const Face& face, Vec3 normal, materials::DressedMesh& dressed) {
-  if (dressed.uvs.size() == dressed.mesh.positions.size()) return;
   constexpr double kPeriod_m = materials::kTexturePeriod_m, kStep_m = materials::kTexturePlace_m;
   const std::array<Vec3, 3> axis = grammars::axes_of(face, normal);
   const auto period = [&](std::size_t i) {
@@ -76,30 +85,50 @@ void add_triangulated(const Face& face, Mesh& mesh) {
   for (const Triangle& t : plane.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-void add_face(const Face& face, Vec3 normal, Mesh& mesh) {
-  if (area_m2(face) < kLeast_m2) return;
-  const bool is_simple = face.holes.empty() && is_convex(face.outer, normal);
-  if (is_simple) return add_fan(face.outer, mesh);
-  add_triangulated(face, mesh);
+// False, and nothing is added, for a face without area. Which way it looks, and how large it is, its outer ring says
+// for both.
+bool add_face(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
+  const bool is_whole = face.holes.empty();
+  const double area = (is_whole ? length(twice_outer_m2) : length(area_vector_m2(face))) / 2;
+  if (area < kLeast_m2) return false;
+  if (is_whole && is_convex(face.outer, normal))
+    add_fan(face.outer, mesh);
+  else
+    add_triangulated(face, mesh);
+  return true;
 }
 
+void add_face(const Face& face, bool has_places, materials::DressedMesh& dressed) {
+  const Vec3 twice_m2 = area_vector_m2(face.outer), normal = unit(twice_m2);
+  if (add_face(face, twice_m2, normal, dressed.mesh) && has_places) add_places(face, normal, dressed);
+}
+
+// Where what looks so goes.
+struct Dress {
+  materials::DressedMesh* dressed;
+  bool has_places;
+};
+
 // Room for all points, so that no mesh is moved as it grows.
-void reserve_points(const grammars::Derivation& derivation, std::span<materials::DressedMesh* const> mesh_of_look) {
-  std::vector<std::size_t> points(mesh_of_look.size());
+void reserve_points(const grammars::Derivation& derivation, std::span<const Dress> dress_of_look) {
+  std::vector<std::size_t> points(dress_of_look.size());
   for (const grammars::Terminal& terminal : derivation.terminals)
     points[terminal.look] += grammars::vertex_count(terminal.faces);
   for (std::size_t look = 0; look < points.size(); ++look) {
-    materials::DressedMesh& dressed = *mesh_of_look[look];
-    const std::size_t all = dressed.mesh.positions.capacity() + points[look];
-    dressed.mesh.positions.reserve(all);
-    dressed.mesh.triangles.reserve(all / 2);
-    if (materials::has_texture(dressed.material, 0)) dressed.uvs.reserve(all);
+    const auto [dressed, has_places] = dress_of_look[look];
+    const std::size_t all = dressed->mesh.positions.capacity() + points[look];
+    dressed->mesh.positions.reserve(all);
+    dressed->mesh.triangles.reserve(all / 2);
+    if (has_places) dressed->uvs.reserve(all);
   }
 }
 
 }  // namespace
 
-void add_face(const Face& face, Mesh& mesh) { add_face(face, normal_of(face), mesh); }
+void add_face(const Face& face, Mesh& mesh) {
+  const Vec3 twice_m2 = area_vector_m2(face.outer);
+  add_face(face, twice_m2, unit(twice_m2), mesh);
+}
 
 SurfaceDress dress_of(const grammars::Look& look) {
   const Material material = materials::material_named(look.name).value_or(Material::kPlaster);
@@ -112,9 +141,7 @@ SurfaceDress dress_of(const grammars::Look& look) {
 }
 
 void add_face(const Face& face, materials::DressedMesh& dressed) {
-  const Vec3 normal = normal_of(face);
-  add_face(face, normal, dressed.mesh);
-  if (materials::has_texture(dressed.material, 0)) add_places(face, normal, dressed);
+  add_face(face, materials::has_texture(dressed.material, 0), dressed);
 }
 
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature) {
@@ -122,11 +149,14 @@ std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& deriva
   for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
   std::map<SurfaceDress, materials::DressedMesh> mesh_of;
   for (const SurfaceDress& each : dress) mesh_of[each] = {{}, each.material, each.tint, feature};
-  std::vector<materials::DressedMesh*> mesh_of_look;
-  for (const SurfaceDress& each : dress) mesh_of_look.push_back(&mesh_of[each]);
-  reserve_points(derivation, mesh_of_look);
-  for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) add_face(face, *mesh_of_look[terminal.look]);
+  std::vector<Dress> dress_of_look;
+  for (const SurfaceDress& each : dress)
+    dress_of_look.push_back({&mesh_of[each], materials::has_texture(each.material, 0)});
+  reserve_points(derivation, dress_of_look);
+  for (const grammars::Terminal& terminal : derivation.terminals) {
+    const auto [dressed, has_places] = dress_of_look[terminal.look];
+    for (const Face& face : terminal.faces) add_face(face, has_places, *dressed);
+  }
   std::vector<materials::DressedMesh> meshes;
   for (auto& [key, dressed] : mesh_of)
     if (!dressed.mesh.triangles.empty()) meshes.push_back(std::move(dressed));
