@@ -65,6 +65,7 @@ TEST(EavesAbout, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
     const Polygon eaves = eaves_about(footprint, overhang_m);
     if (eaves.outer.empty()) continue;
     ++with_eaves;
+    ASSERT_TRUE(is_apart(eaves)) << seed;
     for (std::uint32_t i = 0; i < 500; ++i) {
       const Vec2 p{draw.between(-17, 17, 200 + 2 * i), draw.between(-17, 17, 201 + 2 * i)};
       const Distances walls = distances_from(p, footprint.outer);
