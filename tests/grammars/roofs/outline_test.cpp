@@ -29,6 +29,15 @@ TEST(EavesAbout, CutOffWhatIsSharp) {
   EXPECT_EQ(eaves_about({{{0, 0}, {16, -4}, {16, 4}}, {}}, 0.5).outer.size(), 4u);
 }
 
+TEST(EavesAbout, CloseWhereWallsFaceEachOtherNearer) {
+  // a yard whose way out is 0.75 m wide
+  const Ring ring = {{0, 0}, {12, 0}, {12, 12}, {6.75, 12}, {6.75, 9}, {9, 9},
+                     {9, 3}, {3, 3},  {3, 9},   {6, 9},     {6, 12},   {0, 12}};
+  const Polygon eaves = eaves_about({ring, {}}, 0.5);
+  ASSERT_EQ(eaves.holes.size(), 1u);
+  EXPECT_NEAR(area_m2(eaves), 13.0 * 13.0 - 5.0 * 5.0, 1e-9);
+}
+
 // From the walls, corners and all; and from those walls that p lies before, which eaves do not cut off.
 struct Distances {
   double any_m = 1e9, before_m = 1e9;
