@@ -5,6 +5,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "compiler/geometry/constrain_edge.h"
+
 namespace citykiln {
 namespace {
 
@@ -23,16 +25,6 @@ using Cdt =
 // Whole numbers below 2^29: exact in double, and so are CGAL's predicates. Turned left by a right angle: of four points
 // on one circle CGAL cuts off the one that comes last by x, then y, which of a rectangle's is now the south-eastern.
 Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(-p.y), static_cast<double>(p.x)}; }
-
-// An edge that is there already, as most are, takes its mark alone.
-void constrain(Cdt& cdt, Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
-  Cdt::Face_handle face;
-  int i = 0;
-  if (cdt.dimension() < 2 || !cdt.is_edge(a, b, face, i)) return cdt.insert_constraint(a, b);
-  const auto [beyond, opposite] = cdt.mirror_edge({face, i});
-  face->set_constraint(i, true);
-  beyond->set_constraint(opposite, true);
-}
 
 }  // namespace
 
@@ -94,7 +86,7 @@ Delaunay::Delaunay(std::span<const GridPoint> vertices, std::span<const std::pai
   t.cdt.insert(points.begin(), points.end());
   std::vector<Cdt::Vertex_handle> handles(vertices.size());
   for (const Cdt::Vertex_handle v : t.cdt.finite_vertex_handles()) handles[v->info()] = v;
-  for (const auto& [a, b] : edges) constrain(t.cdt, handles[a], handles[b]);
+  for (const auto& [a, b] : edges) constrain_edge(t.cdt, handles[a], handles[b]);
   for (const Cdt::Face_handle face : t.cdt.finite_face_handles()) t.number(face);
   for (const Cdt::Face_handle face : t.handles) t.refresh(face);
 }
