@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 
 #include "compiler/buildings/painted.h"
@@ -28,29 +29,46 @@ bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green 
 
 bool turns_left(Vec3 in, Vec3 out, Vec3 normal) { return dot(cross(in, out), normal) > kLeast_m2; }
 
-bool turns_left_everywhere(std::span<const Vec3> ring, Vec3 normal) {
-  Vec3 before = ring.back(), in = before - ring[ring.size() - 2];
-  for (const Vec3 p : ring) {
-    const Vec3 out = p - before;
-    if (!turns_left(in, out, normal)) return false;
-    before = p, in = out;
+// The corner that does not turn left, or the first where all do; none where several do not.
+std::optional<std::uint32_t> only_other_corner(std::span<const Vec3> ring, Vec3 normal) {
+  std::uint32_t other = 0, count = 0, at = static_cast<std::uint32_t>(ring.size()) - 1;
+  Vec3 in = ring[at] - ring[at - 1];
+  for (std::uint32_t next = 0; next < ring.size() && count < 2; at = next++) {
+    const Vec3 out = ring[next] - ring[at];
+    if (!turns_left(in, out, normal)) other = at, ++count;
+    in = out;
   }
-  return true;
+  return count < 2 ? std::optional(other) : std::nullopt;
 }
 
-// Strictly: then a fan from any corner has no flat triangle. Of more than four corners one that goes round twice turns
-// left everywhere too, but not as its first corner sees it.
-bool is_convex(std::span<const Vec3> ring, Vec3 normal) {
-  bool is = ring.size() >= 3 && turns_left_everywhere(ring, normal);
-  for (std::size_t i = 2; ring.size() > 4 && i < ring.size() && is; ++i)
-    is = turns_left(ring[i - 1] - ring[0], ring[i] - ring[i - 1], normal);
-  return is;
+// Calls visit(a, b, c) with the corners of the ring's triangles about one of them.
+template <typename Visit>
+void each_of_fan(std::uint32_t hub, std::uint32_t count, Visit visit) {
+  const auto after = [count](std::uint32_t corner) { return corner + 1 == count ? 0 : corner + 1; };
+  std::uint32_t b = after(hub);
+  for (std::uint32_t c = after(b); c != hub; b = c, c = after(c)) visit(hub, b, c);
 }
 
-void add_fan(std::span<const Vec3> ring, Mesh& mesh) {
+// Where a fan of triangles that are not flat fills the ring: from any corner of a strictly convex one, and from the
+// only corner that does not turn left. Of more than four corners one that goes round twice turns left everywhere too,
+// but not as that corner sees it.
+std::optional<std::uint32_t> hub_of(std::span<const Vec3> ring, Vec3 normal) {
+  if (ring.size() < 3) return std::nullopt;
+  const std::optional<std::uint32_t> hub = only_other_corner(ring, normal);
+  bool is_hub = hub.has_value();
+  if (is_hub && ring.size() > 4)
+    each_of_fan(*hub, static_cast<std::uint32_t>(ring.size()), [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      is_hub = is_hub && turns_left(ring[b] - ring[a], ring[c] - ring[b], normal);
+    });
+  return is_hub ? hub : std::nullopt;
+}
+
+void add_fan(std::span<const Vec3> ring, std::uint32_t hub, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
-  for (std::uint32_t i = 2; i < ring.size(); ++i) mesh.triangles.push_back({first, first + i - 1, first + i});
+  each_of_fan(hub, static_cast<std::uint32_t>(ring.size()), [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.triangles.push_back({first + a, first + b, first + c});
+  });
 }
 
 // Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
@@ -91,8 +109,9 @@ bool add_face(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
   const bool is_whole = face.holes.empty();
   const double area = (is_whole ? length(twice_outer_m2) : length(area_vector_m2(face))) / 2;
   if (area < kLeast_m2) return false;
-  if (is_whole && is_convex(face.outer, normal))
-    add_fan(face.outer, mesh);
+  const std::optional<std::uint32_t> hub = is_whole ? hub_of(face.outer, normal) : std::nullopt;
+  if (hub)
+    add_fan(face.outer, *hub, mesh);
   else
     add_triangulated(face, mesh);
   return true;
@@ -148,7 +167,8 @@ std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& deriva
   std::vector<SurfaceDress> dress;
   for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
   std::map<SurfaceDress, materials::DressedMesh> mesh_of;
-  for (const SurfaceDress& each : dress) mesh_of[each] = {{}, each.material, each.tint, feature};
+  for (const SurfaceDress& each : dress)
+    mesh_of.try_emplace(each, materials::DressedMesh{{}, each.material, each.tint, feature});
   std::vector<Dress> dress_of_look;
   for (const SurfaceDress& each : dress)
     dress_of_look.push_back({&mesh_of[each], materials::has_texture(each.material, 0)});
