@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <span>
 
+#include "grammars/border_ring.h"
 #include "grammars/cut.h"
 #include "grammars/roofs/expand_roof.h"
 
@@ -68,56 +69,63 @@ FaceTag tag_of(roofs::Part part) {
   return FaceTag::kNone;
 }
 
-using Corners = std::array<Vec3, 3>;
+/// Triangles of a roof's vertices, of one plane or nearly.
+struct Patch {
+  std::span<const Vec3> at;
+  std::vector<Triangle> triangles;
+};
 
-/// Triangles of one plane, or nearly.
-using Patch = std::vector<Corners>;
-
-Vec3 twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+Vec3 twice_area(const Patch& patch, const Triangle& t) {
+  return cross(patch.at[t[1]] - patch.at[t[0]], patch.at[t[2]] - patch.at[t[0]]);
+}
 
 Vec3 twice_area(const Patch& patch) {
   Vec3 sum;
-  for (const Corners& t : patch) sum = sum + twice_area(t);
+  for (const Triangle& t : patch.triangles) sum = sum + twice_area(patch, t);
   return sum;
-}
-
-bool lies_near(const Corners& t, Vec3 on_plane, Vec3 normal, double near_m) {
-  return std::all_of(t.begin(), t.end(), [&](Vec3 p) { return std::abs(dot(p - on_plane, normal)) <= near_m; });
 }
 
 Vec3 middle_of(const Patch& patch) {
   Vec3 sum;
-  for (const Corners& t : patch) sum = sum + (t[0] + t[1] + t[2]) * (1 / 3.0);
-  return sum * (1 / static_cast<double>(patch.size()));
+  for (const auto& [a, b, c] : patch.triangles) sum = sum + (patch.at[a] + patch.at[b] + patch.at[c]) * (1 / 3.0);
+  return sum * (1 / static_cast<double>(patch.triangles.size()));
 }
 
 /// Faces are flat to a centimetre. Roof planes may be less so: over walls that bend by less than the skeleton sees, and
 /// where planes that do not meet were joined.
 constexpr double kFlat_m = 0.005, kOnLargest_m = 0.004, kUpright = 0.01;
 
+/// Far above rounding: a ring that surrounds so much, seen from outside, is a face.
+constexpr double kSurelyArea_m2 = 1e-9;
+
 /// What stands upright may be folded by a hair, and look both ways.
-bool looks_along(const Corners& t, Vec3 normal) {
-  return std::abs(normal.z) > kUpright || dot(twice_area(t), normal) >= 0;
+bool looks_along(const Patch& patch, const Triangle& t, Vec3 normal) {
+  return std::abs(normal.z) > kUpright || dot(twice_area(patch, t), normal) >= 0;
+}
+
+bool lies_along(const Patch& patch, const Triangle& t, Vec3 on_plane, Vec3 normal, double near_m) {
+  const auto is_near = [&](std::uint32_t v) { return std::abs(dot(patch.at[v] - on_plane, normal)) <= near_m; };
+  return std::all_of(t.begin(), t.end(), is_near) && looks_along(patch, t, normal);
 }
 
 bool is_flat(const Patch& patch) {
   const Vec3 middle = middle_of(patch), normal = unit(twice_area(patch));
-  return std::all_of(patch.begin(), patch.end(),
-                     [&](const Corners& t) { return lies_near(t, middle, normal, kFlat_m) && looks_along(t, normal); });
+  return std::all_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const Triangle& t) { return lies_along(patch, t, middle, normal, kFlat_m); });
 }
 
 /// What lies in the plane of the largest triangle, which it leaves out of `patch`.
 Patch take_largest_plane(Patch& patch) {
-  const auto largest = std::max_element(patch.begin(), patch.end(), [](const Corners& a, const Corners& b) {
-    return length(twice_area(a)) < length(twice_area(b));
+  auto& all = patch.triangles;
+  const Triangle seed = *std::max_element(all.begin(), all.end(), [&](const Triangle& a, const Triangle& b) {
+    return length(twice_area(patch, a)) < length(twice_area(patch, b));
   });
-  const Corners seed = *largest;
-  const Vec3 normal = unit(twice_area(seed));
-  const auto rest = std::stable_partition(patch.begin(), patch.end(), [&](const Corners& t) {
-    return t != seed && !(lies_near(t, seed[0], normal, kOnLargest_m) && looks_along(t, normal));
+  const Vec3 on_plane = patch.at[seed[0]], normal = unit(twice_area(patch, seed));
+  const auto rest = std::stable_partition(all.begin(), all.end(), [&](const Triangle& t) {
+    return t != seed && !lies_along(patch, t, on_plane, normal, kOnLargest_m);
   });
-  Patch taken(rest, patch.end());
-  patch.erase(rest, patch.end());
+  Patch taken{patch.at, {rest, all.end()}};
+  all.erase(rest, all.end());
   return taken;
 }
 
@@ -128,10 +136,28 @@ Vec3 seen_from(const Patch& patch) {
   return normal.z == 0 ? normal : Vec3{0, 0, normal.z > 0 ? 1.0 : -1.0};
 }
 
-void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
+bool comes_back(std::span<const Vec3> ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (std::find(ring.begin() + i + 1, ring.end(), ring[i]) != ring.end()) return true;
+  return false;
+}
+
+/// Most patches are what one ring surrounds; others are traced by their edges' places.
+std::vector<Face> flat_faces(const Patch& patch) {
+  const Vec3 normal = seen_from(patch);
+  std::vector<Face> faces(1);
+  Ring3& ring = faces.front().outer;
+  const auto border = border_ring(patch.triangles);
+  for (const std::uint32_t v : border.value_or(std::vector<std::uint32_t>{})) ring.push_back(patch.at[v]);
+  if (dot(normal, area_vector_m2(ring)) > kSurelyArea_m2 && !comes_back(ring)) return faces;
   std::vector<Edge3> edges;
-  for (const auto& [a, b, c] : patch) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
-  for (Face& face : faces_along(edges, seen_from(patch))) {
+  const auto add = [&](std::uint32_t from, std::uint32_t to) { edges.emplace_back(patch.at[from], patch.at[to]); };
+  for (const auto& [a, b, c] : patch.triangles) add(a, b), add(b, c), add(c, a);
+  return faces_along(edges, normal);
+}
+
+void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
+  for (Face& face : flat_faces(patch)) {
     face.tag = tag;
     faces.push_back(std::move(face));
   }
@@ -139,7 +165,7 @@ void add_flat_faces(const Patch& patch, FaceTag tag, std::vector<Face>& faces) {
 
 void add_faces(Patch patch, FaceTag tag, std::vector<Face>& faces) {
   while (!is_flat(patch)) add_flat_faces(take_largest_plane(patch), tag, faces);
-  if (!patch.empty()) add_flat_faces(patch, tag, faces);
+  if (!patch.triangles.empty()) add_flat_faces(patch, tag, faces);
 }
 
 /// Which triangles are one face: those of a roof plane by its number, what stands upright by where it stands: a gable
@@ -156,20 +182,40 @@ PatchKey key_of(const roofs::Roof& roof, std::size_t i) {
   return {part, cell(normal.x), cell(normal.y), cell(normal.z), cell(dot(normal, a))};
 }
 
+/// A triangle of the roof, and the patch that it is of.
+struct Keyed {
+  PatchKey patch;
+  std::size_t triangle;
+  auto operator<=>(const Keyed&) const = default;
+};
+
+std::vector<Keyed> by_patch(const roofs::Roof& roof) {
+  std::vector<Keyed> keyed;
+  keyed.reserve(roof.triangles.size());
+  for (std::size_t i = 0; i < roof.triangles.size(); ++i) keyed.push_back({key_of(roof, i), i});
+  std::sort(keyed.begin(), keyed.end());
+  return keyed;
+}
+
+Patch floor_of(const roofs::Roof& roof) {
+  Patch floor{roof.positions, {}};
+  for (const auto& [a, b, c] : roof.floor) floor.triangles.push_back({c, b, a});
+  return floor;
+}
+
 }  // namespace
 
 std::vector<Face> faces_of(const roofs::Roof& roof) {
-  std::map<PatchKey, Patch> patches;
-  const auto& p = roof.positions;
-  for (std::size_t i = 0; i < roof.triangles.size(); ++i) {
-    const Triangle t = roof.triangles[i];
-    patches[key_of(roof, i)].push_back({p[t[0]], p[t[1]], p[t[2]]});
-  }
-  Patch base;
-  for (const Triangle t : roof.floor) base.push_back({p[t[2]], p[t[1]], p[t[0]]});
+  const std::vector<Keyed> keyed = by_patch(roof);
   std::vector<Face> faces;
-  for (auto& [key, patch] : patches) add_faces(std::move(patch), tag_of(static_cast<roofs::Part>(key[0])), faces);
-  add_faces(std::move(base), FaceTag::kBottom, faces);
+  for (auto first = keyed.begin(); first != keyed.end();) {
+    Patch patch{roof.positions, {}};
+    const auto end = std::find_if(first, keyed.end(), [&](const Keyed& k) { return k.patch != first->patch; });
+    for (auto k = first; k != end; ++k) patch.triangles.push_back(roof.triangles[k->triangle]);
+    add_faces(std::move(patch), tag_of(roof.parts[first->triangle]), faces);
+    first = end;
+  }
+  add_faces(floor_of(roof), FaceTag::kBottom, faces);
   return faces;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <span>
 
 #include "compiler/buildings/painted.h"
 #include "compiler/geometry/triangulate.h"
@@ -25,27 +27,52 @@ std::uint8_t byte_of(double share) { return static_cast<std::uint8_t>(std::clamp
 
 bool has_colour(const grammars::Look& look) { return look.red < 1 || look.green < 1 || look.blue < 1; }
 
-bool turns_left(Vec3 a, Vec3 b, Vec3 c, Vec3 normal) { return dot(cross(b - a, c - b), normal) > kLeast_m2; }
+bool turns_left(Vec3 in, Vec3 out, Vec3 normal) { return dot(cross(in, out), normal) > kLeast_m2; }
 
-// Strictly: then a fan from any corner has no flat triangle. Of more than four corners one that goes round twice turns
-// left everywhere too, but not as its first corner sees it.
-bool is_convex(const grammars::Ring3& ring, Vec3 normal) {
-  const std::size_t n = ring.size();
-  bool is = n >= 3;
-  for (std::size_t i = 0; i < n && is; ++i) is = turns_left(ring[i], ring[(i + 1) % n], ring[(i + 2) % n], normal);
-  for (std::size_t i = 2; n > 4 && i < n && is; ++i) is = turns_left(ring[0], ring[i - 1], ring[i], normal);
-  return is;
+// The corner that does not turn left, or the first where all do; none where several do not.
+std::optional<std::uint32_t> only_other_corner(std::span<const Vec3> ring, Vec3 normal) {
+  std::uint32_t other = 0, count = 0, at = static_cast<std::uint32_t>(ring.size()) - 1;
+  Vec3 in = ring[at] - ring[at - 1];
+  for (std::uint32_t next = 0; next < ring.size() && count < 2; at = next++) {
+    const Vec3 out = ring[next] - ring[at];
+    if (!turns_left(in, out, normal)) other = at, ++count;
+    in = out;
+  }
+  return count < 2 ? std::optional(other) : std::nullopt;
 }
 
-void add_fan(const grammars::Ring3& ring, Mesh& mesh) {
+// Calls visit(a, b, c) with the corners of the ring's triangles about one of them.
+template <typename Visit>
+void each_of_fan(std::uint32_t hub, std::uint32_t count, Visit visit) {
+  const auto after = [count](std::uint32_t corner) { return corner + 1 == count ? 0 : corner + 1; };
+  std::uint32_t b = after(hub);
+  for (std::uint32_t c = after(b); c != hub; b = c, c = after(c)) visit(hub, b, c);
+}
+
+// Where a fan of triangles that are not flat fills the ring: from any corner of a strictly convex one, and from the
+// only corner that does not turn left. Of more than four corners one that goes round twice turns left everywhere too,
+// but not as that corner sees it.
+std::optional<std::uint32_t> hub_of(std::span<const Vec3> ring, Vec3 normal) {
+  if (ring.size() < 3) return std::nullopt;
+  const std::optional<std::uint32_t> hub = only_other_corner(ring, normal);
+  bool is_hub = hub.has_value();
+  if (is_hub && ring.size() > 4)
+    each_of_fan(*hub, static_cast<std::uint32_t>(ring.size()), [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      is_hub = is_hub && turns_left(ring[b] - ring[a], ring[c] - ring[b], normal);
+    });
+  return is_hub ? hub : std::nullopt;
+}
+
+void add_fan(std::span<const Vec3> ring, std::uint32_t hub, Mesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
-  for (std::uint32_t i = 2; i < ring.size(); ++i) mesh.triangles.push_back({first, first + i - 1, first + i});
+  each_of_fan(hub, static_cast<std::uint32_t>(ring.size()), [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh.triangles.push_back({first + a, first + b, first + c});
+  });
 }
 
 // Along the face's foot and up it; less whole periods, so that numbers stay small and neighbours in one plane agree.
 void add_places(const Face& face, Vec3 normal, materials::DressedMesh& dressed) {
-  if (dressed.uvs.size() == dressed.mesh.positions.size()) return;
   constexpr double kPeriod_m = materials::kTexturePeriod_m, kStep_m = materials::kTexturePlace_m;
   const std::array<Vec3, 3> axis = grammars::axes_of(face, normal);
   const auto period = [&](std::size_t i) {
@@ -76,30 +103,51 @@ void add_triangulated(const Face& face, Mesh& mesh) {
   for (const Triangle& t : plane.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-void add_face(const Face& face, Vec3 normal, Mesh& mesh) {
-  if (area_m2(face) < kLeast_m2) return;
-  const bool is_simple = face.holes.empty() && is_convex(face.outer, normal);
-  if (is_simple) return add_fan(face.outer, mesh);
-  add_triangulated(face, mesh);
+// False, and nothing is added, for a face without area. Which way it looks, and how large it is, its outer ring says
+// for both.
+bool add_face(const Face& face, Vec3 twice_outer_m2, Vec3 normal, Mesh& mesh) {
+  const bool is_whole = face.holes.empty();
+  const double area = (is_whole ? length(twice_outer_m2) : length(area_vector_m2(face))) / 2;
+  if (area < kLeast_m2) return false;
+  const std::optional<std::uint32_t> hub = is_whole ? hub_of(face.outer, normal) : std::nullopt;
+  if (hub)
+    add_fan(face.outer, *hub, mesh);
+  else
+    add_triangulated(face, mesh);
+  return true;
 }
 
+void add_face(const Face& face, bool has_places, materials::DressedMesh& dressed) {
+  const Vec3 twice_m2 = area_vector_m2(face.outer), normal = unit(twice_m2);
+  if (add_face(face, twice_m2, normal, dressed.mesh) && has_places) add_places(face, normal, dressed);
+}
+
+// Where what looks so goes.
+struct Dress {
+  materials::DressedMesh* dressed;
+  bool has_places;
+};
+
 // Room for all points, so that no mesh is moved as it grows.
-void reserve_points(const grammars::Derivation& derivation, std::span<materials::DressedMesh* const> mesh_of_look) {
-  std::vector<std::size_t> points(mesh_of_look.size());
+void reserve_points(const grammars::Derivation& derivation, std::span<const Dress> dress_of_look) {
+  std::vector<std::size_t> points(dress_of_look.size());
   for (const grammars::Terminal& terminal : derivation.terminals)
     points[terminal.look] += grammars::vertex_count(terminal.faces);
   for (std::size_t look = 0; look < points.size(); ++look) {
-    materials::DressedMesh& dressed = *mesh_of_look[look];
-    const std::size_t all = dressed.mesh.positions.capacity() + points[look];
-    dressed.mesh.positions.reserve(all);
-    dressed.mesh.triangles.reserve(all / 2);
-    if (materials::has_texture(dressed.material, 0)) dressed.uvs.reserve(all);
+    const auto [dressed, has_places] = dress_of_look[look];
+    const std::size_t all = dressed->mesh.positions.capacity() + points[look];
+    dressed->mesh.positions.reserve(all);
+    dressed->mesh.triangles.reserve(all / 2);
+    if (has_places) dressed->uvs.reserve(all);
   }
 }
 
 }  // namespace
 
-void add_face(const Face& face, Mesh& mesh) { add_face(face, normal_of(face), mesh); }
+void add_face(const Face& face, Mesh& mesh) {
+  const Vec3 twice_m2 = area_vector_m2(face.outer);
+  add_face(face, twice_m2, unit(twice_m2), mesh);
+}
 
 SurfaceDress dress_of(const grammars::Look& look) {
   const Material material = materials::material_named(look.name).value_or(Material::kPlaster);
@@ -112,21 +160,23 @@ SurfaceDress dress_of(const grammars::Look& look) {
 }
 
 void add_face(const Face& face, materials::DressedMesh& dressed) {
-  const Vec3 normal = normal_of(face);
-  add_face(face, normal, dressed.mesh);
-  if (materials::has_texture(dressed.material, 0)) add_places(face, normal, dressed);
+  add_face(face, materials::has_texture(dressed.material, 0), dressed);
 }
 
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature) {
   std::vector<SurfaceDress> dress;
   for (const grammars::Look& look : derivation.looks) dress.push_back(dress_of(look));
   std::map<SurfaceDress, materials::DressedMesh> mesh_of;
-  for (const SurfaceDress& each : dress) mesh_of[each] = {{}, each.material, each.tint, feature};
-  std::vector<materials::DressedMesh*> mesh_of_look;
-  for (const SurfaceDress& each : dress) mesh_of_look.push_back(&mesh_of[each]);
-  reserve_points(derivation, mesh_of_look);
-  for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) add_face(face, *mesh_of_look[terminal.look]);
+  for (const SurfaceDress& each : dress)
+    mesh_of.try_emplace(each, materials::DressedMesh{{}, each.material, each.tint, feature});
+  std::vector<Dress> dress_of_look;
+  for (const SurfaceDress& each : dress)
+    dress_of_look.push_back({&mesh_of[each], materials::has_texture(each.material, 0)});
+  reserve_points(derivation, dress_of_look);
+  for (const grammars::Terminal& terminal : derivation.terminals) {
+    const auto [dressed, has_places] = dress_of_look[terminal.look];
+    for (const Face& face : terminal.faces) add_face(face, has_places, *dressed);
+  }
   std::vector<materials::DressedMesh> meshes;
   for (auto& [key, dressed] : mesh_of)
     if (!dressed.mesh.triangles.empty()) meshes.push_back(std::move(dressed));

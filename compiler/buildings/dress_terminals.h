@@ -28,8 +28,8 @@ void add_face(const grammars::Face& face, Mesh& mesh);
 /// Guarantees: flat triangles, counter-clockwise from outside; of a face that does not cross itself the triangles'
 /// points are its points, bit for bit, and their area is the face's. What has a texture has places on it (uvs): along a
 /// face's foot and up it, so that faces of one plane show one picture. The same bytes for the same derivation. Total:
-/// faces without area add nothing; assets, and the terminals' own texture frames, are left out. O(n log n); convex
-/// faces without holes, O(n).
+/// faces without area add nothing; assets, and the terminals' own texture frames, are left out. O(n log n); faces
+/// without holes that turn left at all corners but one, O(n).
 std::vector<materials::DressedMesh> meshes_of(const grammars::Derivation& derivation, OsmId feature);
 
 /// Adds a face as meshes_of() does: with places on the material's texture, if it has one. Then all of the mesh has to

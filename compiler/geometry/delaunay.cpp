@@ -5,6 +5,8 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "compiler/geometry/constrain_edge.h"
+
 namespace citykiln {
 namespace {
 
@@ -84,7 +86,7 @@ Delaunay::Delaunay(std::span<const GridPoint> vertices, std::span<const std::pai
   t.cdt.insert(points.begin(), points.end());
   std::vector<Cdt::Vertex_handle> handles(vertices.size());
   for (const Cdt::Vertex_handle v : t.cdt.finite_vertex_handles()) handles[v->info()] = v;
-  for (const auto& [a, b] : edges) t.cdt.insert_constraint(handles[a], handles[b]);
+  for (const auto& [a, b] : edges) constrain_edge(t.cdt, handles[a], handles[b]);
   for (const Cdt::Face_handle face : t.cdt.finite_face_handles()) t.number(face);
   for (const Cdt::Face_handle face : t.handles) t.refresh(face);
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include "compiler/geometry/constrain_edge.h"
 #include "compiler/geometry/snap.h"
 
 namespace citykiln {
@@ -43,8 +44,7 @@ void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
     points.push_back(p);
   }
   for (std::size_t i = 0; i < handles.size(); ++i)
-    if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i])
-      cdt.insert_constraint(handles[i], next);
+    if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i]) constrain_edge(cdt, handles[i], next);
 }
 
 // All faces that can be reached from `start` without crossing a constraint.

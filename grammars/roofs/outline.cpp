@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
@@ -13,6 +14,12 @@
 
 namespace citykiln::roofs {
 namespace {
+
+std::vector<const Ring*> rings_of(const Polygon& polygon) {
+  std::vector<const Ring*> rings = {&polygon.outer};
+  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  return rings;
+}
 
 // How far corners that touch are drawn back: less than any eye sees, more than the skeleton's rounding; less where that
 // would turn a sliver over.
@@ -113,29 +120,72 @@ Ring simplified(const Ring& ring, double drop_m) {
   return kept.size() < 3 ? ring : kept;
 }
 
+// What eaves do at a corner, from it: where the walls' eaves end, and the tip in which they meet.
+struct EavesCorner {
+  Vec2 out, next, tip;
+  bool is_left = false, is_sharp = false;  // the tip of a sharp one is far out
+};
+
+EavesCorner corner_between(Vec2 a, Vec2 b, Vec2 c, double overhang_m) {
+  const Vec2 out = left_of(unit(b - a)) * -overhang_m, next = left_of(unit(c - b)) * -overhang_m, middle = out + next;
+  const double reach = dot(middle, middle) / (2 * overhang_m * overhang_m);
+  const bool is_sharp = reach < 0.5;
+  return {out, next, is_sharp ? middle : middle * (1 / reach), cross(b - a, c - b) > 0, is_sharp};
+}
+
+// Every wall moved out as far as its neighbours' eaves. Nothing where one would turn back, or runs far into a corner.
+std::optional<Ring> walls_moved_out(const Ring& ring, double overhang_m) {
+  const std::size_t n = ring.size();
+  Ring from(n), to(n), eaves;
+  for (std::size_t i = 0, j = 1; i < n; ++i, j = (j + 1) % n) {
+    const EavesCorner corner = corner_between(ring[i], ring[j], ring[(j + 1) % n], overhang_m);
+    if (corner.is_sharp && !corner.is_left) return std::nullopt;
+    to[i] = snapped(ring[j] + (corner.is_sharp ? corner.out : corner.tip));
+    from[j] = snapped(ring[j] + (corner.is_sharp ? corner.next : corner.tip));
+  }
+  for (std::size_t i = 0, j = 1; i < n; ++i, j = (j + 1) % n) {
+    if (dot(to[i] - from[i], ring[j] - ring[i]) <= 0) return std::nullopt;
+    eaves.push_back(from[i]);
+    if (to[i] != from[j]) eaves.push_back(to[i]);
+  }
+  return eaves;
+}
+
+// The eaves where no wall's come past another's: then what lies between the moved walls and theirs does not overlap.
+Polygon eaves_by_corners(const Polygon& footprint, double overhang_m) {
+  Polygon eaves;
+  for (const Ring* ring : rings_of(footprint)) {
+    std::optional<Ring> moved = walls_moved_out(*ring, overhang_m);
+    if (!moved) return {};
+    (ring == &footprint.outer ? eaves.outer : eaves.holes.emplace_back()) = std::move(*moved);
+  }
+  return is_apart(eaves) ? eaves : Polygon{};
+}
+
 // Walls' strips and corners' kites; together with the footprint they are the eaves.
 void add_eaves(std::vector<OwnedSegment>& segments, const Ring& ring, double overhang_m) {
   for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
-    const Vec2 a = ring[i], b = ring[(i + 1) % n], c = ring[(i + 2) % n];
-    const Vec2 out = left_of(unit(b - a)) * -overhang_m, next = left_of(unit(c - b)) * -overhang_m;
+    const Vec2 a = ring[i], b = ring[(i + 1) % n];
+    const auto [out, next, tip, is_left, is_sharp] = corner_between(a, b, ring[(i + 2) % n], overhang_m);
     add_ring(segments, Ring{a, a + out, b + out, b}, 0);
-    if (cross(b - a, c - b) <= 0) continue;
-    // the corner's tip is where both walls' eaves meet, unless that is far out
-    const Vec2 middle = out + next;
-    const double reach = dot(middle, middle) / (2 * overhang_m * overhang_m);
-    if (reach < 0.5)
-      add_ring(segments, Ring{b, b + out, b + next}, 0);
-    else
-      add_ring(segments, Ring{b, b + out, b + middle * (1 / reach), b + next}, 0);
+    if (!is_left) continue;
+    add_ring(segments, is_sharp ? Ring{b, b + out, b + next} : Ring{b, b + out, b + tip, b + next}, 0);
   }
 }
 
+Polygon eaves_by_overlay(const Polygon& footprint, double overhang_m) {
+  std::vector<OwnedSegment> segments;
+  for (const Ring* ring : rings_of(footprint)) {
+    add_ring(segments, *ring, 0);
+    add_eaves(segments, *ring, overhang_m);
+  }
+  std::vector<Polygon> eaves = std::move(overlay(segments, 1).front());
+  return eaves.size() == 1 && is_apart(eaves.front()) ? std::move(eaves.front()) : Polygon{};
+}
+
 bool keeps_apart(const Polygon& eaves, const Polygon& footprint) {
-  std::vector<const Ring*> outer = {&eaves.outer}, inner = {&footprint.outer};
-  for (const Ring& hole : eaves.holes) outer.push_back(&hole);
-  for (const Ring& hole : footprint.holes) inner.push_back(&hole);
-  for (const Ring* a : outer)
-    for (const Ring* b : inner)
+  for (const Ring* a : rings_of(eaves))
+    for (const Ring* b : rings_of(footprint))
       if (borders_touch(*a, *b)) return false;
   return true;
 }
@@ -196,16 +246,9 @@ Polygon simplified(const Polygon& polygon, double drop_m) {
 
 Polygon eaves_about(const Polygon& footprint, double overhang_m) {
   if (overhang_m < 8 * kQuantum_m || !is_apart(footprint)) return {};
-  std::vector<OwnedSegment> segments;
-  add_ring(segments, footprint.outer, 0);
-  add_eaves(segments, footprint.outer, overhang_m);
-  for (const Ring& hole : footprint.holes) {
-    add_ring(segments, hole, 0);
-    add_eaves(segments, hole, overhang_m);
-  }
-  std::vector<Polygon> eaves = std::move(overlay(segments, 1).front());
-  if (eaves.size() != 1 || !is_apart(eaves.front()) || !keeps_apart(eaves.front(), footprint)) return {};
-  return std::move(eaves.front());
+  Polygon eaves = eaves_by_corners(footprint, overhang_m);
+  if (eaves.outer.empty()) eaves = eaves_by_overlay(footprint, overhang_m);
+  return keeps_apart(eaves, footprint) ? eaves : Polygon{};
 }
 
 }  // namespace citykiln::roofs

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <span>
@@ -76,6 +77,47 @@ TEST(MeshesOf, UsesTheFacesOwnPoints) {
     for (const auto& face : terminal.faces) each_vertex(face, [&](Vec3 p) { own.insert(p); });
   for (const DressedMesh& dressed : meshes_of(derivation, {}))
     for (const Vec3 p : dressed.mesh.positions) EXPECT_TRUE(own.contains(p));
+}
+
+// A wall under a ridge, an arrow, an L, a T and a spiral, from each of their corners on.
+TEST(AddFace, FillsEveryRingWithItsTrianglesOnce) {
+  const std::vector<Ring> rings = {{{0, 0}, {6, 0}, {6, 3}, {3, 3}, {0, 3}},
+                                   {{0, 0}, {4, -2}, {2, 0}, {4, 2}},
+                                   {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 5}, {0, 5}},
+                                   {{2, 0}, {4, 0}, {4, 3}, {6, 3}, {6, 5}, {0, 5}, {0, 3}, {2, 3}},
+                                   {{0, 0},
+                                    {9, 0},
+                                    {9, 8},
+                                    {2, 8},
+                                    {2, 2},
+                                    {6, 2},
+                                    {6, 5},
+                                    {4, 5},
+                                    {4, 4},
+                                    {5, 4},
+                                    {5, 3},
+                                    {3, 3},
+                                    {3, 7},
+                                    {8, 7},
+                                    {8, 1},
+                                    {0, 1}}};
+  for (Ring ring : rings)
+    for (std::size_t turn = 0; turn < ring.size(); ++turn) {
+      std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+      grammars::Face face;
+      for (const Vec2 p : ring) face.outer.push_back({p.x, 0.6 * p.y, 0.8 * p.y});
+      Mesh mesh;
+      add_face(face, mesh);
+      EXPECT_EQ(mesh.triangles.size(), ring.size() - 2);
+      double sum_m2 = 0;
+      for (const auto& [a, b, c] : mesh.triangles) {
+        const auto& p = mesh.positions;
+        const double area = dot(cross(p[b] - p[a], p[c] - p[a]), normal_of(face)) / 2;
+        EXPECT_GT(area, 1e-6);
+        sum_m2 += area;
+      }
+      EXPECT_NEAR(sum_m2, signed_area_m2(ring), 1e-9);
+    }
 }
 
 TEST(MeshesOf, LaysMetresOnTextures) {

@@ -1,0 +1,18 @@
+// Edges that CGAL's constrained triangulations have to keep.
+#pragma once
+
+namespace citykiln {
+
+/// As cdt.insert_constraint(a, b), of different vertices. An edge that is there already, as most are, takes its mark
+/// alone.
+template <typename Cdt>
+void constrain_edge(Cdt& cdt, typename Cdt::Vertex_handle a, typename Cdt::Vertex_handle b) {
+  typename Cdt::Face_handle face;
+  int i = 0;
+  if (cdt.dimension() < 2 || !cdt.is_edge(a, b, face, i)) return cdt.insert_constraint(a, b);
+  const auto [beyond, opposite] = cdt.mirror_edge({face, i});
+  face->set_constraint(i, true);
+  beyond->set_constraint(opposite, true);
+}
+
+}  // namespace citykiln

@@ -1,0 +1,91 @@
+#include "grammars/roofs/outline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "compiler/contract/draw.h"
+#include "tests/grammars/roofs/footprints.h"
+
+namespace citykiln::roofs {
+namespace {
+
+std::size_t corners_of(const Polygon& polygon) {
+  std::size_t count = polygon.outer.size();
+  for (const Ring& hole : polygon.holes) count += hole.size();
+  return count;
+}
+
+TEST(EavesAbout, HaveTheCornersOfTheirWalls) {
+  for (const char* name : {"rectangle", "L", "T", "U", "cross", "courtyard", "two courtyards", "circle", "sliver"})
+    for (const NamedFootprint& footprint : made_footprints())
+      if (footprint.name == name) {
+        EXPECT_EQ(corners_of(eaves_about(footprint.polygon, 0.5)), corners_of(footprint.polygon)) << name;
+      }
+}
+
+TEST(EavesAbout, CutOffWhatIsSharp) {
+  // a wedge's tip of 28 degrees gets two corners, the others one
+  EXPECT_EQ(eaves_about({{{0, 0}, {16, -4}, {16, 4}}, {}}, 0.5).outer.size(), 4u);
+}
+
+TEST(EavesAbout, CloseWhereWallsFaceEachOtherNearer) {
+  // a yard whose way out is 0.75 m wide
+  const Ring ring = {{0, 0}, {12, 0}, {12, 12}, {6.75, 12}, {6.75, 9}, {9, 9},
+                     {9, 3}, {3, 3},  {3, 9},   {6, 9},     {6, 12},   {0, 12}};
+  const Polygon eaves = eaves_about({ring, {}}, 0.5);
+  ASSERT_EQ(eaves.holes.size(), 1u);
+  EXPECT_NEAR(area_m2(eaves), 13.0 * 13.0 - 5.0 * 5.0, 1e-9);
+}
+
+// From the walls, corners and all; and from those walls that p lies before, which eaves do not cut off.
+struct Distances {
+  double any_m = 1e9, before_m = 1e9;
+};
+
+Distances distances_from(Vec2 p, const Ring& ring) {
+  Distances least;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vec2 wall = ring[i] - ring[j];
+    const double along = dot(p - ring[j], wall) / dot(wall, wall);
+    const double far_m = distance(p, ring[j] + wall * std::clamp(along, 0.0, 1.0));
+    least.any_m = std::min(least.any_m, far_m);
+    if (along >= 0 && along <= 1 && cross(wall, p - ring[j]) <= 0) least.before_m = std::min(least.before_m, far_m);
+  }
+  return least;
+}
+
+// A star with random rays.
+Ring random_ring(const Draw& draw, std::uint32_t corners) {
+  Ring ring;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const Vec2 ray = direction_of((i + draw.between(0, 0.9, 2 * i)) / corners);
+    ring.push_back(snapped_to(0x1p-7, ray * draw.between(3, 15, 2 * i + 1)));
+  }
+  return ring;
+}
+
+TEST(EavesAbout, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
+  int with_eaves = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    const Draw draw(seed, {}, "eaves");
+    const Polygon footprint{random_ring(draw, 3 + draw.below(9, 100)), {}};
+    const double overhang_m = draw.between(0.1, 1.5, 101), rounding_m = 0.002;
+    const Polygon eaves = eaves_about(footprint, overhang_m);
+    if (eaves.outer.empty()) continue;
+    ++with_eaves;
+    ASSERT_TRUE(is_apart(eaves)) << seed;
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      const Vec2 p{draw.between(-17, 17, 200 + 2 * i), draw.between(-17, 17, 201 + 2 * i)};
+      const Distances walls = distances_from(p, footprint.outer);
+      const bool is_near = contains(footprint, p) || walls.before_m < overhang_m - rounding_m;
+      const bool is_far = !contains(footprint, p) && walls.any_m > 2 * overhang_m + rounding_m;
+      if (!is_near && !is_far) continue;
+      ASSERT_EQ(contains(eaves, p), is_near) << seed << ": " << p.x << " " << p.y;
+    }
+  }
+  EXPECT_GT(with_eaves, 900);
+}
+
+}  // namespace
+}  // namespace citykiln::roofs
