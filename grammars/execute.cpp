@@ -136,6 +136,19 @@ bool is_in_world(const Shape& shape) {
   return all;
 }
 
+void run_in_world(Execution& execution, const Statement& statement, const OperationRow& row,
+                  std::span<const Argument> arguments) {
+  // one copy will do for the start and for this
+  const bool is_start = execution.run.measures() && !execution.start;
+  std::optional<Shape> before;
+  (is_start ? execution.start : before) = execution.shape;
+  row.run(execution, statement, arguments);
+  if (is_in_world(execution.shape)) return;
+  execution.run.trouble(statement.place,
+                        "'" + statement.name + "' takes the shape out of the world; it stays as it was");
+  execution.shape = is_start ? *execution.start : *before;
+}
+
 [[gnu::noinline]] void run_operation(Execution& execution, const Statement& statement) {
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
@@ -145,15 +158,10 @@ bool is_in_world(const Shape& shape) {
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
-  if (row.alters == Alters::kSurface || row.alters == Alters::kFrame || statement.has_selectors)
-    remember_start(execution);
   // what leaves the points where they are leaves them in the world
-  if (row.alters != Alters::kSurface) return row.run(execution, statement, arguments);
-  Shape before = execution.shape;
+  if (row.alters == Alters::kSurface) return run_in_world(execution, statement, row, arguments);
+  if (row.alters == Alters::kFrame || statement.has_selectors) remember_start(execution);
   row.run(execution, statement, arguments);
-  if (is_in_world(execution.shape)) return;
-  run.trouble(statement.place, "'" + statement.name + "' takes the shape out of the world; it stays as it was");
-  execution.shape = std::move(before);
 }
 
 void pop(Execution& execution) {
@@ -321,7 +329,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
 NodeTrace traced(const Execution& execution) {
   if (!execution.run.measures()) return {{}, execution.vanished};
   if (execution.seen.are_many()) return {{kUnbounded_m, kUnbounded_m}, false, execution.seen};
-  NodeTrace trace = together(execution.children);
+  NodeTrace trace = together(all_of(execution.children));
   trace.seen = execution.seen;
   return trace;
 }

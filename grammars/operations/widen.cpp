@@ -1,6 +1,7 @@
 #include "grammars/operations/widen.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace citykiln::grammars {
@@ -24,12 +25,17 @@ Narrow narrow_from(std::span<const Slice> slices, std::size_t first, double tole
   return narrow;
 }
 
-/// What is known of the pieces, each looked up once.
+/// What is known of the pieces, looked up once for each selector.
 struct Reaches {
   Execution& execution;
   std::span<const Selector* const> selectors;
+  Few<std::optional<Reach>, 8> known{selectors.size()};
 
-  Reach of(const Slice& slice) { return reach_of(execution, selectors[slice.interval.leaf]->body); }
+  Reach of(const Slice& slice) {
+    std::optional<Reach>& reach = known[slice.interval.leaf];
+    if (!reach) reach = reach_of(execution, selectors[slice.interval.leaf]->body);
+    return *reach;
+  }
   Reach of(std::span<const Slice> slices) {
     Reach worst{{0, 0}, true};
     for (const Slice& slice : slices) {
