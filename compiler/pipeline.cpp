@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/once.h"
 #include "compiler/ground/level_waters.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/plan_profiles.h"
@@ -144,7 +144,7 @@ std::vector<FiringStep> firing_steps(std::size_t tiles, std::size_t levels) {
 }
 
 struct TileUnderWay {
-  std::once_flag once;
+  Once once;
   std::shared_ptr<bake::PreparedTile> prepared;
 };
 
@@ -164,10 +164,9 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   const auto grove = std::make_shared<const bake::Grove>(scene.header);
   const auto make = [&](std::size_t i) {
     TileUnderWay& tile = under_way[steps[i].tile];
-    // whoever comes first prepares the tile, the others wait
-    std::call_once(tile.once, [&] {
-      tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner, grove);
-    });
+    // whoever comes first prepares the tile, the others help
+    tile.once.call(
+        [&] { tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner, grove); });
     if (steps[i].level) slots[i].tile = bake::fire_prepared(*tile.prepared, *steps[i].level, inner, slots[i].report);
   };
   const auto hand_on = [&](std::size_t i) {
