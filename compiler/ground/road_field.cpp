@@ -76,14 +76,15 @@ Beside beside(const GradedSegment& s, const SegmentLine& line, Vec2 p) {
   return {share, aside_m, half_m, from_axis_m, std::max(0.0, from_axis_m - half_m)};
 }
 
-Strand strand_at(const RoadField& field, std::uint32_t number, const Beside& at, double terrain_m) {
+// Filled where it stays: copies of what has just been written wait for it.
+void fill(Strand& strand, const RoadField& field, std::uint32_t number, const Beside& at, double terrain_m) {
   const GradedSegment& s = field.segments[number];
-  Strand strand{terrain_m, s.kerb_m, weight_of(at.from_axis_m, at.half_m, at.beyond_m), at.beyond_m};
-  if (field.lines[number].knot_count == 0) return strand;
+  strand.kerb_m = s.kerb_m, strand.beyond_m = at.beyond_m;
+  strand.weight = weight_of(at.from_axis_m, at.half_m, at.beyond_m);
+  strand.is_graded = field.lines[number].knot_count > 0;
+  if (!strand.is_graded) return void(strand.z_m = terrain_m);
   const Knot knot = knot_on(field, number, at.share);
   strand.z_m = knot.z_m + knot.tilt * std::clamp(at.aside_m, -s.right_m, s.left_m);
-  strand.is_graded = true;
-  return strand;
 }
 
 // By their weights times a share.
@@ -157,7 +158,7 @@ std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terra
   for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
     const Beside at = beside(field.segments[i], field.lines[i], p);
-    if (at.beyond_m < kCarve_m) strands.push_back(strand_at(field, i, at, terrain_m));
+    if (at.beyond_m < kCarve_m) fill(strands.emplace_back(), field, i, at, terrain_m);
   }
   return strands;
 }

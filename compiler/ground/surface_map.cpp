@@ -15,7 +15,7 @@ struct BucketRange {
 };
 
 int bucket_index(double offset_m, double bucket_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / bucket_m), 0.0, count - 1.0));
+  return static_cast<int>(std::clamp(offset_m / bucket_m, 0.0, count - 1.0));
 }
 
 int column_of(const SurfaceMap& map, double x) { return bucket_index(x - map.corner.x, map.bucket_m, map.columns); }
