@@ -1,6 +1,7 @@
 #include "compiler/geometry/box_grid.h"
 
 #include <algorithm>
+
 namespace citykiln {
 namespace {
 
