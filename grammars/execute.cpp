@@ -282,6 +282,18 @@ double width_m(const Face& face) {
   return border_m > 0 ? 2 * area_m2(face) / border_m : narrower_side_m(face.outer, axes_of(face));
 }
 
+bool is_rectangle(std::span<const Vec3> ring) {
+  if (ring.size() != 4) return false;
+  const Vec3 a = ring[1] - ring[0], b = ring[2] - ring[1];
+  return length(ring[3] - ring[2] + a) < kOnPlane_m && std::abs(dot(a, b)) < kOnPlane_m;
+}
+
+// a rectangle is nowhere narrower than its shorter side
+bool is_surely_wider(const Face& face, double than_m) {
+  if (!face.holes.empty() || !is_rectangle(face.outer)) return false;
+  return std::min(length(face.outer[1] - face.outer[0]), length(face.outer[2] - face.outer[1])) > 2 * than_m;
+}
+
 double width_m(const Terminal& terminal) {
   double widest_m = terminal.asset.empty() ? 0 : terminal.scope.diagonal_m();
   for (const Face& face : terminal.faces) widest_m = std::max(widest_m, width_m(face));
@@ -290,7 +302,10 @@ double width_m(const Terminal& terminal) {
 
 // by its look, what is wider than the tolerance
 SeenLooks seen_of(const Run& run, const Terminal& terminal) {
-  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m + kSliver_m) return {};
+  if (!run.measures() || !run.options.keep_looks) return {};
+  const double narrow_m = run.options.tolerance_m + kSliver_m;
+  const bool is_wide = !terminal.faces.empty() && is_surely_wider(terminal.faces.front(), narrow_m);
+  if (!is_wide && width_m(terminal) <= narrow_m) return {};
   return {SeenLooks::Count::kOne, terminal.look};
 }
 
@@ -377,18 +392,15 @@ Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
 Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::uint32_t path) {
   if (shape.faces.empty() && shape.asset.empty()) return nothing();
   run.notes.push_back({shape.birth, shape.texture, 0});
-  run.out.terminals.push_back({{},
-                               name,
-                               path,
-                               run.look_index(shape.look),
-                               std::move(shape.faces),
-                               run.tables.texture_at(shape.texture),
-                               std::move(shape.asset),
-                               shape.scope,
-                               false,
-                               0,
-                               0});
-  return {{{}, false, seen_of(run, run.out.terminals.back())}};
+  Terminal& terminal = run.out.terminals.emplace_back();
+  terminal.name = name;
+  terminal.path = path;
+  terminal.look = run.look_index(shape.look);
+  terminal.faces = std::move(shape.faces);
+  terminal.texture = run.tables.texture_at(shape.texture);
+  terminal.asset = std::move(shape.asset);
+  terminal.scope = shape.scope;
+  return {{{}, false, seen_of(run, terminal)}};
 }
 
 void run_body(Execution& execution, const Body& body, bool last) {

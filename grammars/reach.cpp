@@ -428,19 +428,22 @@ bool is_flat(const Shape& shape) {
   return std::abs(dot(normal, shape.scope.axis[1])) > kNearly || std::abs(dot(normal, shape.scope.axis[2])) > kNearly;
 }
 
-Reach reach_of(Execution& execution, const Body& body) {
-  if (only_ends(body)) return kItself;
-  NumberRanges frame;
-  frame.reserve(execution.frame.size());
-  for (const Value& value : execution.frame) frame.push_back(range_of_value(value));
-  return reach_of_body({execution}, body, frame);
+NumberRanges ranges_of(const Execution& execution) {
+  NumberRanges ranges;
+  ranges.reserve(execution.frame.size());
+  for (const Value& value : execution.frame) ranges.push_back(range_of_value(value));
+  return ranges;
+}
+
+Reach reach_of(Execution& execution, const NumberRanges& arguments, const Body& body) {
+  return reach_of_body({execution}, body, arguments);
 }
 
 std::optional<Displacement> known_ahead(Execution& execution, const Body& body) {
   const DeriveOptions& options = execution.run.options;
   if (!options.ahead || !execution.run.measures()) return std::nullopt;
   if (!body.divides || (options.keep_looks && body.changes_look) || !is_flat(execution.shape)) return std::nullopt;
-  const Reach reach = reach_of(execution, body);
+  const Reach reach = reach_of(execution, ranges_of(execution), body);
   if (!reach.stays || reach.moved.largest_m() > options.tolerance_m) return std::nullopt;
   return reach.moved;
 }

@@ -54,7 +54,10 @@ struct ReachTable {
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are
 /// thrown. Safe: what the derivation measures is never more, unless a limit ends it. What moves more than the tolerance
 /// may be unbounded here. O(bodies that it may come to until that is known), once.
-Reach reach_of(Execution& execution, const Body& body);
+Reach reach_of(Execution& execution, const NumberRanges& arguments, const Body& body);
+
+/// What the node was given, for reach_of() of bodies in it.
+NumberRanges ranges_of(const Execution& execution);
 
 /// True for one flat face that looks along its scope's z or y: what reach_of() knows.
 bool is_flat(const Shape& shape);

@@ -29,11 +29,12 @@ Narrow narrow_from(std::span<const Slice> slices, std::size_t first, double tole
 struct Reaches {
   Execution& execution;
   std::span<const Selector* const> selectors;
+  NumberRanges arguments = ranges_of(execution);
   Few<std::optional<Reach>, 8> known{selectors.size()};
 
   Reach of(const Slice& slice) {
     std::optional<Reach>& reach = known[slice.interval.leaf];
-    if (!reach) reach = reach_of(execution, selectors[slice.interval.leaf]->body);
+    if (!reach) reach = reach_of(execution, arguments, selectors[slice.interval.leaf]->body);
     return *reach;
   }
   Reach of(std::span<const Slice> slices) {
