@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "compiler/bake/bake.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/once.h"
 #include "compiler/ground/level_waters.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/plan_profiles.h"
@@ -120,12 +121,6 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 
 namespace {
 
-/// So that no more threads than asked for are at work where as many tiles are made at once.
-int threads_of_a_tile(int threads, std::size_t tiles) {
-  if (threads <= 0) return threads;
-  return threads / std::clamp(static_cast<int>(std::min<std::size_t>(tiles, 4096)), 1, threads);
-}
-
 /// One level of a tile, or what comes before all of them.
 struct FiringStep {
   std::size_t tile = 0;
@@ -144,43 +139,51 @@ std::vector<FiringStep> firing_steps(std::size_t tiles, std::size_t levels) {
 }
 
 struct TileUnderWay {
-  std::once_flag once;
+  Once once;
   std::shared_ptr<bake::PreparedTile> prepared;
 };
 
 }  // namespace
 
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                  const OnProgress& on_progress, const TakeBaked& take) {
-  struct Slot {
-    bake::BakedTile tile;
-    Report report;
-  };
+                  const OnProgress& on_progress, const MakeOfBaked& make_of, const TakeMade& take) {
   const std::vector<FiringStep> steps = firing_steps(scene.chunks.size(), ladder_m.size());
-  std::vector<Slot> slots(steps.size());
+  std::vector<Report> reports(steps.size());
   std::vector<TileUnderWay> under_way(scene.chunks.size());
   Result<Done> done = Done{};
-  const int inner = threads_of_a_tile(threads, scene.chunks.size());
   const auto grove = std::make_shared<const bake::Grove>(scene.header);
   const auto make = [&](std::size_t i) {
     TileUnderWay& tile = under_way[steps[i].tile];
-    // whoever comes first prepares the tile, the others wait
-    std::call_once(tile.once, [&] {
-      tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, inner, grove);
-    });
-    if (steps[i].level) slots[i].tile = bake::fire_prepared(*tile.prepared, *steps[i].level, inner, slots[i].report);
+    // whoever comes first prepares the tile, the others help
+    tile.once.call(
+        [&] { tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, grove); });
+    if (!steps[i].level) return;
+    const FiredLevel at{steps[i].tile, *steps[i].level};
+    make_of(at, bake::fire_prepared(*tile.prepared, at.level, threads, reports[i]));
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
     on_progress("bake", static_cast<double>(steps[i].tile) / static_cast<double>(scene.chunks.size()));
-    const Slot slot = std::move(slots[i]);
     if (*steps[i].level + 1 == ladder_m.size()) under_way[steps[i].tile].prepared.reset();
-    report.append(slot.report);
-    done = take(slot.tile, *steps[i].level);
+    report.append(std::exchange(reports[i], {}));
+    done = take({steps[i].tile, *steps[i].level});
     return static_cast<bool>(done);
   };
   for_each_in_order(steps.size(), threads, make, hand_on);
   return done;
+}
+
+Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                  const OnProgress& on_progress, const TakeBaked& take) {
+  std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
+  const auto slot = [&](FiredLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
+  return fire(
+      scene, ladder_m, threads, report, on_progress,
+      [&](FiredLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
+      [&](FiredLevel at) {
+        const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
+        return take(tile, at.level);
+      });
 }
 
 namespace {

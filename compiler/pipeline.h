@@ -34,10 +34,24 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
 /// Takes one tile at one level; an error ends the firing.
 using TakeBaked = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 
+/// Which chunk of a scene, at which step of a ladder.
+struct FiredLevel {
+  std::size_t chunk, level;
+};
+/// Makes something of a baked tile, beside others: it must write to a place of its own only.
+using MakeOfBaked = std::function<void(FiredLevel at, bake::BakedTile&& tile)>;
+/// Takes what was made of it; an error ends the firing.
+using TakeMade = std::function<Result<Done>(FiredLevel at)>;
+
 /// Bakes every chunk at every tolerance and hands each on, one at a time and in the order of tiles then levels. What
-/// the tolerances drop is added to `report`. Memory: as many levels as there are threads, and the ground of
-/// as many tiles and one more.
+/// the tolerances drop is added to `report`. Memory: kUnderWayPerThread levels a thread, and the ground of their tiles
+/// and one more.
 Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                   const OnProgress& on_progress, const TakeBaked& take);
+
+/// The same, where much is done with a tile that need not wait for the tiles before it: `make` is called as soon as one
+/// is baked, `take` in order.
+Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                  const OnProgress& on_progress, const MakeOfBaked& make, const TakeMade& take);
 
 }  // namespace citykiln

@@ -281,10 +281,9 @@ void forget_fallback(Json& gltf) {
 
 }  // namespace
 
-std::vector<std::byte> compressed_glb(std::span<const std::byte> bytes, Compression compression, int threads) {
-  const GlbParts plain = split_glb(bytes);
+std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads) {
   GlbParts packed{plain.gltf, {}};
-  if (primitives_of(packed.gltf).empty()) return {bytes.begin(), bytes.end()};
+  if (primitives_of(packed.gltf).empty()) return join_glb(std::move(plain));
   copy_other_views(plain, packed);
   if (compression == Compression::kDraco) {
     compress_draco(plain, packed, threads);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exporters/compression.h"
+#include "exporters/glb_parts.h"
 
 namespace citykiln::exporters {
 
@@ -14,7 +15,7 @@ namespace citykiln::exporters {
 ///               lie on the grids of packed meshes (quantise.h), or stay unpacked numbers.
 /// Meshes are packed on their own, on at most `threads` threads; pictures, tables and instances stay as they are. Same
 /// input, same bytes, for any number of threads.
-std::vector<std::byte> compressed_glb(std::span<const std::byte> plain, Compression compression, int threads);
+std::vector<std::byte> compressed_glb(GlbParts plain, Compression compression, int threads);
 
 /// The plain .glb, with attributes in single precision; nothing where no mesh is packed.
 /// @param bytes  Two chunks that fill the file. Throws a std::exception where what is packed is not what it says.

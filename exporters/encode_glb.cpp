@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include "exporters/file.h"
 #include "exporters/glb.h"
 #include "exporters/glb_frame.h"
+#include "exporters/glb_parts.h"
 #include "exporters/png.h"
 #include "exporters/quantise.h"
 #include "exporters/tangents.h"
@@ -44,22 +44,21 @@ struct Look {
 struct Filling {
   const BakedTile& tile;
   const scene::Header& header;
-  tinygltf::Model model;
+  tinygltf::Model model;              // without its buffer's bytes: tinygltf would copy them, and again
+  std::vector<unsigned char> buffer;  // those
   std::set<std::string> extensions;
   std::vector<Look> looks;                      // one a material
   std::vector<const imprint::Cutout*> cutouts;  // no two alike
 
-  std::vector<unsigned char>& buffer() { return model.buffers.front().data; }
-
   // Appends values as one buffer view, aligned to 8 bytes (property tables ask for it).
   template <typename T>
   int add_view(const std::vector<T>& values, int target) {
-    buffer().resize((buffer().size() + 7) / 8 * 8, 0);
+    buffer.resize((buffer.size() + 7) / 8 * 8, 0);
+    const auto bytes = std::as_bytes(std::span(values));
     tinygltf::BufferView view;
-    view.buffer = 0, view.byteOffset = buffer().size(), view.byteLength = values.size() * sizeof(T),
-    view.target = target;
-    buffer().resize(view.byteOffset + view.byteLength);
-    std::memcpy(buffer().data() + view.byteOffset, values.data(), view.byteLength);
+    view.buffer = 0, view.byteOffset = buffer.size(), view.byteLength = bytes.size(), view.target = target;
+    const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+    buffer.insert(buffer.end(), first, first + bytes.size());
     model.bufferViews.push_back(view);
     return static_cast<int>(model.bufferViews.size()) - 1;
   }
@@ -459,15 +458,24 @@ void fill(Filling& f, Instancing instancing) {
   f.model.defaultScene = 0;
 }
 
-std::vector<std::byte> plain_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  Filling f{tile, header, {}, {}, {}, {}};
+// What meshes take in the buffer, or a little more: it is large, and should not be moved as it grows.
+std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
+  constexpr std::size_t kVertexBytes = 64, kTriangleBytes = 12, kPaddingBytes = 64;
+  std::size_t bytes = 0;
+  for (const Primitive& p : primitives)
+    bytes += p.positions.size() * kVertexBytes + p.triangles.size() * kTriangleBytes + kPaddingBytes;
+  return bytes;
+}
+
+GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
+  Filling f{tile, header, {}, {}, {}, {}, {}};
+  f.buffer.reserve(bytes_of_meshes(tile.primitives));
   find_cutouts(f);
   fill(f, instancing);
   std::ostringstream out;
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
-  const std::string bytes = std::move(out).str();
-  const auto span = std::as_bytes(std::span(bytes));
-  return {span.begin(), span.end()};
+  const std::string without_buffer = std::move(out).str();
+  return {nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(without_buffer)))), std::move(f.buffer)};
 }
 
 }  // namespace
@@ -483,8 +491,8 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
                                   Compression compression, int threads) {
-  if (compression == Compression::kNone) return plain_glb(tile, header, instancing);
-  return compressed_glb(plain_glb(quantised(tile), header, instancing), compression, threads);
+  if (compression == Compression::kNone) return join_glb(plain_parts(tile, header, instancing));
+  return compressed_glb(plain_parts(quantised(tile), header, instancing), compression, threads);
 }
 
 Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,

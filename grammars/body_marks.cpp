@@ -17,18 +17,16 @@ bool any_changes_look(const Program& program, const std::vector<Selector>& selec
 
 bool changes_look(const Program& program, const Statement& statement) {
   if (any_changes_look(program, statement.selectors)) return true;
+  if (statement.kind == StatementKind::kBlock) return statement.block.front().changes_look;
   if (statement.kind == StatementKind::kSuccessor)
     return statement.index != ~0u && program.rules[statement.index].body.changes_look;
   if (statement.kind != StatementKind::kOperation) return false;
   return statement.name == "set" || operation_table()[statement.index].alters == Alters::kLook;
 }
 
-// One of the branches is taken where there is an else.
 bool changes_look(const Program& program, const Body& body) {
-  if (body.kind == BodyKind::kStatements)
-    return std::ranges::any_of(body.statements, [&](const Statement& s) { return changes_look(program, s); });
-  return !body.branches.empty() && body.branches.back().is_else &&
-         std::ranges::all_of(body.branches, [](const Branch& branch) { return branch.body.changes_look; });
+  return std::ranges::any_of(body.statements, [&](const Statement& s) { return changes_look(program, s); }) ||
+         std::ranges::any_of(body.branches, [](const Branch& branch) { return branch.body.changes_look; });
 }
 
 bool divides(const Body& body) {

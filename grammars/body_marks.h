@@ -1,4 +1,4 @@
-// What bodies surely do, whatever they are applied to: found once a program, so that derivations need not look.
+// What bodies may do, whatever they are applied to: found once a program, so that derivations need not look.
 #pragma once
 
 #include "grammars/syntax.h"

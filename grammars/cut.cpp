@@ -16,11 +16,10 @@ double height_above(const CutPlane& plane, Vec3 p) {
   return std::abs(d_m) <= kOnPlane_m ? 0 : d_m;
 }
 
-// the same bits whichever way the edge runs
-Vec3 crossing(Vec3 a, Vec3 b, const CutPlane& plane) {
-  if (b < a) std::swap(a, b);
-  const double da = height_above(plane, a), db = height_above(plane, b);
-  return a + (b - a) * (da / (da - db));
+// of an edge whose ends lie so high above the plane; the same bits whichever way it runs
+Vec3 crossing(Vec3 a, double a_m, Vec3 b, double b_m) {
+  if (b < a) std::swap(a, b), std::swap(a_m, b_m);
+  return a + (b - a) * (a_m / (a_m - b_m));
 }
 
 struct Chains {
@@ -29,16 +28,16 @@ struct Chains {
 };
 
 // the chain's ends lie on the plane: its first and last vertex, or crossings
-Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const double> heights,
-                 const CutPlane& plane) {
+Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const double> heights) {
   const std::size_t n = ring.size();
   const auto before = [n](std::size_t i) { return i == 0 ? n - 1 : i - 1; };
+  const auto between = [&](std::size_t i, std::size_t j) { return crossing(ring[i], heights[i], ring[j], heights[j]); };
   Ring3 chain;
-  if (heights[first] > 0) chain.push_back(crossing(ring[before(first)], ring[first], plane));
+  if (heights[first] > 0) chain.push_back(between(before(first), first));
   std::size_t i = first;
   for (; heights[i] >= 0; i = i + 1 == n ? 0 : i + 1) chain.push_back(ring[i]);
   const std::size_t last = before(i);
-  if (heights[last] > 0) chain.push_back(crossing(ring[last], ring[i], plane));
+  if (heights[last] > 0) chain.push_back(between(last, i));
   return chain;
 }
 
@@ -55,7 +54,7 @@ void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, Chains& out) {
   if (!below) return out.whole.emplace_back(ring.begin(), ring.end()), void();
   for (std::size_t i = 0; i < n; ++i) {
     if (heights[i] < 0 || heights[(i + n - 1) % n] >= 0) continue;
-    Ring3 chain = chain_from(ring, i, heights, plane);
+    Ring3 chain = chain_from(ring, i, heights);
     const bool rises = std::any_of(chain.begin(), chain.end(), [&](Vec3 p) { return height_above(plane, p) > 0; });
     // what only touches the plane from below bounds nothing above it
     if (rises) out.chains.push_back(std::move(chain));
@@ -281,8 +280,8 @@ Course upside_down(const Course& course, std::size_t count) {
   return turned;
 }
 
-Ring3 chain_of(const Face& face, const Course& course, const CutPlane& plane) {
-  return without_twins(chain_from(face.outer, course.first, course.heights, plane));
+Ring3 chain_of(const Face& face, const Course& course) {
+  return without_twins(chain_from(face.outer, course.first, course.heights));
 }
 
 // a ring without holes that comes up through the plane once: the chain is the part
@@ -294,7 +293,7 @@ std::optional<std::vector<Face>> part_of_simple(const Face& face, const CutPlane
   if (course.rises != 1) return std::nullopt;
   std::vector<Face> parts(1);
   Face& part = parts.front();
-  part.outer = chain_of(face, course, plane);
+  part.outer = chain_of(face, course);
   part.tag = face.tag, part.street = face.street;
   if (!has_area(part.outer)) parts.clear();
   return parts;
@@ -323,8 +322,8 @@ bool cut_in_two(Face& face, const CutPlane& plane, Face& below) {
   // seen from below every height changes its sign, and no crossing moves
   const Course up = course_of(face.outer, plane), down = upside_down(up, face.outer.size());
   if (up.rises != 1 || down.rises != 1 || !up.above || !up.below) return false;
-  Ring3 above = chain_of(face, up, plane);
-  below.outer = chain_of(face, down, plane);
+  Ring3 above = chain_of(face, up);
+  below.outer = chain_of(face, down);
   if (!has_area(above) || !has_area(below.outer)) return false;
   below.tag = face.tag, below.street = face.street;
   face.outer = std::move(above);

@@ -22,6 +22,15 @@ Shape first_shape(Run& run) {
   return shape;
 }
 
+// A house's. What asks for more finds it; what asks for less has taken no memory that is touched.
+void make_room(Run& run) {
+  constexpr std::size_t kTerminals = 256, kShapes = 1024;
+  run.out.terminals.reserve(kTerminals), run.notes.reserve(kTerminals);
+  run.births.reserve(kShapes);
+  run.memo.entries.reserve(kTerminals);
+  run.tables.textures.reserve(kTerminals);
+}
+
 Outcome begin(Run& run) {
   const std::string& start = run.options.start.empty() ? run.program.start : run.options.start;
   const auto rule = run.program.rule_of.find(start);
@@ -141,6 +150,7 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
   run.memo.bodies.resize(program.bodies);
   run.reaches.first_of.resize(program.bodies);
   run.out.shapes = 1;
+  make_room(run);
   begin(run);
   sort_troubles(run);
   if (options.ids) tell_ids(run);

@@ -43,7 +43,7 @@ void tell(Context& context, const Drawn& drawn, Outcomes same) {
   if (dice.of_shape) context.run.threw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
 }
 
-Value finite(double number, Place place, Context& context) {
+double finite(double number, Place place, Context& context) {
   if (std::isfinite(number)) return number;
   context.run.trouble(place, "the value is not a number or too large");
   constexpr double kLargest = std::numeric_limits<double>::max();
@@ -61,9 +61,34 @@ const double* plain_number(const Expression& expression, const Context& context)
   return std::get_if<double>(&*context.run.attributes[expression.index]);
 }
 
+// a value that needs no other kind than the caller's: what `+` adds may be texts
+bool is_arithmetic(const Expression& e) {
+  return e.kind == ExpressionKind::kBinary && std::string_view("-*/%").find(e.text[0]) != std::string_view::npos;
+}
+bool is_condition(const Expression& e) {
+  return e.kind == ExpressionKind::kBinary && std::string_view("&|=!<>").find(e.text[0]) != std::string_view::npos;
+}
+double result(const Expression& arithmetic, Context& context);
+bool holds(const Expression& condition, Context& context);
+
+// counts the step and the depth
+template <typename Result, typename Make>
+Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
+  if (!context.run.spend(1)) return otherwise;
+  if (context.depth >= kMostDepth) {
+    context.run.trouble(expression.place, "values ask for each other without end");
+    return otherwise;
+  }
+  ++context.depth;
+  Result made = make();
+  --context.depth;
+  return made;
+}
+
 double number_at(const Expression& expression, Context& context) {
   const double* plain = context.depth < kMostDepth ? plain_number(expression, context) : nullptr;
   if (plain != nullptr) return context.run.spend(1) ? *plain : 0.0;
+  if (is_arithmetic(expression)) return within(expression, context, 0.0, [&] { return result(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<double>(value))
     context.run.trouble(expression.place, std::string("expected a float, found a ") + kind_name(value));
@@ -71,6 +96,7 @@ double number_at(const Expression& expression, Context& context) {
 }
 
 bool truth_at(const Expression& expression, Context& context) {
+  if (is_condition(expression)) return within(expression, context, false, [&] { return holds(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<bool>(value))
     context.run.trouble(expression.place, std::string("expected a bool, found a ") + kind_name(value));
@@ -221,14 +247,25 @@ int compared(const Value& a, const Value& b, Place place, Context& context) {
   return x < y ? -1 : x > y ? 1 : 0;
 }
 
-Value compare(const Expression& binary, const Value& a, const Value& b, Context& context) {
-  const int order = compared(a, b, binary.place, context);
+bool holds(const Expression& binary, int order) {
   const char sign = binary.text[0];
   if (sign == '=') return order == 0;
   if (sign == '!') return order != 0;
   const bool or_equal = binary.text.size() > 1;
   if (or_equal && order == 0) return true;
   return sign == '<' ? order < 0 : order > 0;
+}
+
+/// The operands, where both are numbers that need no work.
+struct Numbers {
+  const double* a = nullptr;
+  const double* b = nullptr;
+  explicit operator bool() const { return a != nullptr && b != nullptr; }
+};
+
+Numbers plain_numbers(const Expression& binary, Context& context) {
+  if (context.depth >= kMostDepth) return {};
+  return {plain_number(binary.operands[0], context), plain_number(binary.operands[1], context)};
 }
 
 // texts that double in every function would fill the memory before a limit sees them
@@ -254,7 +291,7 @@ double remainder_of(double a, double b, Place place, Context& context) {
   return a - b * (quotient < 0 ? std::ceil(quotient) : std::floor(quotient));
 }
 
-Value arithmetic(const Expression& binary, double a, double b, Context& context) {
+double arithmetic(const Expression& binary, double a, double b, Context& context) {
   switch (binary.text[0]) {
     case '+':
       return finite(a + b, binary.place, context);
@@ -269,22 +306,35 @@ Value arithmetic(const Expression& binary, double a, double b, Context& context)
   }
 }
 
-Value evaluate_binary(const Expression& binary, Context& context) {
-  const char first = binary.text[0];
-  if (first == '&') return truth_at(binary.operands[0], context) && truth_at(binary.operands[1], context);
-  if (first == '|') return truth_at(binary.operands[0], context) || truth_at(binary.operands[1], context);
-  const bool compares = first == '=' || first == '!' || first == '<' || first == '>';
-  if (!compares && first != '+') {
-    // the left one draws first, whatever the compiler prefers
-    const double left = number_at(binary.operands[0], context);
-    return arithmetic(binary, left, number_at(binary.operands[1], context), context);
-  }
-  const Value a = evaluate(binary.operands[0], context);
-  const Value b = evaluate(binary.operands[1], context);
-  if (compares) return compare(binary, a, b, context);
+double result(const Expression& binary, Context& context) {
+  // the left one draws first, whatever the compiler prefers
+  const double left = number_at(binary.operands[0], context);
+  return arithmetic(binary, left, number_at(binary.operands[1], context), context);
+}
+
+bool holds(const Expression& binary, Context& context) {
+  const Expression &left = binary.operands[0], &right = binary.operands[1];
+  if (binary.text[0] == '&') return truth_at(left, context) && truth_at(right, context);
+  if (binary.text[0] == '|') return truth_at(left, context) || truth_at(right, context);
+  if (const Numbers plain = plain_numbers(binary, context))
+    return context.run.spend(2) && holds(binary, *plain.a < *plain.b ? -1 : *plain.a > *plain.b);
+  const Value a = evaluate(left, context);
+  return holds(binary, compared(a, evaluate(right, context), binary.place, context));
+}
+
+Value evaluate_sum(const Expression& sum, Context& context) {
+  if (const Numbers plain = plain_numbers(sum, context))
+    return context.run.spend(2) ? arithmetic(sum, *plain.a, *plain.b, context) : 0.0;
+  const Value a = evaluate(sum.operands[0], context);
+  const Value b = evaluate(sum.operands[1], context);
   const bool texts = std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b);
-  if (texts) return add_text(binary, a, b, context);
-  return arithmetic(binary, number_of(a), number_of(b), context);
+  if (texts) return add_text(sum, a, b, context);
+  return arithmetic(sum, number_of(a), number_of(b), context);
+}
+
+Value evaluate_binary(const Expression& binary, Context& context) {
+  if (is_condition(binary)) return holds(binary, context);
+  return is_arithmetic(binary) ? Value(result(binary, context)) : evaluate_sum(binary, context);
 }
 
 Value evaluate_case(const Expression& cases, Context& context) {
@@ -384,15 +434,7 @@ Value evaluate_kind(const Expression& expression, Context& context) {
 }  // namespace
 
 Value evaluate(const Expression& expression, Context& context) {
-  if (!context.run.spend(1)) return 0.0;
-  if (context.depth >= kMostDepth) {
-    context.run.trouble(expression.place, "values ask for each other without end");
-    return 0.0;
-  }
-  ++context.depth;
-  Value value = evaluate_kind(expression, context);
-  --context.depth;
-  return value;
+  return within(expression, context, Value(0.0), [&] { return evaluate_kind(expression, context); });
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grammars/operations/table.h"
+#include "grammars/sizes.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -77,23 +78,29 @@ Outcome derive_successor(Execution& execution, const Statement& statement, Shape
   return apply_rule(run, std::move(child), rule, std::move(arguments), depth, execution.path);
 }
 
+Frame frame_of(const Statement& successor, Context context) {
+  Frame arguments;
+  arguments.reserve(successor.arguments.size());
+  for (const Expression& argument : successor.arguments) arguments.push_back(evaluate(argument, context));
+  return arguments;
+}
+
 // as run_successor() of a node of the piece's own would
 Outcome name_piece(Execution& execution, Shape&& shape, const Statement& successor) {
   Run& run = execution.run;
+  Dice dice{"rule", 0, true, shape.birth};
+  Frame arguments = frame_of(successor, {run, shape, execution.frame, dice});
   const auto birth = static_cast<std::uint32_t>(run.births.size());
   run.births.push_back({shape.birth, successor.name.c_str(), 0});
   ++run.out.shapes;
   shape.birth = birth;
-  return derive_successor(execution, successor, std::move(shape), {}, execution.depth + 2);
+  return derive_successor(execution, successor, std::move(shape), std::move(arguments), execution.depth + 2);
 }
 
 // not inlined, nor are other holders of shapes, so that blocks in each other cost the stack no shapes
 // `last`: nothing asks for the current shape any more
 [[gnu::noinline]] void run_successor(Execution& execution, const Statement& statement, bool last) {
-  Frame arguments;
-  arguments.reserve(statement.arguments.size());
-  Context context = context_of(execution);
-  for (const Expression& argument : statement.arguments) arguments.push_back(evaluate(argument, context));
+  Frame arguments = frame_of(statement, context_of(execution));
   if (!last) remember_start(execution);
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
@@ -129,6 +136,19 @@ bool is_in_world(const Shape& shape) {
   return all;
 }
 
+void run_in_world(Execution& execution, const Statement& statement, const OperationRow& row,
+                  std::span<const Argument> arguments) {
+  // one copy will do for the start and for this
+  const bool is_start = execution.run.measures() && !execution.start;
+  std::optional<Shape> before;
+  (is_start ? execution.start : before) = execution.shape;
+  row.run(execution, statement, arguments);
+  if (is_in_world(execution.shape)) return;
+  execution.run.trouble(statement.place,
+                        "'" + statement.name + "' takes the shape out of the world; it stays as it was");
+  execution.shape = is_start ? *execution.start : *before;
+}
+
 [[gnu::noinline]] void run_operation(Execution& execution, const Statement& statement) {
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
@@ -138,15 +158,10 @@ bool is_in_world(const Shape& shape) {
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
   execution.pending |= row.alters != Alters::kNothing;
-  if (row.alters == Alters::kSurface || row.alters == Alters::kFrame || statement.has_selectors)
-    remember_start(execution);
   // what leaves the points where they are leaves them in the world
-  if (row.alters != Alters::kSurface) return row.run(execution, statement, arguments);
-  Shape before = execution.shape;
+  if (row.alters == Alters::kSurface) return run_in_world(execution, statement, row, arguments);
+  if (row.alters == Alters::kFrame || statement.has_selectors) remember_start(execution);
   row.run(execution, statement, arguments);
-  if (is_in_world(execution.shape)) return;
-  run.trouble(statement.place, "'" + statement.name + "' takes the shape out of the world; it stays as it was");
-  execution.shape = std::move(before);
 }
 
 void pop(Execution& execution) {
@@ -275,7 +290,7 @@ double width_m(const Terminal& terminal) {
 
 // by its look, what is wider than the tolerance
 SeenLooks seen_of(const Run& run, const Terminal& terminal) {
-  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m) return {};
+  if (!run.measures() || !run.options.keep_looks || width_m(terminal) <= run.options.tolerance_m + kSliver_m) return {};
   return {SeenLooks::Count::kOne, terminal.look};
 }
 
@@ -314,7 +329,7 @@ void cut_if_near(Execution& execution, const Shape& start, std::size_t first, Ou
 NodeTrace traced(const Execution& execution) {
   if (!execution.run.measures()) return {{}, execution.vanished};
   if (execution.seen.are_many()) return {{kUnbounded_m, kUnbounded_m}, false, execution.seen};
-  NodeTrace trace = together(execution.children);
+  NodeTrace trace = together(all_of(execution.children));
   trace.seen = execution.seen;
   return trace;
 }
@@ -333,7 +348,7 @@ Outcome end_ahead(Execution& execution, Displacement moved) {
 Outcome run_node(Execution& execution, const Body& body) {
   if (const auto moved = known_ahead(execution, body)) return end_ahead(execution, *moved);
   const Recording recording = begin_recording(execution, body);
-  if (recording.known) return {repeat(execution, *recording.entry)};
+  if (recording.known) return {repeat(execution, recording)};
   const std::size_t first = execution.run.out.terminals.size();
   run_body(execution, body, true);
   end_pending(execution);
@@ -343,11 +358,10 @@ Outcome run_node(Execution& execution, const Body& body) {
   return outcome;
 }
 
-// `Wall.`, as most pieces of facades have it: a node of which nothing is left but its successor's
+// `Wall.` or `Tile(3)`, as most pieces of facades have it: a node of which nothing is left but its successor's
 bool only_names_successor(const Body& body) {
-  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
-  const Statement& only = body.statements.front();
-  return only.kind == StatementKind::kSuccessor && only.arguments.empty();
+  return body.kind == BodyKind::kStatements && body.statements.size() == 1 && body.locals.empty() &&
+         body.statements.front().kind == StatementKind::kSuccessor;
 }
 
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {

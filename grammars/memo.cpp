@@ -20,7 +20,7 @@ constexpr std::size_t kMostThrows = 6, kMostVariants = 24;
 std::int64_t whole(double v) {
   const double scaled = v * (1 / kSame_m);
   if (!(std::abs(scaled) < 0x1p62)) return std::bit_cast<std::int64_t>(v);
-  return static_cast<std::int64_t>(std::floor(scaled + 0.5));
+  return static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
 }
 
 void add(MemoKey& key, Vec3 v) { key.add(whole(v.x)), key.add(whole(v.y)), key.add(whole(v.z)); }
@@ -78,10 +78,11 @@ bool may_repeat(const Shape& shape) {
   return face.holes.empty() && face.outer.size() >= 3 && face.outer.size() <= kMostVertices;
 }
 
-// a body that only names a successor leaves the note to it
+// a body that only names a successor, or one of several, leaves the note to it
 bool only_names(const Body& body) {
-  return body.kind == BodyKind::kStatements && body.statements.size() == 1 &&
-         body.statements.front().kind == StatementKind::kSuccessor;
+  if (body.kind != BodyKind::kStatements)
+    return std::ranges::all_of(body.branches, [](const Branch& branch) { return only_names(branch.body); });
+  return body.statements.size() == 1 && body.statements.front().kind == StatementKind::kSuccessor;
 }
 
 Made ends_of(const Run& run) {
@@ -117,28 +118,39 @@ bool fits_limits(const Run& run, const Made& made) {
 
 /// Those of one kind: the one that this shape's dice will make again, or where the next of them goes.
 struct Kind {
-  MemoEntry* known = nullptr;
-  MemoEntry** end = nullptr;
-  bool closed = false;  ///< One of them is under way or no pattern, or there are too many.
+  std::uint32_t known = 0;       ///< 1 + where Memo::entries has it; 0 for none.
+  std::uint32_t* end = nullptr;  ///< Until the next entry.
+  bool closed = false;           ///< One of them is under way or no pattern, or there are too many.
 };
 
-Kind kind_of(Run& run, const Shape& shape, MemoEntry*& first) {
-  Kind kind{nullptr, &first};
+Kind kind_of(Run& run, const Shape& shape, std::uint32_t& first) {
+  Kind kind{0, &first};
   Dicing dicing{run, shape.birth};
   std::size_t count = 0;
-  for (; *kind.end != nullptr && !kind.closed; kind.end = &(*kind.end)->next, ++count) {
-    MemoEntry& entry = **kind.end;
+  for (; *kind.end != 0 && !kind.closed; ++count) {
+    MemoEntry& entry = run.memo.entries[*kind.end - 1];
     kind.closed = !entry.ready || count + 1 >= kMostVariants;
-    if (entry.ready && kind.known == nullptr && dicing.would_fall_as(entry.pattern)) kind.known = &entry;
+    if (entry.ready && kind.known == 0 && dicing.would_fall_as(entry.pattern)) kind.known = *kind.end;
+    kind.end = &entry.next;
   }
   return kind;
 }
 
-Recording first_of_its_kind(Execution& execution, MemoEntry& entry) {
+Recording first_of_its_kind(Execution& execution, std::uint32_t& end) {
   Run& run = execution.run;
-  entry.pattern.stand = stand_of(execution.shape);
+  std::vector<MemoEntry>& entries = run.memo.entries;
+  const auto entry = end = static_cast<std::uint32_t>(entries.size() + 1);
+  entries.emplace_back().pattern.stand = stand_of(execution.shape);
   run.memo.open.push_back({execution.shape.birth, true});
-  return {&entry, false, ends_of(run)};
+  return {entry, false, ends_of(run)};
+}
+
+void rehash(MemoIndex& index) {
+  MemoIndex larger;
+  larger.slots.resize(2 * index.slots.size());
+  for (const MemoIndex::Slot& slot : index.slots)
+    if (slot.first != 0) larger[slot.key] = slot.first;
+  index = std::move(larger);
 }
 
 }  // namespace
@@ -149,26 +161,34 @@ void MemoKey::add(std::int64_t word) {
   b = (b ^ w) * 0xd6e8feb86659fd93u, b ^= b >> 29;
 }
 
+std::uint32_t& MemoIndex::operator[](const MemoKey& key) {
+  if (2 * taken >= slots.size()) rehash(*this);
+  std::size_t i = key.a & (slots.size() - 1);
+  while (slots[i].first != 0 && !(slots[i].key == key)) i = (i + 1) & (slots.size() - 1);
+  if (slots[i].first == 0) slots[i].key = key, ++taken;
+  return slots[i].first;
+}
+
 Recording begin_recording(Execution& execution, const Body& body) {
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
   if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
   const Kind kind = kind_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
-  if (kind.known == nullptr) {
+  if (kind.known == 0) {
     if (kind.closed) return {};
     ++record.misses;
-    *kind.end = &run.memo.entries.emplace_back();
-    return first_of_its_kind(execution, **kind.end);
+    return first_of_its_kind(execution, *kind.end);
   }
-  if (!fits_limits(run, kind.known->pattern.made)) return {};
+  if (!fits_limits(run, run.memo.entries[kind.known - 1].pattern.made)) return {};
   ++record.hits;
   return {kind.known, true, {}};
 }
 
-NodeTrace repeat(Execution& execution, const MemoEntry& entry) {
+NodeTrace repeat(Execution& execution, const Recording& recording) {
   Run& run = execution.run;
-  const Made& made = entry.pattern.made;
-  copy_pattern(run, entry.pattern, execution.shape);
+  const Pattern& pattern = run.memo.entries[recording.entry - 1].pattern;
+  const Made& made = pattern.made;
+  copy_pattern(run, pattern, execution.shape);
   run.out.shapes += made.shapes;
   run.out.copied += made.shapes;
   run.out.steps += made.steps;
@@ -179,10 +199,10 @@ NodeTrace repeat(Execution& execution, const MemoEntry& entry) {
 }
 
 void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace) {
-  if (recording.entry == nullptr) return;
+  if (recording.entry == 0) return;
   Memo& memo = run.memo;
   BodyRecord& record = memo.bodies[body.number];
-  MemoEntry& entry = *recording.entry;
+  MemoEntry& entry = memo.entries[recording.entry - 1];
   const Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
   const bool is_small = made.shapes <= kFewShapes;
   entry.ready = memo.open.back().repeats && made.throws.size() <= kMostThrows;
@@ -190,22 +210,24 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   record.small_ones += is_small;
   record.never |= is_small && body.kind == BodyKind::kStatements;
   record.never |= !entry.ready || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
-  if (entry.ready) memo.seen.push_back(&entry);
+  if (entry.ready) memo.seen.push_back(recording.entry - 1);
 }
 
 void cut_away_from(Run& run, std::size_t first) {
   Memo& memo = run.memo;
   std::vector<Terminal>& terminals = run.out.terminals;
-  const auto is_in = [&](const MemoEntry& entry) { return entry.pattern.made.terminals.end > first; };
-  if (!memo.seen.empty() && is_in(*memo.seen.back())) {
+  const auto last_is_in = [&] {
+    return !memo.seen.empty() && memo.entries[memo.seen.back()].pattern.made.terminals.end > first;
+  };
+  if (last_is_in()) {
     const auto from = static_cast<std::ptrdiff_t>(first);
     memo.cut_away.push_back(
         {first,
          {std::make_move_iterator(terminals.begin() + from), std::make_move_iterator(terminals.end())},
          {run.notes.begin() + from, run.notes.end()}});
   }
-  for (; !memo.seen.empty() && is_in(*memo.seen.back()); memo.seen.pop_back())
-    memo.seen.back()->pattern.cut_away = static_cast<std::uint32_t>(memo.cut_away.size());
+  for (; last_is_in(); memo.seen.pop_back())
+    memo.entries[memo.seen.back()].pattern.cut_away = static_cast<std::uint32_t>(memo.cut_away.size());
   terminals.resize(first);
   run.notes.resize(first);
 }

@@ -8,8 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <unordered_map>
 #include <vector>
 
 #include "grammars/pattern.h"
@@ -25,8 +23,8 @@ inline constexpr double kSame_m = 0x1p-20;
 
 struct MemoEntry {
   Pattern pattern;
-  bool ready = false;         ///< It has been derived, and depends on nothing but its key and its throws.
-  MemoEntry* next = nullptr;  ///< The same shape, as other dice fell.
+  bool ready = false;      ///< It has been derived, and depends on nothing but its key and its throws.
+  std::uint32_t next = 0;  ///< 1 + where Memo::entries has the same shape, as other dice fell; 0 for the last.
 };
 
 /// 128 bits for all that a node depends on: two kinds of nodes of one building have the same with chance 2^-128.
@@ -36,8 +34,17 @@ struct MemoKey {
   bool operator==(const MemoKey&) const = default;
 };
 
-struct MemoKeyHash {
-  std::size_t operator()(const MemoKey& key) const { return key.a; }
+/// By key, 1 + where Memo::entries has the first of them; 0 for none. Slots are 2^n, at most half of them taken.
+struct MemoIndex {
+  struct Slot {
+    MemoKey key;
+    std::uint32_t first = 0;
+  };
+  std::vector<Slot> slots = std::vector<Slot>(512);
+  std::size_t taken = 0;
+
+  /// The key's own, now if not before. Until the next call.
+  std::uint32_t& operator[](const MemoKey& key);
 };
 
 /// How often a body's nodes were worth a note.
@@ -53,9 +60,9 @@ struct OpenNode {
 };
 
 struct Memo {
-  std::deque<MemoEntry> entries;
-  std::unordered_map<MemoKey, MemoEntry*, MemoKeyHash> first_of;  ///< Looked up, never gone through.
-  std::vector<MemoEntry*> seen;  ///< Those whose terminals are the derivation's, in their order.
+  std::vector<MemoEntry> entries;
+  MemoIndex first_of;
+  std::vector<std::uint32_t> seen;  ///< Of `entries`, those whose terminals are the derivation's, in their order.
   std::vector<CutAway> cut_away;
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
@@ -63,16 +70,16 @@ struct Memo {
 
 /// A node that begins.
 struct Recording {
-  MemoEntry* entry = nullptr;  ///< Null: the node is not noted.
-  bool known = false;          ///< There is a pattern; the node need not be derived.
-  Made before;                 ///< Where the tables of the run ended.
+  std::uint32_t entry = 0;  ///< 1 + where Memo::entries has it; 0: the node is not noted.
+  bool known = false;       ///< There is a pattern; the node need not be derived.
+  Made before;              ///< Where the tables of the run ended.
 };
 
 /// Looks the node up, before anything has been done with its shape.
 Recording begin_recording(Execution& execution, const Body& body);
 
-/// Makes of the shape what the entry's first one was made to.
-NodeTrace repeat(Execution& execution, const MemoEntry& entry);
+/// Makes of the shape what the first one of the recording's entry was made to.
+NodeTrace repeat(Execution& execution, const Recording& recording);
 
 /// Notes what the node has become. Recordings end in the reverse order of their beginnings.
 void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace);

@@ -69,13 +69,13 @@ void copy_terminals(Run& run, const Pattern& pattern, const Motion& motion, Rows
   const CutAway* away = pattern.cut_away == 0 ? nullptr : &run.memo.cut_away[pattern.cut_away - 1];
   const IndexRange range = pattern.made.terminals;
   for (std::size_t i = range.first; i < range.end; ++i) {
-    Terminal terminal = away == nullptr ? run.out.terminals[i] : away->terminals[i - away->first];
     TerminalNote note = away == nullptr ? run.notes[i] : away->notes[i - away->first];
+    run.out.terminals.push_back(away == nullptr ? run.out.terminals[i] : away->terminals[i - away->first]);
+    Terminal& terminal = run.out.terminals.back();
     move_terminal(terminal, motion);
     note.birth = birth_of(note.birth, pattern, motion.to, rows);
     note.texture = texture_of(note.texture, pattern, motion.to, rows);
     terminal.texture = run.tables.texture_at(note.texture);
-    run.out.terminals.push_back(std::move(terminal));
     run.notes.push_back(note);
   }
 }

@@ -23,6 +23,11 @@ struct Outlook {
   bool has_set = false;  ///< Attributes may no longer be what they are for the node's shape.
 };
 
+// nobody asks how far what moves more than the tolerance does
+bool is_out_of_question(const Outlook& outlook, double out_m) {
+  return out_m > outlook.execution.run.options.tolerance_m;
+}
+
 // ---- numbers
 // ----------------------------------------------------------------------------------------------------------
 
@@ -174,7 +179,7 @@ enum class Form : std::uint8_t {
 /// A body's statements, one after the other.
 struct Course {
   Outlook outlook;
-  NumberRanges frame;
+  const NumberRanges& frame;
   Form form = Form::kFace;
   Displacement moved = {};  ///< Up to the current shape.
   double height_m = 0;      ///< Of kPrism.
@@ -184,14 +189,12 @@ struct Course {
   double out_m = 0;              ///< Of all children.
   double back_m = kUnbounded_m;  ///< Of the best group of children.
   bool stays = false;
-  bool keeps_look = true;
 };
 
 // `cover_m`: from a point of the current surface to the children that stand for it
 void add_group(Course& course, const Reach& reach, double cover_m) {
   course.out_m = std::max(course.out_m, course.moved.out_m + reach.moved.out_m);
   course.pending = false;
-  course.keeps_look &= reach.keeps_look;
   if (!reach.stays) return;
   course.stays = true;
   course.back_m = std::min(course.back_m, course.moved.back_m + cover_m + reach.moved.back_m);
@@ -199,21 +202,21 @@ void add_group(Course& course, const Reach& reach, double cover_m) {
 
 /// All children of a group: as far out as any, as far back as any, and staying if all do.
 Reach worst_of(Reach a, Reach b) {
-  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)},
-          a.stays && b.stays,
-          a.keeps_look && b.keeps_look};
+  return {{std::max(a.moved.out_m, b.moved.out_m), std::max(a.moved.back_m, b.moved.back_m)}, a.stays && b.stays};
 }
 
-constexpr Reach kNothing = {{0, kUnbounded_m}, false, true};
-constexpr Reach kItself = {{0, 0}, true, true};
+constexpr Reach kNothing = {{0, kUnbounded_m}, false};
+constexpr Reach kItself = {{0, 0}, true};
 
 // nested ones too
 Reach worst_of(Course& course, const std::vector<Selector>& selectors) {
   Reach worst = kItself;
-  for (const Selector& selector : selectors)
-    worst = worst_of(worst, selector.size == SizeKind::kRepeat
-                                ? worst_of(course, selector.nested)
-                                : reach_of_body(course.outlook, selector.body, course.frame));
+  for (const Selector& selector : selectors) {
+    const bool nests = selector.size == SizeKind::kRepeat;
+    worst = worst_of(
+        worst, nests ? worst_of(course, selector.nested) : reach_of_body(course.outlook, selector.body, course.frame));
+    if (is_out_of_question(course.outlook, worst.moved.out_m)) break;
+  }
   return worst;
 }
 
@@ -280,7 +283,7 @@ void look_at_comp(Course& course, const Statement& statement) {
   // ends are front and back of what stands, top and bottom of what lies
   const Reach ends =
       worst_of(reach_of_ends(course, statement, "front", "back"), reach_of_ends(course, statement, "top", "bottom"));
-  add_group(course, {{parts.moved.out_m, ends.moved.back_m}, ends.stays, parts.keeps_look}, course.height_m);
+  add_group(course, {{parts.moved.out_m, ends.moved.back_m}, ends.stays}, course.height_m);
 }
 
 void look_at_extrude(Course& course, const Statement& statement) {
@@ -306,7 +309,6 @@ void look_at_operation(Course& course, const Statement& statement) {
   const OperationRow& row = operation_table()[statement.index];
   const bool is_face = course.form == Form::kFace;
   course.pending |= row.alters != Alters::kNothing;
-  course.keeps_look &= row.alters != Alters::kLook && statement.name != "set";
   course.outlook.has_set |= sets_attribute(statement);
   if (statement.name == "comp" && course.form != Form::kUnknown) return look_at_comp(course, statement);
   if (statement.name == "split" && is_face) return look_at_split(course, statement);
@@ -353,14 +355,14 @@ void look_at(Course& course, const Statement& statement) {
   }
 }
 
-Reach reach_of_statements(Outlook outlook, const Body& body, NumberRanges frame) {
-  Course course{outlook, std::move(frame)};
+Reach reach_of_statements(Outlook outlook, const Body& body, const NumberRanges& frame) {
+  Course course{outlook, frame};
   for (const Statement& statement : body.statements) {
     look_at(course, statement);
-    if (course.unbounded) return {};
+    if (course.unbounded || is_out_of_question(outlook, course.out_m)) return {};
   }
   if (course.pending) add_group(course, kItself, 0);
-  return {{course.out_m, course.back_m}, course.stays, course.keeps_look};
+  return {{course.out_m, course.back_m}, course.stays};
 }
 
 // A case that no branch fits leaves the shape as it is.
@@ -370,30 +372,45 @@ Reach reach_of_branches(Outlook outlook, const Body& body, const NumberRanges& f
     const bool is_tested = body.kind == BodyKind::kCase && !branch.is_else;
     const NumberRange test = is_tested ? range_of(outlook, branch.test, frame) : kEither;
     if (!is_false(test)) worst = worst_of(worst, reach_of_body(outlook, branch.body, frame));
-    if (is_true(test)) break;
+    if (is_true(test) || is_out_of_question(outlook, worst.moved.out_m)) break;
   }
   return worst;
 }
 
-Reach found_reach(Outlook outlook, const Body& body, NumberRanges frame) {
+Reach reach_with(Outlook outlook, const Body& body, const NumberRanges& frame) {
+  const bool chooses = body.kind != BodyKind::kStatements;
+  return chooses ? reach_of_branches(outlook, body, frame) : reach_of_statements(outlook, body, frame);
+}
+
+Reach found_reach(Outlook outlook, const Body& body, const NumberRanges& frame) {
   ReachTable& table = outlook.execution.run.reaches;
   if (++outlook.depth > kDeepest || ++table.looks > kMostLooks) return {};
+  if (body.locals.empty()) return reach_with(outlook, body, frame);
+  NumberRanges with_locals = frame;
   for (const Local& local : body.locals) {
-    const NumberRange value = range_of(outlook, local.value, frame);
-    frame.resize(std::max<std::size_t>(frame.size(), local.slot + 1));
-    frame[local.slot] = value;
+    const NumberRange value = range_of(outlook, local.value, with_locals);
+    with_locals.resize(std::max<std::size_t>(with_locals.size(), local.slot + 1));
+    with_locals[local.slot] = value;
   }
-  const bool chooses = body.kind != BodyKind::kStatements;
-  return chooses ? reach_of_branches(outlook, body, frame) : reach_of_statements(outlook, body, std::move(frame));
+  return reach_with(outlook, body, with_locals);
+}
+
+// `Wall.`
+bool only_ends(const Body& body) {
+  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
+  const Statement& only = body.statements.front();
+  return only.kind == StatementKind::kSuccessor && only.index == ~0u && only.name != "NIL";
 }
 
 Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame) {
+  if (only_ends(body)) return kItself;
   ReachTable& table = outlook.execution.run.reaches;
   const std::uint32_t attributes = outlook.has_set ? kAnyAttributes : outlook.execution.shape.attributes;
   std::uint32_t& first = table.first_of[body.number];
-  for (std::uint32_t i = first; i != 0; i = table.found[i - 1].next)
-    if (table.found[i - 1].attributes == attributes && table.found[i - 1].arguments == frame)
-      return table.found[i - 1].reach;
+  for (std::uint32_t i = first; i != 0; i = table.found[i - 1].next) {
+    const KnownReach& known = table.found[i - 1];
+    if (known.attributes == attributes && known.arguments == frame) return known.reach;
+  }
   // what is under way is unbounded: a rule that comes to itself again
   const std::size_t place = table.found.size();
   table.found.push_back({attributes, frame, {}, first});
@@ -412,6 +429,7 @@ bool is_flat(const Shape& shape) {
 }
 
 Reach reach_of(Execution& execution, const Body& body) {
+  if (only_ends(body)) return kItself;
   NumberRanges frame;
   frame.reserve(execution.frame.size());
   for (const Value& value : execution.frame) frame.push_back(range_of_value(value));
@@ -423,8 +441,7 @@ std::optional<Displacement> known_ahead(Execution& execution, const Body& body) 
   if (!options.ahead || !execution.run.measures()) return std::nullopt;
   if (!body.divides || (options.keep_looks && body.changes_look) || !is_flat(execution.shape)) return std::nullopt;
   const Reach reach = reach_of(execution, body);
-  if (!reach.stays || (options.keep_looks && !reach.keeps_look) || reach.moved.largest_m() > options.tolerance_m)
-    return std::nullopt;
+  if (!reach.stays || reach.moved.largest_m() > options.tolerance_m) return std::nullopt;
   return reach.moved;
 }
 

@@ -30,8 +30,7 @@ using NumberRanges = std::vector<NumberRange>;
 
 struct Reach {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
-  bool stays = false;       ///< Something surely comes of it; else `moved.back_m` says nothing.
-  bool keeps_look = false;  ///< All that comes of it looks as the shape does.
+  bool stays = false;  ///< Something surely comes of it; else `moved.back_m` says nothing.
 };
 
 /// For KnownReach: whatever they are.
@@ -53,8 +52,8 @@ struct ReachTable {
 };
 
 /// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are
-/// thrown. Safe: what the derivation measures is never more, unless a limit ends it. O(bodies that it may come to),
-/// once.
+/// thrown. Safe: what the derivation measures is never more, unless a limit ends it. What moves more than the tolerance
+/// may be unbounded here. O(bodies that it may come to until that is known), once.
 Reach reach_of(Execution& execution, const Body& body);
 
 /// True for one flat face that looks along its scope's z or y: what reach_of() knows.

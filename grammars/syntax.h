@@ -63,7 +63,7 @@ struct Body {
   std::vector<Branch> branches;  ///< The last may be `else`.
   std::uint32_t number = 0;      ///< Of the program's bodies.
   bool divides = false;          ///< Divides a surface itself (body_marks.h).
-  bool changes_look = false;     ///< Something that comes of it looks otherwise, whatever its conditions say.
+  bool changes_look = false;     ///< Something that comes of it may look otherwise.
 };
 
 struct Branch {

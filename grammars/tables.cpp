@@ -13,7 +13,7 @@ std::uint32_t append(std::vector<Entry>& table, Entry entry) {
 
 template <typename Entry, typename IndexOf>
 std::uint32_t found_or_added(std::vector<Entry>& table, IndexOf& index_of, const Entry& entry) {
-  const auto [found, is_new] = index_of.emplace(entry, static_cast<std::uint32_t>(table.size()));
+  const auto [found, is_new] = index_of.try_emplace(entry, static_cast<std::uint32_t>(table.size()));
   if (is_new) table.push_back(entry);
   return found->second;
 }

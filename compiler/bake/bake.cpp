@@ -88,7 +88,7 @@ BakedTile fire_level(const scene::Header& header, const scene::Chunk& chunk, Lev
   merge_meshes(firing);
   fire_trees(firing, placed.trees, grove);
   fire_lamps(firing, placed.lamps, common.carving, report);
-  tile.textures = textures_shown(tile, firing.texel_m(), header.seed);
+  tile.textures = textures_shown(tile, firing.texel_m(), grove.textures());
   return tile;
 }
 

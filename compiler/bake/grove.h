@@ -1,4 +1,4 @@
-// The plants' shapes, each made once a run, when the first tile asks for it.
+// What tiles have in common, each made once a run, when the first tile asks for it: the plants' shapes, and textures.
 #pragma once
 
 #include <map>
@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "compiler/bake/baked.h"
+#include "compiler/materials/texture_shelf.h"
 #include "compiler/plants/nursery.h"
 #include "compiler/plants/prototype_mesh.h"
 
@@ -27,10 +28,12 @@ struct PlantShape {
 /// has been asked for; at 0.02 m some 2 MB a shape.
 class Grove {
  public:
-  explicit Grove(const scene::Header& header) : nursery_(header.species, month_of(header)) {}
+  explicit Grove(const scene::Header& header) : nursery_(header.species, month_of(header)), textures_(header.seed) {}
 
   /// Of a plant of no more than `height_m`, within the tolerance. As long as the grove is there.
   const PlantShape& shape(plants::Prototype prototype, double height_m, double tolerance_m) const;
+
+  const materials::TextureShelf& textures() const { return textures_; }
 
  private:
   using Key = std::tuple<plants::Prototype, double, double>;
@@ -42,6 +45,7 @@ class Grove {
   Slot& slot(const Key& key) const;
 
   plants::Nursery nursery_;
+  materials::TextureShelf textures_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;
 };

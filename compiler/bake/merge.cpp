@@ -87,7 +87,8 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
   }
 }
 
-std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m, std::uint64_t seed) {
+std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
+                                               const materials::TextureShelf& shelf) {
   std::set<materials::Material> shown;
   const auto look_at = [&](const std::vector<Primitive>& primitives) {
     for (const Primitive& p : primitives)
@@ -95,7 +96,7 @@ std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tol
   };
   look_at(tile.primitives);
   for (const Instanced& instanced : tile.instanced) look_at(instanced.primitives);
-  return materials::textures_of(std::vector(shown.begin(), shown.end()), tolerance_m, seed);
+  return shelf.textures_of(std::vector(shown.begin(), shown.end()), tolerance_m);
 }
 
 std::vector<Primitive> primitives_of(Merged&& merged) {

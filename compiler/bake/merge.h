@@ -7,6 +7,7 @@
 
 #include "compiler/bake/baked.h"
 #include "compiler/materials/dressed_mesh.h"
+#include "compiler/materials/texture_shelf.h"
 
 namespace citykiln::bake {
 
@@ -25,7 +26,8 @@ std::vector<Primitive> primitives_of(Merged&& merged);
 std::vector<Primitive> shared_primitives(std::span<const materials::DressedMesh> meshes);
 
 /// The textures of what of a tile and of its shared meshes shows its material's, in the order of materials.
-std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m, std::uint64_t seed);
+std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
+                                               const materials::TextureShelf& shelf);
 
 Float3 offset_from(Vec3 origin, Vec3 p);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "compiler/pipeline.h"
 #include "exporters/glb.h"
 #include "exporters/manifest.h"
@@ -15,13 +17,38 @@ Result<WrittenFile> write(const std::string& name, const std::vector<std::byte>&
   return WrittenFile{name, bytes.size()};
 }
 
-Result<WrittenTile> write_glb(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
-                              const Outputs& outputs, int threads, OutputFolder& folder) {
-  const EncodedTile encoded = encode_tile(tile, header, outputs.instances_as_nodes, outputs.compress, threads);
-  const Result<WrittenFile> file = write(glb_name(tile.tile, level), encoded.glb, folder);
-  if (!file) return file.error();
-  return WrittenTile{
-      *file, tile.tile, level, tile.tolerance_m, encoded.error_m, triangles_of(tile), instances_of(tile)};
+/// A tile that waits for its turn to be written.
+struct ReadyTile {
+  std::vector<std::byte> glb;
+  WrittenTile record;
+};
+
+ReadyTile ready_tile(const bake::BakedTile& tile, std::size_t level, const scene::Header& header,
+                     const Outputs& outputs, int threads) {
+  EncodedTile encoded = encode_tile(tile, header, outputs.instances_as_nodes, outputs.compress, threads);
+  const WrittenFile file{glb_name(tile.tile, level), encoded.glb.size()};
+  return {std::move(encoded.glb),
+          {file, tile.tile, level, tile.tolerance_m, encoded.error_m, triangles_of(tile), instances_of(tile)}};
+}
+
+Result<std::vector<WrittenTile>> write_glbs(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                            OutputFolder& folder, Report& report, const OnProgress& on_progress) {
+  const std::size_t levels = outputs.ladder_m.size();
+  std::vector<ReadyTile> slots(scene.chunks.size() * levels);
+  std::vector<WrittenTile> written;
+  const Result<Done> fired = fire(
+      scene, outputs.ladder_m, threads, report, on_progress,
+      [&](FiredLevel at, bake::BakedTile&& baked) {
+        const bake::BakedTile tile = std::move(baked);
+        slots[at.chunk * levels + at.level] = ready_tile(tile, at.level, scene.header, outputs, threads);
+      },
+      [&](FiredLevel at) -> Result<Done> {
+        const ReadyTile ready = std::exchange(slots[at.chunk * levels + at.level], {});
+        written.push_back(ready.record);
+        return folder.write(ready.record.file.name, ready.glb);
+      });
+  if (!fired) return fired.error();
+  return written;
 }
 
 exporters::Compression compression_of(Compress compress) {
@@ -51,15 +78,9 @@ Result<Written> write_outputs(const scene::Scene& scene, const Outputs& outputs,
   }
   if (!outputs.glb) return written;
 
-  const Result<Done> fired = fire(scene, outputs.ladder_m, threads, report, on_progress,
-                                  [&](const bake::BakedTile& tile, std::size_t level) -> Result<Done> {
-                                    const Result<WrittenTile> file =
-                                        write_glb(tile, level, scene.header, outputs, threads, folder);
-                                    if (!file) return file.error();
-                                    written.tiles.push_back(*file);
-                                    return Done{};
-                                  });
-  if (!fired) return fired.error();
+  Result<std::vector<WrittenTile>> tiles = write_glbs(scene, outputs, threads, folder, report, on_progress);
+  if (!tiles) return tiles.error();
+  written.tiles = std::move(*tiles);
   return written;
 }
 

@@ -8,8 +8,16 @@
 
 namespace citykiln {
 
+namespace {
+
+// A loop within a loop shares its threads, so that whoever has nothing left to do in the one goes on with the other.
+bool are_enough_here(int threads) { return threads <= 0 || threads >= tbb::this_task_arena::max_concurrency(); }
+
+}  // namespace
+
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  if (are_enough_here(threads)) return tbb::parallel_for(std::size_t{0}, count, work);
+  tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 

@@ -33,14 +33,14 @@ Int rounded_quotient(Wide n, Wide d) {
   return static_cast<Int>(quotient);
 }
 
-// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart. Ends that touch
-// count.
+// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart, or meet at an
+// end, which is known.
 std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegment& t) {
   const GridPoint along = s.b - s.a, other = t.b - t.a, between = t.a - s.a;
   Int d = cross(along, other), n = cross(between, other), m = cross(between, along);
   if (d == 0) return std::nullopt;
   if (d < 0) d = -d, n = -n, m = -m;
-  if (n < 0 || n > d || m < 0 || m > d) return std::nullopt;
+  if (n <= 0 || n >= d || m <= 0 || m >= d) return std::nullopt;
   return GridPoint{s.a.x + rounded_quotient(Wide{along.x} * n, d), s.a.y + rounded_quotient(Wide{along.y} * n, d)};
 }
 

@@ -1,6 +1,6 @@
 #include "compiler/geometry/box_grid.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace citykiln {
 namespace {
@@ -10,7 +10,7 @@ struct BucketRange {
 };
 
 int bucket_of(double offset_m, double bucket_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / bucket_m), 0.0, count - 1.0));
+  return static_cast<int>(std::clamp(offset_m / bucket_m, 0.0, count - 1.0));
 }
 
 BucketRange range_of(const BoxGrid& grid, const Box2& box) {

@@ -4,7 +4,7 @@
 
 namespace citykiln {
 
-Knot knot_at(const Profile& profile, double at_m) {
+Knot knot_at(std::span<const Knot> profile, double at_m) {
   const auto after = std::ranges::lower_bound(profile, at_m, {}, &Knot::at_m);
   if (after == profile.begin()) return {at_m, profile.front().z_m, profile.front().tilt};
   if (after == profile.end()) return {at_m, profile.back().z_m, profile.back().tilt};
@@ -13,7 +13,7 @@ Knot knot_at(const Profile& profile, double at_m) {
   return {at_m, a.z_m + (b.z_m - a.z_m) * t, a.tilt + (b.tilt - a.tilt) * t};
 }
 
-Profile between(const Profile& profile, double from_m, double to_m) {
+std::span<const Knot> between(std::span<const Knot> profile, double from_m, double to_m) {
   auto first = std::ranges::lower_bound(profile, from_m, {}, &Knot::at_m);
   auto last = std::ranges::upper_bound(profile, to_m, {}, &Knot::at_m);
   if (first != profile.begin()) --first;

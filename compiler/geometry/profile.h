@@ -5,6 +5,7 @@
 //   ---•        •------
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace citykiln {
@@ -24,10 +25,11 @@ struct Knot {
 /// Sorted by at_m, strictly. Empty: the line lies on the ground as it is.
 using Profile = std::vector<Knot>;
 
-/// Height and tilt at a place along the line; the profile must not be empty. O(log n).
-Knot knot_at(const Profile& profile, double at_m);
+/// Height and tilt at a place along the line, of the profile, which must not be empty, or of what between() gives of
+/// it. O(log n).
+Knot knot_at(std::span<const Knot> profile, double at_m);
 
-/// The knots that say the profile between two places: those within, and the nearest on either side. O(n).
-Profile between(const Profile& profile, double from_m, double to_m);
+/// The knots that say the profile between two places: those within, and the nearest on either side. O(log n).
+std::span<const Knot> between(std::span<const Knot> profile, double from_m, double to_m);
 
 }  // namespace citykiln

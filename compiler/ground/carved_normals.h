@@ -1,5 +1,5 @@
-// Normals of the carved ground, each made once: four places are asked for one, and levels of a cell share most of their
-// vertices.
+// Normals of the carved ground, each made once: four places are asked for those of one, layers meet there, and levels
+// of a cell share most of their vertices.
 #pragma once
 
 #include <cstddef>
@@ -16,22 +16,17 @@ class CarvedNormals {
  public:
   explicit CarvedNormals(const Carving& carving) : carving_(carving) {}
 
-  /// To the bit what normal_at gives. O(1) where the place has been asked for before.
+  /// To the bit what normals_at gives. O(1) where the place has been asked for before.
   Vec3 at(GridPoint p, HeightLayer layer);
 
   const Carving& carving() const { return carving_; }
 
  private:
-  struct Key {
-    GridPoint place;
-    HeightLayer layer;
-    bool operator==(const Key&) const = default;
-  };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
+  struct PlaceHash {
+    std::size_t operator()(GridPoint place) const;
   };
   const Carving& carving_;
-  std::unordered_map<Key, Vec3, KeyHash> known_;
+  std::unordered_map<GridPoint, std::array<Vec3, kHeightLayers>, PlaceHash> known_;
 };
 
 }  // namespace citykiln::ground

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory_resource>
+#include <optional>
 
 namespace citykiln::ground {
 namespace {
@@ -118,6 +119,16 @@ Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const 
   return bounds;
 }
 
+// The ground at a place, and the terrain that it is carved out of.
+struct Sounding {
+  Heights heights;
+  double terrain_m;
+};
+
+Sounding sound(const Carving& carving, Vec2 p) {
+  return {heights_at(carving, p), map::height_m_at(carving.terrain, p)};
+}
+
 bool is_near_span(const Carving& carving, Vec2 p) {
   return !boxes_about(carving.decks.field.grid, p).empty() || !boxes_about(carving.bores.field.grid, p).empty();
 }
@@ -177,19 +188,24 @@ Heights heights_at(const Carving& carving, Vec2 p) {
 
 double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }
 
-Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer) {
-  if (!is_carved(carving, {p, p})) return map::normal_at(carving.terrain, p);
+std::array<Vec3, kHeightLayers> normals_at(const Carving& carving, Vec2 p) {
+  std::array<Vec3, kHeightLayers> normals;
+  normals.fill(map::normal_at(carving.terrain, p));
+  if (!is_carved(carving, {p, p})) return normals;
   constexpr Vec2 kEast{kNormalStep_m, 0}, kNorth{0, kNormalStep_m};
-  bool is_terrain = true;
-  const auto height_m = [&](Vec2 at) {
-    const double here_m = of(heights_at(carving, at), layer);
-    is_terrain &= here_m == map::height_m_at(carving.terrain, at);
-    return here_m;
-  };
-  const double dx = height_m(p + kEast) - height_m(p - kEast), dy = height_m(p + kNorth) - height_m(p - kNorth);
-  if (is_terrain) height_m(p);
-  if (is_terrain) return map::normal_at(carving.terrain, p);
-  return unit(Vec3{-dx, -dy, 2 * kNormalStep_m});
+  const Sounding east = sound(carving, p + kEast), west = sound(carving, p - kEast), north = sound(carving, p + kNorth),
+                 south = sound(carving, p - kNorth);
+  std::optional<Sounding> centre;
+  for (std::size_t layer = 0; layer < kHeightLayers; ++layer) {
+    const auto is_terrain = [&](const Sounding& s) { return s.heights[layer] == s.terrain_m; };
+    if (is_terrain(east) && is_terrain(west) && is_terrain(north) && is_terrain(south)) {
+      if (!centre) centre = sound(carving, p);
+      if (is_terrain(*centre)) continue;
+    }
+    const double dx = east.heights[layer] - west.heights[layer], dy = north.heights[layer] - south.heights[layer];
+    normals[layer] = unit(Vec3{-dx, -dy, 2 * kNormalStep_m});
+  }
+  return normals;
 }
 
 bool is_carved(const Carving& carving, const Box2& box) {

@@ -10,6 +10,7 @@
 // A pure function of roads, waters and terrain within kCarve_m and the roads' breadth, so tiles agree to the bit.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -62,8 +63,8 @@ Heights heights_at(const Carving& carving, Vec2 p);
 /// What stands on the ground stands at this height: the land's, on roads that of their kerbs' tops.
 double land_m(const Carving& carving, Vec2 p);
 
-/// Of one layer, smoothed over a metre or two; where nothing is carved, over the terrain's squares. Unit length.
-Vec3 normal_at(const Carving& carving, Vec2 p, HeightLayer layer);
+/// One a layer, smoothed over a metre or two; where nothing is carved, over the terrain's squares. Unit length.
+std::array<Vec3, kHeightLayers> normals_at(const Carving& carving, Vec2 p);
 
 /// False where the carved ground in the box is the terrain.
 bool is_carved(const Carving& carving, const Box2& box);

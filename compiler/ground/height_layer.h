@@ -19,8 +19,10 @@ enum class HeightLayer : std::uint8_t {
   kCount
 };
 
+inline constexpr auto kHeightLayers = static_cast<std::size_t>(HeightLayer::kCount);
+
 /// Metres of the plane at one place, one a layer.
-using Heights = std::array<double, static_cast<std::size_t>(HeightLayer::kCount)>;
+using Heights = std::array<double, kHeightLayers>;
 
 inline double of(const Heights& heights, HeightLayer layer) { return heights[static_cast<std::size_t>(layer)]; }
 

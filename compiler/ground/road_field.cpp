@@ -54,28 +54,37 @@ double weight_of(double from_axis_m, double half_m, double beyond_m) {
   return slack * slack + kFarWeight / (far_m * far_m * far_m);
 }
 
-SegmentLine line_of(const GradedSegment& s) {
+SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
   const Vec2 along = s.to - s.from;
   const double length2_m2 = dot(along, along);
-  return {along, length2_m2, std::sqrt(length2_m2)};
+  const std::span<const Knot> knots = between(profile, s.from_m, s.to_m);
+  return {along, length2_m2, std::sqrt(length2_m2), static_cast<std::uint32_t>(knots.data() - profile.data()),
+          static_cast<std::uint32_t>(knots.size())};
 }
 
-Strand strand_at(const RoadField& field, std::uint32_t number, Vec2 p, double terrain_m) {
-  const GradedSegment& s = field.segments[number];
-  const SegmentLine& line = field.lines[number];
+// Where a place lies beside a segment.
+struct Beside {
+  double share, aside_m, half_m, from_axis_m, beyond_m;
+};
+
+Beside beside(const GradedSegment& s, const SegmentLine& line, Vec2 p) {
   const Vec2 along = line.along;
-  const double t = std::clamp(dot(p - s.from, along) / line.length2_m2, 0.0, 1.0);
+  const double share = std::clamp(dot(p - s.from, along) / line.length2_m2, 0.0, 1.0);
   const double aside_m = cross(along, p - s.from) / line.length_m;
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
-  const double from_axis_m = distance(p, s.from + along * t);
-  const double beyond_m = std::max(0.0, from_axis_m - half_m);
-  Strand strand{terrain_m, s.kerb_m, weight_of(from_axis_m, half_m, beyond_m), beyond_m};
-  const Profile& profile = field.profiles[s.road];
-  if (profile.empty()) return strand;
-  const Knot knot = knot_at(profile, s.from_m + (s.to_m - s.from_m) * t);
-  strand.z_m = knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m);
-  strand.is_graded = true;
-  return strand;
+  const double from_axis_m = distance(p, s.from + along * share);
+  return {share, aside_m, half_m, from_axis_m, std::max(0.0, from_axis_m - half_m)};
+}
+
+// Filled where it stays: copies of what has just been written wait for it.
+void fill(Strand& strand, const RoadField& field, std::uint32_t number, const Beside& at, double terrain_m) {
+  const GradedSegment& s = field.segments[number];
+  strand.kerb_m = s.kerb_m, strand.beyond_m = at.beyond_m;
+  strand.weight = weight_of(at.from_axis_m, at.half_m, at.beyond_m);
+  strand.is_graded = field.lines[number].knot_count > 0;
+  if (!strand.is_graded) return void(strand.z_m = terrain_m);
+  const Knot knot = knot_on(field, number, at.share);
+  strand.z_m = knot.z_m + knot.tilt * std::clamp(at.aside_m, -s.right_m, s.left_m);
 }
 
 // By their weights times a share.
@@ -105,11 +114,14 @@ double share_between(double none, double all, double value) {
 // 1 on a road and to the top of the wall beside it, 0 from its foot on.
 double inside(const Strand& strand) { return share_between(kWallFoot_m, kWallTop_m, strand.beyond_m); }
 
-// What a higher road takes of the place leaves the rest to the lower ones.
+// What a higher road takes of the place leaves the rest to the lower ones. Most are beyond their walls' feet: they take
+// nothing.
 double share_where_parted(std::span<const Strand> strands, const Strand& own) {
   double left = inside(own);
+  if (left == 0) return kFarWeight;
   for (const Strand& other : strands)
-    left *= 1 - inside(other) * share_between(kAlike_m, kApart_m, other.z_m - own.z_m);
+    if (other.beyond_m < kWallFoot_m)
+      left *= 1 - inside(other) * share_between(kAlike_m, kApart_m, other.z_m - own.z_m);
   return left + kFarWeight;
 }
 
@@ -122,13 +134,20 @@ RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs) {
     if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
   }
   for (const GradedSegment& s : field.segments) {
-    field.lines.push_back(line_of(s));
+    field.lines.push_back(line_of(s, field.profiles[s.road]));
     field.reaches.push_back(reach_of(s));
   }
   field.grid = grid_of(field.reaches, kBucket_m);
   field.near = grid_of(field.reaches, near_bucket_m(field.grid.box),
                        [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
   return field;
+}
+
+Knot knot_on(const RoadField& field, std::uint32_t segment, double share) {
+  const GradedSegment& s = field.segments[segment];
+  const SegmentLine& line = field.lines[segment];
+  const auto knots = std::span(field.profiles[s.road]).subspan(line.first_knot, line.knot_count);
+  return knot_at(knots, s.from_m + (s.to_m - s.from_m) * share);
 }
 
 std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terrain_m,
@@ -138,8 +157,8 @@ std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terra
   strands.reserve(near.size());
   for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
-    const Strand strand = strand_at(field, i, p, terrain_m);
-    if (strand.beyond_m < kCarve_m) strands.push_back(strand);
+    const Beside at = beside(field.segments[i], field.lines[i], p);
+    if (at.beyond_m < kCarve_m) fill(strands.emplace_back(), field, i, at, terrain_m);
   }
   return strands;
 }

@@ -43,6 +43,7 @@ struct GradedSegment {
 struct SegmentLine {
   Vec2 along;  ///< From its beginning to its end.
   double length2_m2 = 0, length_m = 0;
+  std::uint32_t first_knot = 0, knot_count = 0;  ///< Of its road's profile: those that say it here.
 };
 
 struct RoadField {
@@ -53,6 +54,9 @@ struct RoadField {
   BoxGrid grid;                         ///< Of those.
   BoxGrid near;  ///< Of those too, in small buckets, without the corners that the segments do not reach.
 };
+
+/// The height and tilt of a segment's road at a share of its length; the road must have a profile. O(log knots there).
+Knot knot_on(const RoadField& field, std::uint32_t segment, double share);
 
 /// @param has_kerbs  False where the tolerance sees none: carriageways then lie level with what is beside them.
 RoadField field_of(std::span<const roads::Road> roads, bool has_kerbs);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace citykiln::ground {
 namespace {
@@ -12,7 +13,7 @@ constexpr double kInfinity_m = std::numeric_limits<double>::infinity();
 // Of clearances by what passes: cars and lorries, trains, people.
 constexpr double kRoadBore_m = 5, kRailBore_m = 6, kPathBore_m = 2.75;
 
-// A span's segment as a place sees it.
+// A span's segment as a place within reach sees it.
 struct Sight {
   double z_m = 0;       ///< Of the road.
   double beside_m = 0;  ///< Beyond its edges, square to it.
@@ -20,22 +21,22 @@ struct Sight {
   double inside_m = 0;  ///< To the nearer of the way's ends.
 };
 
-Sight sight_of(const SpanField& spans, const GradedSegment& s, Vec2 p) {
-  const Vec2 along = s.to - s.from;
-  const double long_m = length(along);
+std::optional<Sight> sight_of(const SpanField& spans, std::uint32_t number, Vec2 p) {
+  const GradedSegment& s = spans.field.segments[number];
+  const auto& [along, length2_m2, long_m, first_knot, knot_count] = spans.field.lines[number];
   const double at_m = dot(p - s.from, along) / long_m, aside_m = cross(along, p - s.from) / long_m;
-  const double way_m = s.from_m + (s.to_m - s.from_m) * std::clamp(at_m / long_m, 0.0, 1.0);
-  const Knot knot = knot_at(spans.field.profiles[s.road], way_m);
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
   const double outside_m = std::max({0.0, -at_m, at_m - long_m});
   const bool is_end = (at_m < 0 && s.from_m == 0) || (at_m > long_m && s.to_m == spans.long_m[s.road]);
   // beyond a bend of the axis the next segment is nearer; what lies between them is beside both
   const double from_bend_m = is_end ? std::abs(aside_m) : length(Vec2{aside_m, outside_m});
-  return {knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m), std::max(0.0, from_bend_m - half_m),
-          is_end ? outside_m : 0, std::min(way_m, spans.long_m[s.road] - way_m)};
+  const double beside_m = std::max(0.0, from_bend_m - half_m), before_m = is_end ? outside_m : 0;
+  if (beside_m >= kCarve_m || before_m >= kCarve_m) return std::nullopt;
+  const double share = std::clamp(at_m / long_m, 0.0, 1.0), way_m = s.from_m + (s.to_m - s.from_m) * share;
+  const Knot knot = knot_on(spans.field, number, share);
+  return Sight{knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m), beside_m, before_m,
+               std::min(way_m, spans.long_m[s.road] - way_m)};
 }
-
-bool is_in_reach(const Sight& sight) { return sight.beside_m < kCarve_m && sight.before_m < kCarve_m; }
 
 }  // namespace
 
@@ -60,11 +61,11 @@ SpanField span_field_of(std::span<const roads::Road> spans) {
 double most_under_decks_m(const SpanField& decks, Vec2 p) {
   double most_m = kInfinity_m;
   for (const std::uint32_t i : boxes_about(decks.field.grid, p)) {
-    const Sight sight = sight_of(decks, decks.field.segments[i], p);
-    if (!is_in_reach(sight)) continue;
-    const double away_m = sight.beside_m + sight.before_m;
-    const double room_m = std::min(kUnderDeck_m, kUnderDeckSlope * sight.inside_m);
-    most_m = std::min(most_m, sight.z_m - room_m + kUnderDeckSlope * away_m);
+    const std::optional<Sight> sight = sight_of(decks, i, p);
+    if (!sight) continue;
+    const double away_m = sight->beside_m + sight->before_m;
+    const double room_m = std::min(kUnderDeck_m, kUnderDeckSlope * sight->inside_m);
+    most_m = std::min(most_m, sight->z_m - room_m + kUnderDeckSlope * away_m);
   }
   return most_m;
 }
@@ -72,12 +73,11 @@ double most_under_decks_m(const SpanField& decks, Vec2 p) {
 OverBores over_bores(const SpanField& bores, Vec2 p) {
   OverBores over{-kInfinity_m};
   for (const std::uint32_t i : boxes_about(bores.field.grid, p)) {
-    const GradedSegment& s = bores.field.segments[i];
-    const Sight sight = sight_of(bores, s, p);
-    if (!is_in_reach(sight)) continue;
-    const double roof_m = sight.z_m + bores.height_m[s.road] + kOverBore_m;
-    over.least_m = std::max(over.least_m, roof_m - kPortalSlope * sight.before_m - kUnderDeckSlope * sight.beside_m);
-    const double higher_m = kPortal_m - kPortalSlope * sight.before_m - kPortalSideSlope * sight.beside_m;
+    const std::optional<Sight> sight = sight_of(bores, i, p);
+    if (!sight) continue;
+    const double roof_m = sight->z_m + bores.height_m[bores.field.segments[i].road] + kOverBore_m;
+    over.least_m = std::max(over.least_m, roof_m - kPortalSlope * sight->before_m - kUnderDeckSlope * sight->beside_m);
+    const double higher_m = kPortal_m - kPortalSlope * sight->before_m - kPortalSideSlope * sight->beside_m;
     if (higher_m > over.higher_m) over.higher_m = higher_m, over.roof_m = roof_m;
   }
   return over;

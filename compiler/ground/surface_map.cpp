@@ -15,7 +15,7 @@ struct BucketRange {
 };
 
 int bucket_index(double offset_m, double bucket_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / bucket_m), 0.0, count - 1.0));
+  return static_cast<int>(std::clamp(offset_m / bucket_m, 0.0, count - 1.0));
 }
 
 int column_of(const SurfaceMap& map, double x) { return bucket_index(x - map.corner.x, map.bucket_m, map.columns); }
@@ -27,6 +27,10 @@ BucketRange buckets_of(const SurfaceMap& map, const Box2& box) {
 
 Vec2 corner_of(const SurfaceMap& map, int column, int row) {
   return map.corner + Vec2{column * map.bucket_m, row * map.bucket_m};
+}
+
+std::size_t bucket_at(const SurfaceMap& map, int column, int row) {
+  return static_cast<std::size_t>(row) * map.columns + column;
 }
 
 // A border of a surface, and a bucket that it comes near to, counted along the range of the surface.
@@ -196,15 +200,29 @@ void take(SurfaceMap& map, std::span<const Found> found, std::span<const Surface
 }
 
 std::span<const BucketSurface> entries_at(const SurfaceMap& map, int column, int row) {
-  const std::size_t bucket = static_cast<std::size_t>(row) * map.columns + column;
+  const std::size_t bucket = bucket_at(map, column, row);
   return std::span(map.entries)
       .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
+}
+
+// Of buckets: whether none that has surfaces comes within kMapNear_m.
+std::vector<bool> far_buckets(const SurfaceMap& map) {
+  std::vector<bool> is_far(static_cast<std::size_t>(map.columns) * map.rows, true);
+  const int near = static_cast<int>(std::ceil(kMapNear_m / map.bucket_m));
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column) {
+      if (entries_at(map, column, row).empty()) continue;
+      for (int r = std::max(row - near, 0); r <= std::min(row + near, map.rows - 1); ++r)
+        for (int c = std::max(column - near, 0); c <= std::min(column + near, map.columns - 1); ++c)
+          is_far[bucket_at(map, c, r)] = false;
+    }
+  return is_far;
 }
 
 }  // namespace
 
 SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box, double bucket_m) {
-  SurfaceMap map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}};
+  SurfaceMap map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}, {}};
   map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / bucket_m)));
   map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / bucket_m)));
   std::vector<std::uint32_t> order(surfaces.size());
@@ -216,6 +234,7 @@ SurfaceMap map_surfaces(std::span<const Surface> surfaces, const Box2& box, doub
   for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
   take(map, found, edges);
+  map.is_far = far_buckets(map);
   return map;
 }
 
@@ -228,6 +247,7 @@ std::uint32_t surface_at(const SurfaceMap& map, Vec2 p) {
 
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) {
   const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
+  if (reach_m <= kMapNear_m && map.is_far[bucket_at(map, own_column, own_row)]) return reach_m;
   double nearest = squared(reach_m);
   for (const BucketSurface& entry : entries_at(map, own_column, own_row)) {
     // sorted from the top down: none of this priority can follow
@@ -240,8 +260,10 @@ double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m) 
   const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)
     for (int column = range.first_column; column <= range.last_column; ++column) {
-      if ((column == own_column && row == own_row) || squared_distance(map, column, row, p) >= nearest) continue;
-      for (const BucketSurface& entry : entries_at(map, column, row)) {
+      const std::span<const BucketSurface> entries = entries_at(map, column, row);
+      if (entries.empty() || (column == own_column && row == own_row)) continue;
+      if (squared_distance(map, column, row, p) >= nearest) continue;
+      for (const BucketSurface& entry : entries) {
         if (entry.priority < priority) break;
         nearest = squared_distance(map, entry, p, nearest);
       }

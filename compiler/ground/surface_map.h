@@ -35,11 +35,15 @@ struct SurfaceMap {
   std::vector<std::uint32_t>
       bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
   std::vector<BucketSurface> entries;
-  std::vector<Edge> edges;  ///< In the order of entries.
+  std::vector<bool> is_far;  ///< Of buckets from which all surfaces are farther than kMapNear_m.
+  std::vector<Edge> edges;   ///< In the order of entries.
 };
 
 /// Smaller buckets repeat large surfaces too often; larger ones ask too many borders a question.
 inline constexpr double kMapBucket_m = 32;
+
+/// Within so much of most places there is nothing of what is rare: water.
+inline constexpr double kMapNear_m = 16;
 
 /// @param bucket_m  Smaller ones for narrow surfaces that are asked about often.
 /// Cost: linear in vertices, plus buckets times vertices for the surfaces that reach over many buckets.
@@ -50,7 +54,7 @@ std::uint32_t surface_at(const SurfaceMap& map, Vec2 p);
 
 /// The distance from p to the nearest border of a surface whose class has at least this priority; at most `reach_m`, 0
 /// where such a surface covers p. p must lie in the map's box; borders outside the box do not count. O(edges in the
-/// buckets within reach).
+/// buckets within reach); O(1) where kMapNear_m is enough and nothing is so near.
 double clearance_m(const SurfaceMap& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

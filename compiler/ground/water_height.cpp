@@ -46,7 +46,7 @@ void add_shores(WaterIndex& index, const Surface& surface) {
 }
 
 int bucket_of(double offset_m, int count) {
-  return static_cast<int>(std::clamp(std::floor(offset_m / kBucket_m), 0.0, count - 1.0));
+  return static_cast<int>(std::clamp(offset_m / kBucket_m, 0.0, count - 1.0));
 }
 
 // Every bucket that the box touches.

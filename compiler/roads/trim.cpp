@@ -73,7 +73,8 @@ Road part_of(const Road& road, Run run) {
   part.passed_m = along[run.first];
   part.narrowing = {pinches_between(road.narrowing.left, along[run.first], along[run.last]),
                     pinches_between(road.narrowing.right, along[run.first], along[run.last])};
-  part.profile = between(road.profile, along[run.first], along[run.last]);
+  const auto knots = between(road.profile, along[run.first], along[run.last]);
+  part.profile.assign(knots.begin(), knots.end());
   std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
   for (map::TrackPoint& p : part.points) p.vertex -= static_cast<std::uint32_t>(run.first);
   return part;
@@ -84,7 +85,8 @@ Strip part_of(const Strip& strip, Run run) {
   Strip part = strip;
   part.axis = part_of(strip.axis, run);
   part.passed_m = along[run.first];
-  part.profile = between(strip.profile, along[run.first], along[run.last]);
+  const auto knots = between(strip.profile, along[run.first], along[run.last]);
+  part.profile.assign(knots.begin(), knots.end());
   return part;
 }
 

@@ -16,15 +16,25 @@ Shape part_shape(const Shape& from, std::vector<Face> faces) {
   return part;
 }
 
-// takes the faces out of `parts`
-std::vector<std::vector<Face>> groups_of(std::vector<PartOf>& parts, int selector, bool together) {
-  std::vector<std::vector<Face>> groups;
+std::vector<Face> one_of(Face&& face) {
+  std::vector<Face> faces(1);
+  faces.front() = std::move(face);
+  return faces;
+}
+
+// of faces with this selector, which it takes out of `parts`: a shape each, or one of all
+void add_shapes(const Shape& from, std::vector<PartOf>& parts, int selector, bool together, std::vector<Piece>& pieces,
+                const Body* body) {
+  std::vector<Face> all;
   for (PartOf& part : parts) {
     if (part.selector != selector) continue;
-    if (groups.empty() || !together) groups.emplace_back();
-    groups.back().push_back(std::move(part.face));
+    if (together) {
+      all.push_back(std::move(part.face));
+    } else {
+      pieces.push_back({part_shape(from, one_of(std::move(part.face))), body});
+    }
   }
-  return groups;
+  if (!all.empty()) pieces.push_back({part_shape(from, std::move(all)), body});
 }
 
 }  // namespace
@@ -49,15 +59,15 @@ std::vector<Key> keys_of(Execution& execution, const Statement& statement, const
 
 void spawn_parts(Execution& execution, const Statement& statement, std::vector<PartOf> parts, Displacement moved) {
   std::vector<Piece> pieces;
-  const Shape& from = execution.shape;
+  pieces.reserve(parts.size());
   for (std::size_t k = 0; k < statement.selectors.size(); ++k) {
-    auto groups = groups_of(parts, static_cast<int>(k), statement.selectors[k].together);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      Piece& piece = pieces.emplace_back(Piece{part_shape(from, std::move(groups[i])), &statement.selectors[k].body});
-      piece.shape.in_comp = {static_cast<double>(i), static_cast<double>(groups.size())};
-    }
+    const Selector& selector = statement.selectors[k];
+    const std::size_t first = pieces.size();
+    add_shapes(execution.shape, parts, static_cast<int>(k), selector.together, pieces, &selector.body);
+    for (std::size_t i = first; i < pieces.size(); ++i)
+      pieces[i].shape.in_comp = {static_cast<double>(i - first), static_cast<double>(pieces.size() - first)};
   }
-  for (auto& unwanted : groups_of(parts, -1, false)) pieces.push_back({part_shape(from, std::move(unwanted)), nullptr});
+  add_shapes(execution.shape, parts, -1, false, pieces, nullptr);
   spawn_pieces(execution, std::move(pieces), moved);
 }
 

@@ -1,12 +1,16 @@
 #include "grammars/operations/widen.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace citykiln::grammars {
 namespace {
 
 double width_m(const Slice& slice) { return slice.interval.to_m - slice.interval.from_m; }
+
+// what is as wide as the tolerance is so wherever rounding left its ends
+bool is_narrow(double width_m, double tolerance_m) { return width_m <= tolerance_m + kSliver_m; }
 
 /// Narrow pieces next to each other, from `first` to before `end`.
 struct Narrow {
@@ -16,19 +20,24 @@ struct Narrow {
 
 Narrow narrow_from(std::span<const Slice> slices, std::size_t first, double tolerance_m) {
   Narrow narrow{first, first, 0};
-  for (; narrow.end < slices.size() && width_m(slices[narrow.end]) <= tolerance_m; ++narrow.end)
+  for (; narrow.end < slices.size() && is_narrow(width_m(slices[narrow.end]), tolerance_m); ++narrow.end)
     narrow.width_m += width_m(slices[narrow.end]);
   return narrow;
 }
 
-/// What is known of the pieces, each looked up once.
+/// What is known of the pieces, looked up once for each selector.
 struct Reaches {
   Execution& execution;
   std::span<const Selector* const> selectors;
+  Few<std::optional<Reach>, 8> known{selectors.size()};
 
-  Reach of(const Slice& slice) { return reach_of(execution, selectors[slice.interval.leaf]->body); }
+  Reach of(const Slice& slice) {
+    std::optional<Reach>& reach = known[slice.interval.leaf];
+    if (!reach) reach = reach_of(execution, selectors[slice.interval.leaf]->body);
+    return *reach;
+  }
   Reach of(std::span<const Slice> slices) {
-    Reach worst{{0, 0}, true, true};
+    Reach worst{{0, 0}, true};
     for (const Slice& slice : slices) {
       const Reach reach = of(slice);
       worst.stays &= reach.stays;
@@ -54,6 +63,7 @@ struct Taker {
 Taker taker_of(std::span<const Slice> slices, Narrow narrow, Reaches& reaches) {
   const Reach left_out = reaches.of(slices.subspan(narrow.first, narrow.end - narrow.first));
   Taker taker;
+  if (!left_out.stays) return taker;
   const auto ask = [&](std::size_t i) {
     const double e_m = error_m(left_out, reaches.of(slices[i]));
     if (e_m < taker.error_m) taker = {i, e_m};
@@ -70,7 +80,7 @@ std::vector<std::size_t> takers_of(std::span<const Slice> slices, double toleran
   for (std::size_t i = 0; i < slices.size(); ++i) takers[i] = i;
   for (Narrow narrow; narrow.first < slices.size(); narrow.first = std::max(narrow.end, narrow.first + 1)) {
     narrow = narrow_from(slices, narrow.first, tolerance_m);
-    if (narrow.end == narrow.first || narrow.width_m > tolerance_m) continue;
+    if (narrow.end == narrow.first || !is_narrow(narrow.width_m, tolerance_m)) continue;
     const Taker taker = taker_of(slices, narrow, reaches);
     if (taker.error_m > tolerance_m) continue;
     for (std::size_t i = narrow.first; i < narrow.end; ++i) takers[i] = taker.slice;
@@ -113,8 +123,8 @@ bool may_widen(const Run& run, const Shape& shape) {
 
 Division widened(Execution& execution, Division division, std::span<const Selector* const> selectors) {
   const double tolerance_m = execution.run.options.tolerance_m;
-  const auto is_narrow = [&](const Slice& slice) { return width_m(slice) <= tolerance_m; };
-  if (std::none_of(division.slices.begin(), division.slices.end(), is_narrow)) return division;
+  const auto may_go = [&](const Slice& slice) { return is_narrow(width_m(slice), tolerance_m); };
+  if (std::none_of(division.slices.begin(), division.slices.end(), may_go)) return division;
   Reaches reaches{execution, selectors};
   const auto takers = takers_of(all_of(division.slices), tolerance_m, reaches, division.error_m);
   division.slices = without_taken(all_of(division.slices), takers);

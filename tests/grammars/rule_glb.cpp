@@ -179,7 +179,7 @@ int main(int count, char** arguments) {
   bake::BakedTile tile;
   tile.features = {{}};
   tile.primitives = primitives_of(std::move(merged));
-  tile.textures = textures_shown(tile, 0.02, 0);
+  tile.textures = textures_shown(tile, 0.02, materials::TextureShelf(0));
   scene::Header header;
   header.origin = {13.4, 52.5};
   const auto done = exporters::write_glb(tile, header, exporters::Instancing::kNodes, arguments[1]);

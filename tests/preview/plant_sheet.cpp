@@ -51,7 +51,7 @@ bake::BakedTile planted(const bake::PlantShape& shape, const std::string& name, 
                        {static_cast<float>(height_m / bake::kShape_m)},
                        {0},
                        shape.cutout}};
-  tile.textures = bake::textures_shown(tile, tolerance_m, 1);
+  tile.textures = bake::textures_shown(tile, tolerance_m, materials::TextureShelf(1));
   return tile;
 }
 

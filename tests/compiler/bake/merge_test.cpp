@@ -78,12 +78,12 @@ TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
   // two shared meshes with one bark
   for (const char* name : {"pine_0", "spruce_0"})
     tile.instanced.push_back({name, merged({laid_out(Material::kPlatedBark, Coloured::kByMaterial)}), {}, {}, {}, {}});
-  const auto textures = textures_shown(tile, 0.1, 1);
+  const auto textures = textures_shown(tile, 0.1, materials::TextureShelf(1));
   ASSERT_EQ(textures.size(), 3u);
   EXPECT_EQ(textures[0].material, Material::kGrass);
   EXPECT_EQ(textures[1].material, Material::kRock);
   EXPECT_EQ(textures[2].material, Material::kPlatedBark);
-  EXPECT_TRUE(textures_shown(tile, 2.5, 1).empty());
+  EXPECT_TRUE(textures_shown(tile, 2.5, materials::TextureShelf(1)).empty());
 }
 
 TEST(Merge, MeshesWithoutUvsGetNone) {
