@@ -77,14 +77,28 @@ std::vector<Run> runs_of(const std::vector<Vec2>& ring, const Ring& outer,
   return runs;
 }
 
+// The rings of the eaves in the footprint's order, each from its first corner on: a wall keeps its number, and so its
+// dice, whatever is done about the roof.
+std::vector<std::vector<Vec2>> eaves_in_order(const roofs::Roof& roof, const std::map<Vec2, std::uint32_t>& corners) {
+  const auto number_of = [&](Vec2 p) {
+    const auto corner = corners.find(p);
+    return corner == corners.end() ? ~0u : corner->second;
+  };
+  std::vector<std::vector<Vec2>> rings;
+  for (const std::vector<std::uint32_t>& eaves : roof.eaves) {
+    std::vector<Vec2>& ring = rings.emplace_back();
+    for (const std::uint32_t p : eaves) ring.push_back(in_plan(roof.positions[p]));
+    std::rotate(ring.begin(), std::ranges::min_element(ring, {}, number_of), ring.end());
+  }
+  std::ranges::stable_sort(rings, {}, [&](const std::vector<Vec2>& ring) { return number_of(ring.front()); });
+  return rings;
+}
+
 std::vector<Run> runs_of(const Building& building, const roofs::Roof& roof) {
   const std::map<Vec2, std::uint32_t> corners = corners_of(building.footprint);
   std::vector<Run> runs;
-  for (const std::vector<std::uint32_t>& eaves : roof.eaves) {
-    std::vector<Vec2> ring;
-    for (const std::uint32_t p : eaves) ring.push_back(in_plan(roof.positions[p]));
+  for (const std::vector<Vec2>& ring : eaves_in_order(roof, corners))
     for (Run& run : runs_of(ring, building.footprint.outer, corners)) runs.push_back(std::move(run));
-  }
   return runs;
 }
 

@@ -17,8 +17,10 @@
 namespace citykiln::buildings {
 
 struct Mass {
-  roofs::Roof roof;                        ///< Heights over the eaves.
-  std::vector<grammars::Face> walls;       ///< Up to the eaves. kSide; kInside where a neighbour stands before it.
+  roofs::Roof roof;  ///< Heights over the eaves.
+  /// Up to the eaves, in the order of the footprint's edges, whatever the roof. kSide; kInside where a neighbour stands
+  /// before it.
+  std::vector<grammars::Face> walls;
   std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of what hangs in the air.
 };
 

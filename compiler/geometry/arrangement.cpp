@@ -44,11 +44,6 @@ std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegm
   return GridPoint{s.a.x + rounded_quotient(Wide{along.x} * n, d), s.a.y + rounded_quotient(Wide{along.y} * n, d)};
 }
 
-// Most that meet do so as neighbours in a ring: in no other point.
-bool share_an_end(const OwnedSegment& s, const OwnedSegment& t) {
-  return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
-}
-
 // Where a walk from a to b is: a fraction n / d of the way, d > 0.
 struct Fraction {
   Int n = 0, d = 1;
@@ -197,8 +192,7 @@ std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::s
     const auto here = sorted.of(bucket);
     for (std::size_t i = 0; i < here.size(); ++i)
       for (std::size_t j = i + 1; j < here.size(); ++j)
-        if (const OwnedSegment& s = segments[here[i]], &t = segments[here[j]]; !share_an_end(s, t))
-          if (const auto p = rounded_crossing(s, t)) add(*p);
+        if (const auto p = rounded_crossing(segments[here[i]], segments[here[j]])) add(*p);
   }
   std::sort(hot.begin(), hot.end());
   hot.erase(std::unique(hot.begin(), hot.end()), hot.end());

@@ -60,6 +60,21 @@ TEST(Mass, ClosesButForItsFloor) {
   }
 }
 
+TEST(Mass, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
+  Building b = house();
+  b.footprint = {{{9, 0}, {12, 0}, {12, 9}, {0, 9}, {0, 4}, {9, 4}}, {{{10, 5}, {10, 6}, {11, 6}, {11, 5}}}};
+  b.fronts.resize(6);
+  std::vector<Vec2> corners = b.footprint.outer;
+  corners.insert(corners.end(), b.footprint.holes[0].begin(), b.footprint.holes[0].end());
+  for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped})
+    for (const double overhang_m : {0.0, 0.5}) {
+      b.roof_shape.form = form, b.roof_shape.overhang_m = overhang_m;
+      std::vector<Vec2> starts;
+      for (const Face& wall : made(b).walls) starts.push_back(in_plan(wall.outer[0]));
+      EXPECT_EQ(starts, corners) << static_cast<int>(form) << " " << overhang_m;
+    }
+}
+
 TEST(Mass, TellsGablesFromWalls) {
   const grammars::Shape shape = shape_of(house(), made(house()));
   EXPECT_NEAR(area_of(shape.faces, FaceTag::kVertical), 2 * 9 * 3 / 2.0, 1e-6);
