@@ -34,7 +34,7 @@ std::optional<Palette> palette_of(const Sheet& sheet) {
   constexpr std::size_t kMost = 256;
   Palette palette;
   for (const Sheet::Texel& texel : sheet.texels) {
-    if (!palette.numbers.emplace(packed(texel), std::uint8_t{0}).second) continue;
+    if (!palette.numbers.try_emplace(packed(texel)).second) continue;
     if (palette.numbers.size() > kMost) return std::nullopt;
     palette.colours.push_back(texel);
   }

@@ -99,10 +99,10 @@ struct Execution {
   const std::string& name;  ///< Of the shape: the rule's.
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
-  Few<ChildTrace, 1> children = {};       ///< Where surfaces are measured.
-  SeenLooks seen = {};                    ///< Of all children.
-  std::optional<Shape> start = {};  ///< As it was before anything divided or moved it, where surfaces are measured.
-  bool vanished = true;             ///< All children have.
+  Few<ChildTrace, 1> children = {};  ///< Where surfaces are measured.
+  SeenLooks seen = {};               ///< Of all children.
+  std::optional<Shape> start = {};   ///< As it was before anything divided or moved it, where surfaces are measured.
+  bool vanished = true;              ///< All children have.
   std::uint32_t groups = 0;
   std::uint64_t born = 0;  ///< Ordinal of the next child.
   bool pending = true;     ///< No successor has been made of the shape as it is now.

@@ -31,7 +31,8 @@ struct Following {
   std::vector<Heights> heights;
   std::span<const FaceHeight> face_heights;
   const Carving& carving;
-  std::vector<bool> is_seen{};  // its edges need not be looked at again
+  std::vector<bool> is_seen{};      // its edges need not be looked at again
+  std::vector<bool> is_followed{};  // nor its centre: a face may have been asked to wait more than once
 
   Vec2 place(std::uint32_t v) const { return plane_point(triangulation.vertices()[v]); }
 
@@ -71,14 +72,17 @@ void keep_worse(Stray& worst, const Carving& carving, Vec2 at, double straight_m
   if (off_m > worst.off_m) worst = {off_m, at, heights};
 }
 
-// At the centre, and in the middle of edges that may be cut.
-Stray stray_of(const Following& all, std::uint32_t f, HeightLayer layer) {
+// At the centre, where it is not known to follow, and in the middle of edges that may be cut.
+Stray stray_of(Following& all, std::uint32_t f, HeightLayer layer, double follow_m) {
   const DelaunayFace& face = all.triangulation.faces()[f];
   const auto& v = face.vertices;
   const std::array<Vec2, 3> c = all.corners_of(f);
   Stray worst;
-  const Vec2 centre = snapped((c[0] + c[1] + c[2]) * (1.0 / 3));
-  keep_worse(worst, all.carving, centre, all.mean_m({v[0], v[1], v[2]}, layer), layer);
+  if (!all.is_followed[f]) {
+    const Vec2 centre = snapped((c[0] + c[1] + c[2]) * (1.0 / 3));
+    keep_worse(worst, all.carving, centre, all.mean_m({v[0], v[1], v[2]}, layer), layer);
+    all.is_followed[f] = worst.off_m <= follow_m;
+  }
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
     if (face.is_constrained[i] || all.is_seen[face.neighbours[i]] || distance(a, b) < 2 * kShortest_m) continue;
@@ -113,7 +117,7 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
   const HeightLayer layer = all.height_of(f).layer;
   const auto [follow_m, nearest_m] = closeness_of(layer);
   if (!may_stray(all, f, nearest_m)) return {};
-  const Stray worst = stray_of(all, f, layer);
+  const Stray worst = stray_of(all, f, layer, follow_m);
   all.is_seen[f] = true;
   if (worst.off_m <= follow_m) return {};
   const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
@@ -121,8 +125,10 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
   const std::uint32_t surface = all.face_surface[split];
   const auto changed = all.triangulation.insert(grid_point(worst.at), split);
   all.heights.push_back(worst.heights);
-  all.face_surface.resize(all.triangulation.faces().size()), all.is_seen.resize(all.face_surface.size());
-  for (const std::uint32_t c : changed) all.face_surface[c] = surface, all.is_seen[c] = false;
+  const std::size_t count = all.triangulation.faces().size();
+  all.face_surface.resize(count), all.is_seen.resize(count), all.is_followed.resize(count);
+  for (const std::uint32_t c : changed)
+    all.face_surface[c] = surface, all.is_seen[c] = false, all.is_followed[c] = false;
   return changed;
 }
 
@@ -130,7 +136,7 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
 
 Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving) {
   Following all{std::move(partition.triangulation), std::move(partition.face_surface), {}, face_heights, carving};
-  all.is_seen.resize(all.face_surface.size());
+  all.is_seen.resize(all.face_surface.size()), all.is_followed.resize(all.face_surface.size());
   for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights_at(carving, plane_point(p)));
   std::deque<std::uint32_t> waiting;
   for (std::uint32_t f = 0; f < all.face_surface.size(); ++f) waiting.push_back(f);

@@ -46,24 +46,50 @@ double height_beside(std::span<const Station> stations, std::size_t s, std::span
   return own_m + (z_m[stations[other].node] - own_m) * after_m / (stations[other].at_m - stations[s].at_m);
 }
 
+// A station and the place of its knot, on the profile's grid.
+struct Placed {
+  std::size_t station;
+  double at_m;
+};
+
+// Of two that rounding puts on one place one has a knot: the way's end. But an end that nothing else meets gives its
+// knot to a meeting beside it: between two so close their rounding would tilt what lies there.
+std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station> stations) {
+  const auto is_loose = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
+  const auto is_meeting = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() > 2; };
+  std::vector<Placed> places;
+  for (std::size_t s = 0; s < stations.size(); ++s) {
+    const bool is_last = s + 1 == stations.size(), is_second = places.size() == 1;
+    const double at_m =
+        is_last ? std::floor(stations[s].at_m / kAlong_m) * kAlong_m : snapped_to(kAlong_m, stations[s].at_m);
+    const double gap_m = places.empty() ? at_m + 1 : at_m - places.back().at_m;
+    if (is_last && !is_second && gap_m <= kAlong_m && is_loose(s) && is_meeting(places.back().station))
+      places.back().at_m = at_m;
+    else if (!is_last && is_second && gap_m <= kAlong_m && is_loose(0) && is_meeting(s))
+      places.back().station = s;
+    else if (is_last && !is_second && gap_m <= 0)
+      places.back() = {s, at_m};
+    else if (is_last || gap_m > 0)
+      places.push_back({s, at_m});
+  }
+  return places;
+}
+
 std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GradedWay& way, const Plates& plates) {
   std::vector<Candidate> candidates;
   Directions directions(way.track->axis);
   const std::span<const Station> stations = graph.stations_of(way);
-  for (std::size_t s = 0; s < stations.size(); ++s) {
-    const bool is_last = s + 1 == stations.size();
-    const double at_m =
-        is_last ? std::floor(stations[s].at_m / kAlong_m) * kAlong_m : snapped_to(kAlong_m, stations[s].at_m);
+  const std::vector<Placed> places = places_of(graph, stations);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto [s, at_m] = places[i];
+    const bool is_last = i + 1 == places.size();
     const std::uint32_t node = stations[s].node;
-    const double z_m = height_beside(stations, s, plates.z_m, at_m - stations[s].at_m);
+    // level beyond the last
+    const double after_m = is_last ? std::max(0.0, at_m - stations[s].at_m) : at_m - stations[s].at_m;
+    const double z_m = height_beside(stations, s, plates.z_m, after_m);
     const double tilt = dot(plates.gradient[node], left_of(directions.at(stations[s].at_m)));
     const Knot knot{at_m, snapped_to(kProfileQuantum_m, z_m), snapped_to(kTiltQuantum, tilt)};
-    // the end stays where rounding puts two on one place
-    if (!candidates.empty() && candidates.back().knot.at_m >= at_m) {
-      if (!is_last) continue;
-      if (candidates.size() > 1) candidates.pop_back();
-    }
-    candidates.push_back({knot, s == 0 || is_last || graph.legs_of(node).size() != 2});
+    candidates.push_back({knot, i == 0 || is_last || graph.legs_of(node).size() != 2});
   }
   return candidates;
 }

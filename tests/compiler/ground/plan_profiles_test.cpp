@@ -50,6 +50,20 @@ TEST(Profiles, AreEquallyHighWhereWaysShareANode) {
     EXPECT_LE(planned(street_grid(seed, 10), hilly_field(seed, 150, 10)).measures.largest_jump_m, kKnotError_m) << seed;
 }
 
+// Knots lie an eighth of a metre apart: one has to do for the meeting and for the end.
+TEST(Profiles, AreEquallyHighWhereAWayEndsJustBeyondANode) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const map::Heightfield heights = hilly_field(seed, 150, 10);
+    for (const double end : {7, 8, 12}) {
+      map::Features f;
+      f.tracks = {track(1, {{-200, 50}, {0, 0}, {200, -70}}),
+                  track(2, {{3, 22.109375}, {0, 0}, {0, -end / 128}}, SurfaceClass::kServiceRoad),
+                  track(3, {{end / 128, 0}, {0, 0}, {-20, -90}}, SurfaceClass::kServiceRoad)};
+      EXPECT_LE(planned(f, heights).measures.largest_jump_m, kKnotError_m) << seed;
+    }
+  }
+}
+
 TEST(Profiles, LieOnTheGridsOfTheManifestAndRiseAlongTheWay) {
   const map::Features f = street_grid(5, 10);
   const Planned p = planned(f, hilly_field(5, 60, 6));
