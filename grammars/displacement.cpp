@@ -16,9 +16,12 @@ double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
   return length(p - (a + ab * t));
 }
 
-double farthest_from_segment_m(std::span<const Vec3> points, Vec3 a, Vec3 b) {
+// the farthest point's distance; where one is as far as `enough_m` the others are not looked at
+template <typename Distance>
+double farthest_m(std::span<const Vec3> points, double enough_m, Distance distance_m) {
   double farthest_m = 0;
-  for (const Vec3 p : points) farthest_m = std::max(farthest_m, distance_to_segment_m(p, a, b));
+  for (std::size_t i = 0; i < points.size() && farthest_m < enough_m; ++i)
+    farthest_m = std::max(farthest_m, distance_m(points[i]));
   return farthest_m;
 }
 
@@ -43,21 +46,23 @@ double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
   return over ? std::abs(dot(normal, p - ring[0])) : nearest_m;
 }
 
-double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring) {
+double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring, double enough_m) {
   const Vec3 area_m2 = area_vector_m2(ring);
   const Vec3 normal = unit(area_m2);
   // a face without area has no prism over it, but edges
   if (length(area_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
-  double farthest_m = 0;
-  for (const Vec3 p : points) farthest_m = std::max(farthest_m, distance_to_convex_m(p, ring, normal));
-  return farthest_m;
+  return farthest_m(points, enough_m, [&](Vec3 p) { return distance_to_convex_m(p, ring, normal); });
 }
 
-double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling) {
+// what is no less than `enough_m` may be less than it is
+double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, double enough_m) {
   const std::size_t n = sibling.vertices.size();
-  double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices) : kUnbounded_m;
-  for (std::size_t i = 0; i < n; ++i)
-    best_m = std::min(best_m, farthest_from_segment_m(points, sibling.vertices[i], sibling.vertices[(i + 1) % n]));
+  double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices, enough_m) : kUnbounded_m;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 a = sibling.vertices[i], b = sibling.vertices[(i + 1) % n];
+    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment_m(p, a, b); };
+    best_m = std::min(best_m, farthest_m(points, std::min(best_m, enough_m), to_edge_m));
+  }
   return best_m;
 }
 
@@ -73,7 +78,8 @@ double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> 
   for (const ChildTrace& sibling : children.subspan(first, end - first)) {
     // one that is worse than the best for itself need not be measured
     if (sibling.vanished || sibling.own.back_m >= best_m) continue;
-    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling) + sibling.own.back_m);
+    const double enough_m = best_m - sibling.own.back_m;
+    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.back_m);
   }
   return best_m;
 }

@@ -99,7 +99,7 @@ struct Execution {
   const std::string& name;  ///< Of the shape: the rule's.
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
-  Few<ChildTrace, 1> children = {};  ///< Where surfaces are measured.
+  Few<ChildTrace, 4> children = {};  ///< Where surfaces are measured.
   SeenLooks seen = {};               ///< Of all children.
   std::optional<Shape> start = {};   ///< As it was before anything divided or moved it, where surfaces are measured.
   bool vanished = true;              ///< All children have.

@@ -68,6 +68,7 @@ constexpr const char* kWords =
 void op_comp(Execution& execution, const Statement& statement, Arguments) {
   const std::vector<Key> keys = keys_of(execution, statement, kWords);
   std::vector<PartOf> parts;
+  parts.reserve(execution.shape.faces.size());
   const Scope scope = execution.shape.scope;
   for (std::size_t i = 0; i < execution.shape.faces.size(); ++i) {
     const Face& face = execution.shape.faces[i];

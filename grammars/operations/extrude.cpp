@@ -45,6 +45,7 @@ double highest_m(const std::vector<Face>& faces) {
 
 void extrude_faces(Execution& execution, double height_m, std::string_view direction) {
   std::vector<Face> faces;
+  faces.reserve(2 * execution.shape.faces.size() + vertex_count(execution.shape.faces));
   const double flat_top_m = highest_m(execution.shape.faces) + height_m;
   for (const Face& raw : execution.shape.faces) {
     const Face face = without_marks(raw);

@@ -41,6 +41,7 @@ void add_shapes(const Shape& from, std::vector<PartOf>& parts, int selector, boo
 
 std::vector<Key> keys_of(Execution& execution, const Statement& statement, const char* words) {
   std::vector<Key> keys;
+  keys.reserve(statement.selectors.size());
   Context context{execution.run, execution.shape, execution.frame, execution.dice};
   for (const Selector& selector : statement.selectors) {
     Key& key = keys.emplace_back();

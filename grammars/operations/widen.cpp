@@ -75,9 +75,8 @@ Taker taker_of(std::span<const Slice> slices, Narrow narrow, Reaches& reaches) {
 }
 
 // By slice, who stands in its place: itself, or the one that takes it.
-std::vector<std::size_t> takers_of(std::span<const Slice> slices, double tolerance_m, Reaches& reaches,
-                                   double& error_m) {
-  std::vector<std::size_t> takers(slices.size());
+Few<std::size_t, 8> takers_of(std::span<const Slice> slices, double tolerance_m, Reaches& reaches, double& error_m) {
+  Few<std::size_t, 8> takers(slices.size());
   for (std::size_t i = 0; i < slices.size(); ++i) takers[i] = i;
   for (Narrow narrow; narrow.first < slices.size(); narrow.first = std::max(narrow.end, narrow.first + 1)) {
     narrow = narrow_from(slices, narrow.first, tolerance_m);
@@ -128,7 +127,7 @@ Division widened(Execution& execution, Division division, std::span<const Select
   if (std::none_of(division.slices.begin(), division.slices.end(), may_go)) return division;
   Reaches reaches{execution, selectors};
   const auto takers = takers_of(all_of(division.slices), tolerance_m, reaches, division.error_m);
-  division.slices = without_taken(all_of(division.slices), takers);
+  division.slices = without_taken(all_of(division.slices), all_of(takers));
   return division;
 }
 
