@@ -23,7 +23,7 @@ std::int64_t whole(double v) {
   return static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
 }
 
-void add(MemoKey& key, Vec3 v) { key.add(whole(v.x)), key.add(whole(v.y)), key.add(whole(v.z)); }
+void add(MemoKey& key, Vec3 v) { key.add(whole(v.x), whole(v.y), whole(v.z)); }
 
 void add(MemoKey& key, const Value& value) {
   key.add(static_cast<std::int64_t>(value.index()));
@@ -159,6 +159,13 @@ void MemoKey::add(std::int64_t word) {
   const auto w = static_cast<std::uint64_t>(word);
   a = (a ^ w) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
   b = (b ^ w) * 0xd6e8feb86659fd93u, b ^= b >> 29;
+}
+
+void MemoKey::add(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto u = static_cast<std::uint64_t>(x), v = static_cast<std::uint64_t>(y), w = static_cast<std::uint64_t>(z);
+  // odd factors, other ones for each half: what is the same in one sum is not in the other
+  a = (a ^ (u + v * 0xff51afd7ed558ccdu + w * 0xc4ceb9fe1a85ec53u)) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
+  b = (b ^ (u * 0xbf58476d1ce4e5b9u + v + w * 0x94d049bb133111ebu)) * 0xd6e8feb86659fd93u, b ^= b >> 29;
 }
 
 std::uint32_t& MemoIndex::operator[](const MemoKey& key) {

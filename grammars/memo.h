@@ -31,6 +31,7 @@ struct MemoEntry {
 struct MemoKey {
   std::uint64_t a = 0x243f6a8885a308d3u, b = 0x13198a2e03707344u;
   void add(std::int64_t word);
+  void add(std::int64_t x, std::int64_t y, std::int64_t z);
   bool operator==(const MemoKey&) const = default;
 };
 
