@@ -36,9 +36,9 @@ struct DeriveOptions {
   bool ids = true;          ///< Terminals and reports have theirs; without, they have none, and that is quicker.
   bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
   /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
-  /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where nothing that comes of it
-  /// may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the rules alone
-  /// bound what either moves.
+  /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where nothing that comes of
+  /// it may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the rules
+  /// alone bound what either moves.
   bool ahead = false;
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
