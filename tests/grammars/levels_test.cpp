@@ -277,6 +277,18 @@ TEST_F(Levels, PiecesNarrowerThanTheToleranceGoToTheirNeighbours) {
   for (const auto& [id, look] : looks_by_id(full, "Glass")) EXPECT_TRUE(looks_by_id(cut, "Glass").contains(id));
 }
 
+// wherever rounding leaves its ends
+TEST_F(Levels, PiecesAsWideAsTheToleranceGoToo) {
+  const std::string front =
+      "Lot --> extrude(6) comp(f) { side : color(\"#808080\") split(x) { { ~1 : Wall. | 0.1 : color(\"#ffffff\") "
+      "Trim. }* | ~1 : Wall. } | all : Roof. }";
+  DeriveOptions options;
+  options.keep_looks = options.ahead = true, options.tolerance_m = 0.1;
+  for (double wide_m = 7; wide_m < 12; wide_m += 0.37) {
+    EXPECT_EQ(count_named(derived(front, wide_m, wide_m + 1, options), "Trim"), 0u) << wide_m;
+  }
+}
+
 std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_places(const Derivation& derivation) {
   std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> made;
   for (const Terminal& terminal : derivation.terminals)
