@@ -281,7 +281,7 @@ TEST_F(Levels, PiecesNarrowerThanTheToleranceGoToTheirNeighbours) {
 TEST_F(Levels, PiecesAsWideAsTheToleranceGoToo) {
   const std::string front =
       "Lot --> extrude(6) comp(f) { side : color(\"#808080\") split(x) { { ~1 : Wall. | 0.1 : color(\"#ffffff\") "
-      "Trim. }* | ~1 : Wall. } | all : Roof. }";
+      "Trim. | 0.7 : color(\"#000000\") Glass. }* | ~1 : Wall. } | all : Roof. }";
   DeriveOptions options;
   options.keep_looks = options.ahead = true, options.tolerance_m = 0.1;
   for (double wide_m = 7; wide_m < 12; wide_m += 0.37) {
