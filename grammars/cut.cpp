@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <ranges>
 
 namespace citykiln::grammars {
 namespace {
@@ -41,7 +42,19 @@ Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const 
   return chain;
 }
 
-void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, Chains& out) {
+// from one of its edges that lie in the plane to the next
+void open_ring(std::span<const Vec3> ring, std::span<const double> heights, Chains& out) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (heights[i] != 0 || heights[(i + n - 1) % n] != 0) continue;
+    Ring3 chain = {ring[i]};
+    for (std::size_t k = i; heights[k] != 0 || heights[(k + 1) % n] != 0; k = (k + 1) % n)
+      chain.push_back(ring[(k + 1) % n]);
+    if (chain.size() > 2) out.chains.push_back(std::move(chain));
+  }
+}
+
+void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, bool is_hole, Chains& out) {
   const std::size_t n = ring.size();
   std::vector<double> heights(n);
   bool below = false, above = false;
@@ -51,6 +64,10 @@ void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, Chains& out) {
     above |= heights[i] > 0;
   }
   if (!above) return;
+  const auto lies_in_plane = [&](std::size_t i) { return heights[i] == 0 && heights[(i + 1) % n] == 0; };
+  const auto edges = std::views::iota(std::size_t{0}, n);
+  // beyond such an edge of a hole nothing is left that would part it from the outside
+  if (!below && is_hole && std::ranges::any_of(edges, lies_in_plane)) return open_ring(ring, heights, out);
   if (!below) return out.whole.emplace_back(ring.begin(), ring.end()), void();
   for (std::size_t i = 0; i < n; ++i) {
     if (heights[i] < 0 || heights[(i + n - 1) % n] >= 0) continue;
@@ -306,8 +323,8 @@ std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
   const Vec3 normal = normal_of(face);
   if (lies_in(face, plane)) return dot(normal, plane.normal) < 0 ? std::vector{face} : std::vector<Face>{};
   Chains cut;
-  cut_ring(face.outer, plane, cut);
-  for (const Ring3& hole : face.holes) cut_ring(hole, plane, cut);
+  cut_ring(face.outer, plane, false, cut);
+  for (const Ring3& hole : face.holes) cut_ring(hole, plane, true, cut);
   if (cut.chains.empty() && cut.whole.size() == 1 + face.holes.size()) return {face};
   // the inside lies to the left of the cut
   std::vector<Ring3> rings = joined(cut.chains, cross(plane.normal, normal));

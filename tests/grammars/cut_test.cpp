@@ -149,5 +149,20 @@ TEST_F(Cut, MergedPartsAreTheFaceAgain) {
   }
 }
 
+// From the cut on, the part has a bay there, not a hole beside its border.
+TEST_F(Cut, OpensAHoleThatHasAnEdgeInThePlane) {
+  Face court;
+  court.outer = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  court.holes = {{{1, 1, 0}, {1, 9, 0}, {5, 9, 0}, {5, 1, 0}}};
+  const CutPlane east{{1, 0, 0}, 5};
+  const auto around = part_above(court, opposite(east)), beside = part_above(court, east);
+  ASSERT_EQ(around.size(), 1u);
+  EXPECT_TRUE(around.front().holes.empty());
+  EXPECT_EQ(around.front().outer.size(), 8u);
+  EXPECT_EQ(area_of(around), 50 - 4 * 8);
+  ASSERT_EQ(beside.size(), 1u);
+  EXPECT_EQ(area_of(beside), 50);
+}
+
 }  // namespace
 }  // namespace citykiln::grammars
