@@ -1,18 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <sstream>
 
 #include "exporters/compress_glb.h"
+#include "exporters/encode_pictures.h"
 #include "exporters/file.h"
 #include "exporters/glb.h"
+#include "exporters/glb_filling.h"
 #include "exporters/glb_frame.h"
 #include "exporters/glb_parts.h"
-#include "exporters/png.h"
 #include "exporters/quantise.h"
 #include "exporters/tangents.h"
-#include "exporters/tinygltf_switches.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -30,77 +29,6 @@ using Array = Value::Array;
 Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
 Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
-
-// What a primitive shows, and how it says where.
-struct Look {
-  bake::PrimitiveKey key;                       // without uvs where they show nothing
-  const materials::Texture* texture = nullptr;  // of its material, if it shows one
-  bool is_in_steps = false;
-  const imprint::Cutout* cutout = nullptr;  // if it is on one
-  bool operator==(const Look&) const = default;
-};
-
-// A model while it is being filled.
-struct Filling {
-  const BakedTile& tile;
-  const scene::Header& header;
-  tinygltf::Model model;          // without its buffer's bytes: tinygltf would copy them, and again
-  std::vector<std::byte> buffer;  // those
-  std::set<std::string> extensions;
-  std::vector<Look> looks;                      // one a material
-  std::vector<const imprint::Cutout*> cutouts;  // no two alike
-
-  // Appends what `turn` makes of values as one buffer view, aligned to 8 bytes (property tables ask for it). Some at a
-  // time: all of them are much.
-  template <typename T, typename Turn>
-  int add_view_of(const std::vector<T>& values, int target, Turn turn) {
-    buffer.resize((buffer.size() + 7) / 8 * 8);
-    tinygltf::BufferView view;
-    view.buffer = 0, view.byteOffset = buffer.size(), view.target = target;
-    std::array<decltype(turn(values.front())), 256> some;
-    for (std::size_t first = 0; first < values.size(); first += some.size()) {
-      const auto from = std::span(values).subspan(first, std::min(some.size(), values.size() - first));
-      std::ranges::transform(from, some.begin(), turn);
-      append(std::as_bytes(std::span(some).first(from.size())));
-    }
-    view.byteLength = buffer.size() - view.byteOffset;
-    model.bufferViews.push_back(view);
-    return static_cast<int>(model.bufferViews.size()) - 1;
-  }
-
-  void append(std::span<const std::byte> bytes) { buffer.insert(buffer.end(), bytes.begin(), bytes.end()); }
-
-  template <typename T>
-  int add_view(const std::vector<T>& values, int target) {
-    return add_view_of(values, target, [](const T& v) { return v; });
-  }
-
-  int add_accessor(int view, int component, int type, std::size_t count, bool normalised = false) {
-    tinygltf::Accessor accessor;
-    accessor.bufferView = view, accessor.componentType = component, accessor.type = type, accessor.count = count,
-    accessor.normalized = normalised;
-    model.accessors.push_back(accessor);
-    return static_cast<int>(model.accessors.size()) - 1;
-  }
-
-  template <typename T>
-  int add_attribute(const std::vector<T>& values, int component, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER,
-                    bool normalised = false) {
-    return add_accessor(add_view(values, target), component, type, values.size(), normalised);
-  }
-
-  // Places, directions and turns in glTF's frame.
-  template <typename T>
-  int add_turned(const std::vector<T>& values, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER) {
-    const int view = add_view_of(values, target, [](const T& v) { return to_gltf(v); });
-    return add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size());
-  }
-
-  int add_as_floats(const std::vector<std::uint32_t>& numbers, int target = TINYGLTF_TARGET_ARRAY_BUFFER) {
-    const int view = add_view_of(numbers, target, [](std::uint32_t n) { return static_cast<float>(n); });
-    return add_accessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, numbers.size());
-  }
-};
 
 int add_positions(Filling& f, const std::vector<Float3>& positions) {
   const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
@@ -155,25 +83,6 @@ Look look_of(const Filling& f, const Primitive& p, const imprint::Cutout* cutout
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
   if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, Coloured::kByMaterial}};
   return {key_of(p), &*found, is_in_steps(p)};
-}
-
-// The number of a picture among all: the sheet, the atlas, each texture's colours and normals, then cutouts'.
-int picture_number(const Filling& f, const materials::Sheet* picture) {
-  const BakedTile& tile = f.tile;
-  int number = 0;
-  const auto is_it = [&](const materials::Sheet& other) {
-    if (&other == picture) return true;
-    number += other.texels.empty() ? 0 : 1;
-    return false;
-  };
-  const imprint::Atlas& atlas = tile.imprints;
-  if (is_it(tile.sheet) || is_it(atlas.colour) || is_it(atlas.surface) || is_it(atlas.emission) || is_it(atlas.normal))
-    return number;
-  for (const materials::Texture& texture : tile.textures)
-    if (is_it(texture.colour) || is_it(texture.normal)) return number;
-  for (const imprint::Cutout* cutout : f.cutouts)
-    if (is_it(cutout->colour) || is_it(cutout->normal)) break;
-  return number;
 }
 
 // A picture shown by places of so many metres a unit.
@@ -251,21 +160,6 @@ int material_number(Filling& f, const Look& look) {
   return static_cast<int>(f.looks.size()) - 1;
 }
 
-// What of the tile's cutouts are alike is written once.
-void find_cutouts(Filling& f) {
-  for (const Instanced& instanced : f.tile.instanced) {
-    const auto is_alike = [&](const imprint::Cutout* other) { return *other == instanced.cutout; };
-    if (!instanced.cutout.colour.texels.empty() && std::ranges::none_of(f.cutouts, is_alike))
-      f.cutouts.push_back(&instanced.cutout);
-  }
-}
-
-const imprint::Cutout* cutout_like(const Filling& f, const imprint::Cutout& cutout) {
-  const auto is_alike = [&](const imprint::Cutout* other) { return *other == cutout; };
-  const auto found = std::ranges::find_if(f.cutouts, is_alike);
-  return found == f.cutouts.end() ? nullptr : *found;
-}
-
 int add_uvs(Filling& f, const Primitive& p, const Look& look) {
   if (!look.is_in_steps) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
   const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTexturePlace_m); };
@@ -339,58 +233,6 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
   }
 }
 
-int add_sampler(Filling& f, int wrap_across, int wrap_along) {
-  tinygltf::Sampler sampler;
-  sampler.wrapS = wrap_across, sampler.wrapT = wrap_along;
-  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-  f.model.samplers.push_back(sampler);
-  return static_cast<int>(f.model.samplers.size()) - 1;
-}
-
-// A picture, its texels' size beside it: what scale it has is rounded. @param opacity  None, or one a texel.
-void add_picture(Filling& f, const materials::Sheet& picture, const std::string& name, int sampler,
-                 std::span<const std::uint8_t> opacity = {}) {
-  if (picture.texels.empty()) return;
-  tinygltf::Image image;
-  image.name = name, image.mimeType = "image/png";
-  image.bufferView = f.add_view(opacity.empty() ? encode_png(picture) : encode_png(picture, opacity), 0);
-  image.extras = Value(Object{{"texel_m", number(picture.texel_m)}});
-  tinygltf::Texture texture;
-  texture.sampler = sampler, texture.source = static_cast<int>(f.model.images.size());
-  f.model.images.push_back(image), f.model.textures.push_back(texture);
-}
-
-void add_textures(Filling& f) {
-  if (f.tile.textures.empty()) return;
-  const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
-  for (const materials::Texture& texture : f.tile.textures) {
-    const std::string name(values_of(texture.material).name);
-    add_picture(f, texture.colour, name + "Colour", repeating);
-    add_picture(f, texture.normal, name + "Normal", repeating);
-  }
-}
-
-void add_pictures(Filling& f) {
-  // strips lie side by side, so that the sheet repeats along v alone
-  if (!f.tile.sheet.texels.empty())
-    add_picture(f, f.tile.sheet, "sheet",
-                add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_REPEAT));
-  if (!f.tile.imprints.colour.texels.empty()) {
-    const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-    add_picture(f, f.tile.imprints.colour, "imprints", clamped);
-    add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
-    add_picture(f, f.tile.imprints.emission, "imprintsEmission", clamped);
-    add_picture(f, f.tile.imprints.normal, "imprintsNormal", clamped);
-  }
-  add_textures(f);
-  if (f.cutouts.empty()) return;
-  const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-  for (const imprint::Cutout* cutout : f.cutouts) {
-    add_picture(f, cutout->colour, "cutout", clamped, cutout->opacity);
-    add_picture(f, cutout->normal, "cutoutNormal", clamped);
-  }
-}
 // Which OSM element each feature is: row 0 is none.
 Value property_table(Filling& f) {
   std::vector<std::uint64_t> ids;

@@ -1,11 +1,18 @@
 #include "grammars/face.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace citykiln::grammars {
 namespace {
 
 Ring3 reversed_ring(const Ring3& ring) { return {ring.rbegin(), ring.rend()}; }
+
+// Corners are rounded, so that a short edge may lean out of the plane by a lot.
+Vec3 in_plane(Vec3 edge, Vec3 normal) {
+  const double off_m = dot(edge, normal);
+  return std::abs(off_m) <= kOnPlane_m ? edge : edge - normal * off_m;
+}
 
 Vec3 snapped_to_vertex(Vec3 p, const Face& like, double snap_m) {
   Vec3 nearest = p;
@@ -71,7 +78,7 @@ FaceFrame frame_of(const Face& face) {
   frame.z = normal_of(face);
   frame.x = {1, 0, 0};
   for (std::size_t i = 0; i < face.outer.size(); ++i) {
-    const Vec3 edge = face.outer[(i + 1) % face.outer.size()] - face.outer[i];
+    const Vec3 edge = in_plane(face.outer[(i + 1) % face.outer.size()] - face.outer[i], frame.z);
     if (length(edge) <= kOnPlane_m) continue;
     frame.x = unit(edge);
     break;

@@ -56,8 +56,8 @@ void each_vertex(const Face& face, Visitor with) {
 
 std::size_t vertex_count(std::span<const Face> faces);
 
-/// A right-handed frame of the face's plane: x along its first edge with a length, z its normal, origin its first
-/// point.
+/// A right-handed frame of the face's plane: x along its first edge with a length, in the plane; z its normal; origin
+/// its first point.
 struct FaceFrame {
   Vec3 origin, x, y, z;
   Vec2 to_plane(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }

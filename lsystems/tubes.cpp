@@ -8,6 +8,7 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "lsystems/joint.h"
+#include "lsystems/joint_bark.h"
 #include "lsystems/joint_shape.h"
 #include "lsystems/leaves.h"
 #include "lsystems/ring.h"
@@ -22,7 +23,6 @@ constexpr int kLevels = 5;  // 4, 8, … kMostSides
 constexpr double kJointBend[kLevels] = {0.26, 0.093, 0.039, 0.014, 0.0055};
 constexpr std::uint32_t kNotDrawn = 0xffffffff;
 constexpr double kMostPictures = 64;  // around a stem
-constexpr double kFirst = 1;          // where u begins, so that rings may begin up to half a side before their stem
 
 // what goes on from where
 struct Branching {
@@ -74,13 +74,6 @@ Branching branching_of(const Skeleton& skeleton, double tolerance_m) {
   return branching;
 }
 
-// what u is around a stem, in sides of the bark's picture: how much more after a turn, a whole number, and where turns
-// begin
-struct Around {
-  double per_turn = 1, at = 0;
-  double u(double turn) const { return at + per_turn * turn; }
-};
-
 // a ring whose points, sides + 1 of them, stand in the mesh from `first` on
 struct Drawn {
   Ring ring;
@@ -128,6 +121,7 @@ struct Mesher {
   void end_in_joint(std::size_t i, const Drawn& begin);
   double pictures_around(std::size_t i) const;
   void lay_around(const Joint& joint, const Drawn& end);
+  JointBark bark_of(const Joint& joint, const Around& arriving) const;
   void draw_joint(const Joint& joint, const Around& arriving);
   void spread_points(const Joint& joint);
   void evaluate(const JointShape& shape, const Joint& joint);
@@ -330,53 +324,18 @@ double Mesher::pictures_around(std::size_t i) const {
   return std::clamp(std::floor(kTau * mean / options.bark_m + 0.5), 1.0, kMostPictures);
 }
 
-double fraction(double u) { return u - std::floor(u); }
-
-// What a stem has more or less around it above than below a joint it leaves to the side stem at side 0: so it is
-// sheared least opposite of it.
-constexpr double kOpposite = 0.625;
-
 // u of what leaves a joint
 void Mesher::lay_around(const Joint& joint, const Drawn& end) {
-  const double per_turn = pictures_around(joint.names[1]);
-  const double at = end.around.u(end.turn + kOpposite) - per_turn * kOpposite;
-  begins[joint.names[1]].around = {per_turn, kFirst + fraction(at)};
+  begins[joint.names[1]].around = going_on(end.around, end.turn, pictures_around(joint.names[1]));
   for (std::size_t s = 2; s < joint.stems; ++s)
     begins[joint.names[s]].around = {pictures_around(joint.names[s]), kFirst};
 }
 
-// Where a place of a joint lies on the bark.
-struct JointBark {
-  const Joint& joint;
-  Around below, above;
-  std::array<double, 2 + kMostSideStems> sleeve_m{};
-
-  JointBark(const Joint& of, const Around& arriving, const Around& leaving) : joint(of), below(arriving) {
-    above.per_turn = leaving.per_turn;
-    above.at = below.u(kOpposite) - above.per_turn * kOpposite;
-    const double whole = kFirst - std::floor(std::min(below.at, above.at));
-    below.at += whole, above.at += whole;
-    std::size_t s = 2;
-    for (int side = 0; side < 4; ++side) {
-      if ((joint.open >> side & 1) == 0) continue;
-      const int next = (side + 1) % 4;
-      const Vec3 middle = (joint.box[side] + joint.box[next] + joint.box[4 + side] + joint.box[4 + next]) * 0.25;
-      sleeve_m[s] = length(joint.rings[s].at - middle), ++s;
-    }
-  }
-
-  // in sides of the picture, and metres
-  Vec2 at(const JointShape::Vertex& vertex, std::span<const Drawn> begins) const {
-    const auto [turn, v] = vertex.uv;
-    if (vertex.uv_stem != 0) {
-      const std::size_t s = vertex.uv_stem;
-      return {begins[joint.names[s]].around.u(turn), joint.rings[s].along_m - (1 - v) * sleeve_m[s]};
-    }
-    const double share = std::clamp((v - kBoxLow) / (kBoxHigh - kBoxLow), 0.0, 1.0);
-    const double low_m = joint.rings[0].along_m;
-    return {std::lerp(below.u(turn), above.u(turn), share), low_m + v * (joint.rings[1].along_m - low_m)};
-  }
-};
+JointBark Mesher::bark_of(const Joint& joint, const Around& arriving) const {
+  std::array<Around, 2 + kMostSideStems> around{arriving};
+  for (std::size_t s = 1; s < joint.stems; ++s) around[s] = begins[joint.names[s]].around;
+  return lay_bark(joint, around);
+}
 
 void Mesher::draw_joint(const Joint& joint, const Around& arriving) {
   const int level = std::bit_width(static_cast<unsigned>(joint.rings[0].sides)) - 3;
@@ -388,9 +347,9 @@ void Mesher::draw_joint(const Joint& joint, const Around& arriving) {
   const int stride = kMostSides / joint.rings[0].sides;
   std::array<Vec3, 2 + kMostSideStems> y;
   for (int s = 0; s < shape.stems; ++s) y[s] = cross(joint.rings[s].axis, joint.rings[s].x);
-  const JointBark bark(joint, arriving, begins[joint.names[1]].around);
+  const JointBark bark = bark_of(joint, arriving);
   for (const JointShape::Vertex& vertex : shape.vertices) {
-    const Vec2 at = bark.at(vertex, begins);
+    const Vec2 at = bark.at(vertex);
     out.bark.uvs.push_back({at.x * unit_m, at.y});
     if (vertex.stem < 0) {
       out.bark.positions.push_back(positions[vertex.index]);

@@ -64,11 +64,11 @@ void check_seams(const BordersByTile& borders, Findings& findings) {
   for (const auto& [key, own] : borders) {
     const auto [level, tile] = key;
     if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
-      findings.seams.test(own.east == east->second.west,
+      findings.seams.test(meet(own.east, east->second.west),
                           fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
     }
     if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
-      findings.seams.test(own.north == north->second.south,
+      findings.seams.test(meet(own.north, north->second.south),
                           fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
     }
   }

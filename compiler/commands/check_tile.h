@@ -26,7 +26,7 @@ struct Subject {
 
 /// The edges at each side of a tile at one level, waiting for the neighbour's.
 struct Borders {
-  std::vector<BorderEdge> west, east, south, north;
+  BorderEdges west, east, south, north;
 };
 
 struct CheckedTile {

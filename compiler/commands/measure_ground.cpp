@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "compiler/contract/draw.h"
@@ -107,21 +108,32 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
   }
 }
 
-/// Edges whose both ends have the coordinate; a vertical triangle has none that the ground would miss.
+/// Edges whose both ends have the coordinate.
 template <typename Coordinate>
-std::vector<BorderEdge> border_edges(const bake::BakedTile& tile, const Standing& standing, double at,
-                                     Coordinate coordinate) {
-  std::vector<BorderEdge> edges;
+BorderEdges border_edges(const bake::BakedTile& tile, const Standing& standing, double at, Coordinate coordinate) {
+  BorderEdges edges;
   for_each_ground_triangle(tile, standing, [&](const Corners& t, OsmId) {
-    if (twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0) return;
+    const bool is_upright = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
+    std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = t[i], b = t[(i + 1) % 3];
-      if (distance(in_plan(a), in_plan(b)) < 2 * kQuantum_m) continue;
-      if (coordinate(a) == at && coordinate(b) == at) edges.push_back(a < b ? BorderEdge{a, b} : BorderEdge{b, a});
+      if (coordinate(a) != at || coordinate(b) != at || in_plan(a) == in_plan(b)) continue;
+      kind.push_back(a < b ? BorderEdge{a, b} : BorderEdge{b, a});
     }
   });
-  std::ranges::sort(edges);
+  std::ranges::sort(edges.ground);
+  std::ranges::sort(edges.upright);
   return edges;
+}
+
+std::vector<BorderEdge> only_in(const std::vector<BorderEdge>& own, const std::vector<BorderEdge>& other) {
+  std::vector<BorderEdge> only;
+  std::ranges::set_difference(own, other, std::back_inserter(only));
+  return only;
+}
+
+bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
+  return in_plan(one[0]) == in_plan(other[0]) && in_plan(one[1]) == in_plan(other[1]);
 }
 
 }  // namespace
@@ -160,12 +172,21 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standin
   return samples;
 }
 
-std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at) {
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at) {
   return border_edges(tile, standing, at, [](Vec3 p) { return p.x; });
 }
 
-std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at) {
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at) {
   return border_edges(tile, standing, at, [](Vec3 p) { return p.y; });
+}
+
+bool meet(const BorderEdges& own, const BorderEdges& other) {
+  // both are sorted by place, and a tile has one edge a place
+  const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
+  return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
+    return are_above_each_other(a, b) &&
+           (std::ranges::binary_search(own.upright, b) || std::ranges::binary_search(other.upright, a));
+  });
 }
 
 }  // namespace citykiln::commands

@@ -55,9 +55,18 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standin
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;
 
-/// The edges of ground triangles that lie in the line x = at (or y = at), sorted. Neighbouring tiles must have the same
-/// ones. Left out: edges as short as the plane's grid, where a border between two surfaces may run along the tile's.
-std::vector<BorderEdge> border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at);
-std::vector<BorderEdge> border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at);
+/// Those of a tile at one of its sides, sorted.
+struct BorderEdges {
+  std::vector<BorderEdge> ground;   ///< Of triangles that are seen from above.
+  std::vector<BorderEdge> upright;  ///< Of those that stand in the border: steps, skirts.
+};
+
+/// The edges of ground triangles that lie in the line x = at (or y = at), those straight up left out.
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at);
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at);
+
+/// Whether the ground of neighbouring tiles meets: it has the same edges, or an upright face of one of them stands
+/// between two, where a border between surfaces runs along the tile's.
+bool meet(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::commands

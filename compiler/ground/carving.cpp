@@ -163,10 +163,12 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   Carving carving(std::move(terrain));
   carving.roads = field_of(parts.roads, parts.has_kerbs);
   carving.decks = span_field_of(parts.decks), carving.bores = span_field_of(parts.bores);
-  carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), parts.box);
+  // maps know no borders outside their box, and places at its sides feel what lies beyond
+  const Box2 felt = parts.box.widened(kCarve_m);
+  carving.waters = index_waters(parts.surfaces, felt_beyond(parts.streams), felt);
   carving.paved = on_layers(parts.surfaces, kPaved), carving.wet = on_layers(parts.surfaces, kWet);
-  carving.paved_map = map_surfaces(carving.paved, parts.box, kNearBucket_m);
-  carving.wet_map = map_surfaces(carving.wet, parts.box, kNearBucket_m);
+  carving.paved_map = map_surfaces(carving.paved, felt, kNearBucket_m);
+  carving.wet_map = map_surfaces(carving.wet, felt, kNearBucket_m);
   carving.shores = grid_of(reaches_of(carving.wet), kBucket_m);
   return carving;
 }

@@ -73,10 +73,6 @@ Refined refined_to(const Reference& reference, std::span<const Border> borders, 
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
-Partition carved_partition(const Layers& layers, CarvedHeights& carved, const Box2& cell) {
-  return partition_all(layers, carve_lines(carved, cell), bends_on_border(carved, cell), cell);
-}
-
 Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const CarvedHeights& carved,
                        const Box2& cell) {
   Followed followed = follow_carving(std::move(all), heights, carved);
@@ -103,12 +99,17 @@ KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, c
   const std::vector<Surface> bent = bent_rings(surfaces, carved, cell);
   const Layers layers = layers_near(bent, cell);
   if (!is_carved(carving, cell))
-    return {std::move(heights), regions_between(borders_of_bare(layers, carved, cell)),
+    return {std::move(heights),
+            regions_between(borders_of_bare(layers, carved, cell)),
+            {},
             reference_of(carving.terrain, cell)};
-  Partition all = carved_partition(layers, carved, cell);
+  const auto lines = carve_lines(carved, cell);
+  const std::vector<GridPoint> points = bends_on_border(carved, cell);
+  Partition all = partition_all(layers, lines, points, cell);
   Regions between = regions_between(seen_borders(all, joints_of(layers, all.arrangement, cell)));
+  std::vector<RimPiece> rim = rim_pieces(layers, lines, points, all.arrangement, cell);
   Reference reference = reference_on(std::move(all), heights, carved, cell);
-  return {std::move(heights), std::move(between), std::move(reference)};
+  return {std::move(heights), std::move(between), std::move(rim), std::move(reference)};
 }
 
 GroundMesh expand_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell, double tolerance_m,
@@ -141,7 +142,7 @@ GroundMesh expand_cell(const KnownCell& known, CarvedNormals& normals, double to
     refined = std::move(finer);
   }
   if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  GroundMesh ground = step_mesh(refined, normals);
+  GroundMesh ground = step_mesh(refined, normals, known.heights, known.rim);
   ground.border_error_m = simpler.error_m;
   return ground;
 }

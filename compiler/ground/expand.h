@@ -44,6 +44,7 @@ struct GroundMesh {
 struct KnownCell {
   std::vector<FaceHeight> heights;  ///< One a surface.
   Regions between_borders;          ///< Between the borders that are seen.
+  std::vector<RimPiece> rim;        ///< Where they run along the cell's own.
   Reference reference;              ///< What heights are measured against.
 };
 

@@ -1,6 +1,8 @@
 #include "compiler/ground/partition.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "compiler/contract/tolerance.h"
 #include "compiler/ground/cover.h"
@@ -108,6 +110,33 @@ std::vector<GridPoint> ends_of(std::span<const Border> borders) {
   return ends;
 }
 
+bool is_on_rim(GridPoint a, GridPoint b, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
+  return (a.x == b.x && (a.x == min.x || a.x == max.x)) || (a.y == b.y && (a.y == min.y || a.y == max.y));
+}
+
+// A strip beyond the cell's border, a metre wide, and farther than an edge there at both ends.
+Box2 beyond(GridPoint a, GridPoint b, const Box2& cell) {
+  const Vec2 low = plane_point(a), high = plane_point(b);
+  const Vec2 min{std::floor(low.x) - 1, std::floor(low.y) - 1}, max{std::ceil(high.x) + 1, std::ceil(high.y) + 1};
+  if (low.x == high.x)
+    return low.x == cell.min.x ? Box2{{low.x - 1, min.y}, {low.x, max.y}} : Box2{{low.x, min.y}, {low.x + 1, max.y}};
+  return low.y == cell.min.y ? Box2{{min.x, low.y - 1}, {max.x, low.y}} : Box2{{min.x, low.y}, {max.x, low.y + 1}};
+}
+
+// What the face has that has an edge of the partition's rim.
+std::optional<std::uint32_t> surface_on_rim(const Partition& partition, GridPoint a, GridPoint b) {
+  const auto& vertices = partition.triangulation.vertices();
+  const auto& faces = partition.triangulation.faces();
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (int i = 0; i < 3; ++i) {
+      const GridPoint from = vertices[faces[f].vertices[(i + 1) % 3]], to = vertices[faces[f].vertices[(i + 2) % 3]];
+      if (faces[f].neighbours[i] == kNoFace && std::minmax(from, to) == std::minmax(a, b))
+        return partition.face_surface[f];
+    }
+  return std::nullopt;
+}
+
 // Pieces of the cell's border as one wherever nothing stays between them.
 template <typename Stays>
 std::vector<Border> joined_rim(std::vector<Border> rim, Stays stays) {
@@ -167,6 +196,21 @@ std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, c
   std::ranges::sort(joints);
   joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
   return joints;
+}
+
+std::vector<RimPiece> rim_pieces(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                                 std::span<const GridPoint> points, const Arrangement& all, const Box2& cell) {
+  std::vector<RimPiece> pieces;
+  for (const ArrangedEdge& edge : all.edges) {
+    const GridPoint a = all.vertices[edge.a], b = all.vertices[edge.b];
+    const auto steps = std::span(all.steps).subspan(edge.first, edge.count);
+    // lines have the last owner
+    const auto is_of_ring = [&](const WindingStep& step) { return step.owner < layers.order.size(); };
+    if (!is_on_rim(a, b, cell) || std::ranges::none_of(steps, is_of_ring)) continue;
+    if (const auto there = surface_on_rim(partition_all(layers, lines, points, beyond(a, b, cell)), a, b))
+      pieces.push_back({a, b, *there});
+  }
+  return pieces;
 }
 
 std::vector<Border> bare_borders(const Box2& cell) {

@@ -43,6 +43,11 @@ std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, c
 /// vertices that only lines have put there are left out. O(faces + joints times vertices on the border).
 std::vector<Border> seen_borders(const Partition& partition, std::span<const GridPoint> joints);
 
+/// Where rings run along the cell's border, and what the cell beyond it has there: from the same borders, lines and
+/// points that make up this one's partition, as all that decides it lies within a grid step. O(layers) a piece.
+std::vector<RimPiece> rim_pieces(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                                 std::span<const GridPoint> points, const Arrangement& all, const Box2& cell);
+
 /// The border of a cell in which nothing lies.
 std::vector<Border> bare_borders(const Box2& cell);
 

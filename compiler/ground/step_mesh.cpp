@@ -15,6 +15,8 @@ using VertexByLayer = std::array<std::uint32_t, static_cast<std::size_t>(HeightL
 struct Builder {
   const Refined& refined;
   CarvedNormals& normals;
+  std::span<const FaceHeight> surfaces;
+  std::span<const RimPiece> rim;
   GroundMesh ground{};
   std::vector<VertexByLayer> numbers{};
 
@@ -76,30 +78,70 @@ struct Builder {
     return {a.x, a.y, std::clamp(ceiling_m, a.z, std::max(a.z, upper_m))};
   }
 
+  // A face's edge, the face to the left of a → b.
+  struct Ledge {
+    Vec3 a, b;
+    std::uint32_t surface;
+  };
+
+  Ledge ledge(std::uint32_t f, int i, const FaceHeight& height, std::uint32_t surface) const {
+    const auto& v = refined.triangulation.faces()[f].vertices;
+    return {place(v[(i + 1) % 3], height), place(v[(i + 2) % 3], height), surface};
+  }
+
+  static bool are_level(const Ledge& one, const Ledge& other) { return one.a == other.a && one.b == other.b; }
+  static bool is_higher(const Ledge& one, const Ledge& other) { return one.a.z + one.b.z >= other.a.z + other.b.z; }
+
+  void add_below(const Ledge& upper, const Ledge& lower) {
+    add_upright(over_mouth(lower.a, lower.b, upper.a.z), over_mouth(lower.b, lower.a, upper.b.z), upper.a.z, upper.b.z,
+                upper.surface);
+  }
+
   // The step between a face and its neighbour beyond edge i, seen once.
   void add_step(std::uint32_t f, int i) {
-    const DelaunayFace& face = refined.triangulation.faces()[f];
-    const std::uint32_t beyond = face.neighbours[i];
-    if (beyond == kNoFace || beyond < f || refined.face_height[f] == refined.face_height[beyond]) return;
-    const std::uint32_t from = face.vertices[(i + 1) % 3], to = face.vertices[(i + 2) % 3];
-    const Vec3 own_a = place(from, refined.face_height[f]), own_b = place(to, refined.face_height[f]);
-    const Vec3 other_a = place(from, refined.face_height[beyond]), other_b = place(to, refined.face_height[beyond]);
-    if (own_a == other_a && own_b == other_b) return;
-    if (own_a.z + own_b.z >= other_a.z + other_b.z)
-      add_upright(over_mouth(other_a, other_b, own_a.z), over_mouth(other_b, other_a, own_b.z), own_a.z, own_b.z,
-                  refined.face_surface[f]);
+    const std::uint32_t beyond = refined.triangulation.faces()[f].neighbours[i];
+    if (beyond == kNoFace) return add_rim_step(f, i);
+    if (beyond < f || refined.face_height[f] == refined.face_height[beyond]) return;
+    const Ledge own = ledge(f, i, refined.face_height[f], refined.face_surface[f]);
+    const Ledge other = ledge(f, i, refined.face_height[beyond], refined.face_surface[beyond]);
+    if (are_level(own, other)) return;
+    if (is_higher(own, other))
+      add_below(own, other);
     else
-      add_upright(over_mouth(own_b, own_a, other_b.z), over_mouth(own_a, own_b, other_a.z), other_b.z, other_a.z,
-                  refined.face_surface[beyond]);
+      add_below({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
+  }
+
+  // Of two cells the higher one has the step between them.
+  void add_rim_step(std::uint32_t f, int i) {
+    const RimPiece* piece = piece_with(f, i);
+    if (piece == nullptr || piece->beyond == refined.face_surface[f]) return;
+    const FaceHeight height = piece->beyond == kNoSurface ? FaceHeight{} : surfaces[piece->beyond];
+    const Ledge own = ledge(f, i, refined.face_height[f], refined.face_surface[f]);
+    const Ledge other = ledge(f, i, height, piece->beyond);
+    if (!are_level(own, other) && is_higher(own, other)) add_below(own, other);
+  }
+
+  const RimPiece* piece_with(std::uint32_t f, int i) const {
+    const auto& v = refined.triangulation.faces()[f].vertices;
+    const GridPoint from = refined.triangulation.vertices()[v[(i + 1) % 3]],
+                    to = refined.triangulation.vertices()[v[(i + 2) % 3]];
+    const GridPoint a = std::min(from, to), b = std::max(from, to);
+    const auto holds = [&](const RimPiece& piece) {
+      const bool is_in_line = a.x == b.x ? piece.a.x == a.x && piece.b.x == a.x : piece.a.y == a.y && piece.b.y == a.y;
+      return is_in_line && piece.a <= a && b <= piece.b;
+    };
+    const auto found = std::ranges::find_if(rim, holds);
+    return found == rim.end() ? nullptr : &*found;
   }
 };
 
 }  // namespace
 
-GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals) {
+GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals, std::span<const FaceHeight> surfaces,
+                     std::span<const RimPiece> rim) {
   VertexByLayer none;
   none.fill(kNoVertex);
-  Builder builder{refined, normals};
+  Builder builder{refined, normals, surfaces, rim};
   builder.numbers.assign(refined.triangulation.vertices().size(), none);
   const auto faces = static_cast<std::uint32_t>(refined.triangulation.faces().size());
   for (std::uint32_t f = 0; f < faces; ++f) builder.add_face(f);

@@ -11,8 +11,11 @@
 
 namespace citykiln::ground {
 
+/// @param surfaces  Heights of the surfaces.
+/// @param rim       Where the neighbour is lower the step stands on the cell's border.
 /// Vertices are shared within a layer, and between layers that touch; upright faces have their own, with level normals.
 /// O(faces).
-GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals);
+GroundMesh step_mesh(const Refined& refined, CarvedNormals& normals, std::span<const FaceHeight> surfaces,
+                     std::span<const RimPiece> rim);
 
 }  // namespace citykiln::ground

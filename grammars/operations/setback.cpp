@@ -67,11 +67,20 @@ struct Cut {
   double reach_m = 0;  ///< No band's point is farther from its edge: distance to a segment is largest at a vertex.
 };
 
+// No place of a face is farther from an edge than its border is long: deeper bands are as deep, and would only lose
+// digits. Shallower ones than what snaps have no area: there are none.
+std::vector<double> within(std::vector<double> depths_m, const std::vector<FaceEdge>& edges) {
+  double border_m = 0;
+  for (const FaceEdge& edge : edges) border_m += length(edge.b - edge.a);
+  for (double& depth_m : depths_m) depth_m = depth_m <= kSnap_m ? 0 : std::min(depth_m, border_m);
+  return depths_m;
+}
+
 Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward) {
   const FaceFrame frame = frame_of(face);
   const Polygon polygon = flat(face, frame);
-  const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, depth_m);
   const std::vector<FaceEdge> edges = edges_of(face);
+  const OffsetPolygon offset = outward ? outset(polygon, depth_m) : inset(polygon, within(depth_m, edges));
   Cut cut;
   cut.on_grid = offset.on_grid;
   for (const Polygon& moved : offset.moved) cut.moved.push_back(lifted(moved, frame, face, kSnap_m));

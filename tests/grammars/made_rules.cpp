@@ -264,9 +264,11 @@ Polygon made_footprint(Choices& choices) {
 bool is_sound(const Polygon& footprint) {
   Box2 box;
   for (const Vec2 p : footprint.outer) box.grow(p);
-  const auto crosses = [&](const Ring& hole) { return borders_touch(footprint.outer, hole); };
-  const bool is_apart = std::none_of(footprint.holes.begin(), footprint.holes.end(), crosses);
-  return std::max(box.width(), box.height()) < 100 && is_simple(footprint.outer) && is_apart &&
+  const auto is_within = [&](const Ring& hole) {
+    return !borders_touch(footprint.outer, hole) && winding_number(footprint.outer, hole.front()) != 0;
+  };
+  const bool are_within = std::all_of(footprint.holes.begin(), footprint.holes.end(), is_within);
+  return std::max(box.width(), box.height()) < 100 && is_simple(footprint.outer) && are_within &&
          signed_area_m2(footprint.outer) > 0;
 }
 

@@ -45,8 +45,8 @@ std::string made_rules(Choices& choices);
 /// themselves, corners twice, slivers, nothing at all. Plane metres, counter-clockwise where it is sound.
 Polygon made_footprint(Choices& choices);
 
-/// Its rings cross neither themselves nor each other, and it is no larger than a block: distances to what is made of it
-/// mean something.
+/// Its rings cross neither themselves nor each other, its holes lie within it, and it is no larger than a block:
+/// distances to what is made of it mean something.
 bool is_sound(const Polygon& footprint);
 
 /// The footprint as a lot, or as a mass with walls and some roof.

@@ -22,9 +22,12 @@ inline std::vector<Triangle3> triangles_of(const Derivation& derivation) {
     for (const Face& face : terminal.faces) {
       const FaceFrame frame = frame_of(face);
       const PlaneTriangles flat_ones = triangulate(flat(face, frame));
-      for (const Triangle& t : flat_ones.triangles)
-        made.push_back({frame.to_space(flat_ones.points[t[0]]), frame.to_space(flat_ones.points[t[1]]),
-                        frame.to_space(flat_ones.points[t[2]])});
+      // corners as they are: faces are flat but for rounding
+      std::vector<Vec3> points;
+      each_vertex(face, [&](Vec3 p) { points.push_back(p); });
+      for (std::size_t i = points.size(); i < flat_ones.points.size(); ++i)
+        points.push_back(frame.to_space(flat_ones.points[i]));
+      for (const Triangle& t : flat_ones.triangles) made.push_back({points[t[0]], points[t[1]], points[t[2]]});
     }
   }
   return made;

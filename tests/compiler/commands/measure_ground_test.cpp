@@ -80,9 +80,22 @@ TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
 TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
   const Standing leaving{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);
-  EXPECT_EQ(border_edges_along_x(tile, leaving, 64), (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
-  EXPECT_EQ(border_edges_along_y(tile, leaving, 0), (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
-  EXPECT_TRUE(border_edges_along_x(tile, leaving, 32).empty());
+  EXPECT_EQ(border_edges_along_x(tile, leaving, 64).ground,
+            (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
+  EXPECT_EQ(border_edges_along_y(tile, leaving, 0).ground,
+            (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
+  EXPECT_TRUE(border_edges_along_x(tile, leaving, 32).ground.empty());
+}
+
+TEST(BorderEdges, MeetWhereAnUprightFaceStandsBetweenThemAndNotElse) {
+  const Vec3 a{64, 0, 10}, b{64, 1, 10}, c{64, 64, 10}, a_low{64, 0, 9}, b_low{64, 1, 9}, deeper{0, 0, 6};
+  const BorderEdges high{{{a, b}, {b, c}}, {}}, low{{{a_low, b_low}, {b, c}}, {}};
+  const BorderEdges stepped{high.ground, {{a_low, b_low}, {a_low, b}, {a, b}}};
+  const BorderEdges skirted{high.ground, {{a - deeper, b - deeper}, {a - deeper, b}, {a, b}}};
+  EXPECT_TRUE(meet(high, high));
+  EXPECT_TRUE(meet(stepped, low) && meet(low, stepped) && meet(stepped, high));
+  EXPECT_FALSE(meet(high, low) || meet(skirted, low) || meet(low, skirted));
+  EXPECT_FALSE(meet(high, {{{a, c}}, {}}) || meet(high, {{{b, c}}, {}}));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/ground/plan.h"
+#include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::ground {
 namespace {
@@ -161,6 +162,61 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
     const GroundMesh east = expand_cell(trimmed, Carving(Heightfield(field)), {{128, 0}, {256, 128}}, 0.1, report);
     EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
   }
+}
+
+// A kerb that crosses x = 128 so steeply that it is bent along it, from its crossing to a garden's corner some grid
+// steps to the north.
+std::vector<Surface> kerb_along_a_border(std::int64_t steps, double lean_m, bool is_in_the_west) {
+  const auto surface = [](std::int64_t id, SurfaceClass of, std::uint32_t area_m2, Ring ring) {
+    return Surface{{{OsmType::kWay, id}, 0}, of, area_m2, {std::move(ring)}};
+  };
+  const Vec2 south{128 - lean_m, 32}, north{128 + lean_m, 96};
+  const Ring lane =
+      is_in_the_west ? Ring{{122, 32}, south, north, {122, 96}} : Ring{south, {134, 32}, {134, 96}, north};
+  const double corner_m = 64 + static_cast<double>(steps) * kQuantum_m;
+  return {surface(1, SurfaceClass::kResidentialRoad, kStripArea_m2, lane),
+          surface(2, SurfaceClass::kPavement, kStripArea_m2, {{118, 20}, {138, 20}, {138, 108}, {118, 108}}),
+          surface(3, SurfaceClass::kGarden, 900, {{128, corner_m}, {160, 112}, {96, 112}})};
+}
+
+Carving kerbed(std::span<const Surface> surfaces, const Box2& box) {
+  roads::Road road = roads::made_road(1, {{128, -40}, {128, 168}}, 12, SurfaceClass::kResidentialRoad, 4, 4);
+  road.profile = {{0, 20, 0}, {208, 24, 0}};
+  return carve(rough_field({64, 64}, 16), {std::vector{road}, {}, surfaces, box.widened(kCarve_m)});
+}
+
+using MetEdge = std::pair<Vec3, Vec3>;
+
+// How often the edges on the line x = 128 are met, those straight up left out.
+std::map<MetEdge, int> met_on_line(std::span<const GroundMesh> cells) {
+  std::map<MetEdge, int> met;
+  for (const GroundMesh& cell : cells)
+    for (const Triangle& t : cell.mesh.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 a = cell.mesh.positions[t[i]], b = cell.mesh.positions[t[(i + 1) % 3]];
+        if (a.x == 128 && b.x == 128 && a.y != b.y) ++met[std::minmax(a, b)];
+      }
+  return met;
+}
+
+TEST(Ground, CellsMadeApartAreClosedWhereAKerbRunsAlongTheirBorder) {
+  constexpr Box2 kEast{{128, 0}, {256, 128}};
+  int steps_of_a_cell = 0;
+  for (int round = 0; round < 64; ++round) {
+    const auto surfaces = kerb_along_a_border(1 + round % 8, round % 16 < 8 ? 0.5 : 2, round % 32 < 16);
+    const double tolerance_m = round < 32 ? 0.1 : 2.5;
+    const auto cell = [&](const Box2& box) {
+      Report report;
+      return expand_cell(surfaces, kerbed(surfaces, box), box, tolerance_m, report);
+    };
+    const std::vector cells = {cell(kCell), cell(kEast)};
+    for (const auto& [edge, count] : met_on_line(cells)) {
+      EXPECT_EQ(count % 2, 0) << "round " << round << " at " << edge.first.y << ", " << edge.first.z;
+      steps_of_a_cell += count > 2;
+    }
+    for (const auto& [edge, count] : met_on_line(std::span(cells).first(1))) steps_of_a_cell += count > 1;
+  }
+  EXPECT_GT(steps_of_a_cell, 10);
 }
 
 // The finer one's tolerance holds on the side between them, and what is certified still does.

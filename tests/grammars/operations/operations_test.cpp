@@ -212,9 +212,17 @@ TEST(Setback, CutsBandsAlongTheEdgesAsked) {
   EXPECT_EQ(count_named(derivation, "F"), 1u);
 }
 
+TEST(Setback, HasNoBandsWithoutArea) {
+  for (const char* depth : {"0", "1e-9", "1e-4"}) {
+    const auto derivation = derived("Lot --> setback(" + std::string(depth) + ") { all : A | remainder : B }");
+    EXPECT_EQ(count_named(derivation, "A"), 0u) << depth;
+    EXPECT_NEAR(area_m2_of(derivation, "B"), 80, 1e-9) << depth;
+  }
+}
+
 TEST(Setback, CoversTheFaceWhateverItsDepth) {
   for (const Polygon& footprint : {kL, kCourt})
-    for (const double depth : {0.3, 1.9, 2.4, 3.5, 30.0})
+    for (const double depth : {0.3, 1.9, 2.4, 3.5, 30.0, 1e12})
       EXPECT_NEAR(area_of(on(footprint, "Lot --> setback(" + std::to_string(depth) + ") { all : A | remainder : B }")),
                   area_m2(footprint), 0.01)
           << depth;
