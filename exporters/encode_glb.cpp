@@ -30,37 +30,31 @@ Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
 Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
 
-template <typename T>
-std::vector<T> turned(const std::vector<T>& values) {
-  std::vector<T> out;
-  out.reserve(values.size());
-  for (const T& v : values) out.push_back(to_gltf(v));
-  return out;
-}
-
-std::vector<float> as_floats(const std::vector<std::uint32_t>& numbers) { return {numbers.begin(), numbers.end()}; }
-
 int add_positions(Filling& f, const std::vector<Float3>& positions) {
-  const std::vector<Float3> values = turned(positions);
-  const int accessor = f.add_attribute(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-  std::vector<double> low(3, std::numeric_limits<double>::infinity()),
-      high(3, -std::numeric_limits<double>::infinity());
-  for (const Float3& p : values)
+  const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> low(3, kFar), high(3, -kFar);
+  for (const Float3& position : positions) {
+    const Float3 p = to_gltf(position);
     for (std::size_t c = 0; c < 3; ++c)
       low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
+  }
   f.model.accessors.back().minValues = low, f.model.accessors.back().maxValues = high;
   return accessor;
 }
 
 int add_indices(Filling& f, const Primitive& p) {
-  std::vector<std::uint32_t> wide;
-  for (const auto& t : p.triangles) wide.insert(wide.end(), t.begin(), t.end());
+  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+  const std::size_t count = p.triangles.size() * 3;
   if (p.positions.size() >= 65535)
-    return f.add_attribute(wide, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                           TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-  const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
-  return f.add_attribute(narrow, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
-                         TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    return f.add_accessor(f.add_view(p.triangles, kTarget), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                          count);
+  const auto narrow = [](const auto& t) {
+    return std::array{static_cast<std::uint16_t>(t[0]), static_cast<std::uint16_t>(t[1]),
+                      static_cast<std::uint16_t>(t[2])};
+  };
+  return f.add_accessor(f.add_view_of(p.triangles, kTarget, narrow), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                        TINYGLTF_TYPE_SCALAR, count);
 }
 
 // The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
@@ -168,11 +162,11 @@ int material_number(Filling& f, const Look& look) {
 
 int add_uvs(Filling& f, const Primitive& p, const Look& look) {
   if (!look.is_in_steps) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
-  std::vector<std::array<std::uint16_t, 2>> steps;
   const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTexturePlace_m); };
-  for (const bake::Float2& uv : p.uvs) steps.push_back({step(uv[0]), step(uv[1])});
-  return f.add_attribute(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2,
-                         TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {
+    return std::array{step(uv[0]), step(uv[1])};
+  });
+  return f.add_accessor(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, p.uvs.size(), true);
 }
 
 tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
@@ -181,16 +175,13 @@ tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::
   const Look look = look_of(f, p, cutout);
   out.material = material_number(f, look);
   out.attributes["POSITION"] = add_positions(f, p.positions);
-  out.attributes["NORMAL"] = f.add_attribute(turned(p.normals), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
+  out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
   out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
                                               TINYGLTF_TARGET_ARRAY_BUFFER, true);
   if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
-  if (normals_of(f, look) != nullptr)
-    out.attributes["TANGENT"] =
-        f.add_attribute(turned(tangents_of(p)), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4);
+  if (normals_of(f, look) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
   if (!p.features.empty()) {
-    out.attributes["_FEATURE_ID_0"] =
-        f.add_attribute(as_floats(p.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR);
+    out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
     out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
   }
   out.indices = add_indices(f, p);
@@ -218,13 +209,10 @@ void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<
   std::vector<Float3> scales;
   for (const float s : instanced.scales) scales.push_back({s, s, s});
   const Object attributes = {
-      {"TRANSLATION",
-       Value(f.add_attribute(turned(instanced.translations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
-      {"ROTATION",
-       Value(f.add_attribute(turned(instanced.rotations), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, 0))},
+      {"TRANSLATION", Value(f.add_turned(instanced.translations, TINYGLTF_TYPE_VEC3, 0))},
+      {"ROTATION", Value(f.add_turned(instanced.rotations, TINYGLTF_TYPE_VEC4, 0))},
       {"SCALE", Value(f.add_attribute(scales, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
-      {"_FEATURE_ID_0",
-       Value(f.add_attribute(as_floats(instanced.features), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, 0))}};
+      {"_FEATURE_ID_0", Value(f.add_as_floats(instanced.features, 0))}};
   node.extensions["EXT_mesh_gpu_instancing"] = Value(Object{{"attributes", Value(attributes)}});
   node.extensions["EXT_instance_features"] = feature_ids(f, "EXT_instance_features");
   f.extensions.insert("EXT_mesh_gpu_instancing");

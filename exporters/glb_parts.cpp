@@ -1,6 +1,5 @@
 #include "exporters/glb_parts.h"
 
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -24,10 +23,6 @@ void put(std::vector<std::byte>& bytes, const void* from, std::size_t size) {
   bytes.insert(bytes.end(), first, first + size);
 }
 
-void put_chunk(std::vector<std::byte>& bytes, const char* type, const void* from, std::size_t size) {
-  put_number(bytes, size), put(bytes, type, 4), put(bytes, from, size);
-}
-
 }  // namespace
 
 std::string_view json_of_glb(std::span<const std::byte> bytes) {
@@ -38,29 +33,26 @@ std::string_view json_of_glb(std::span<const std::byte> bytes) {
 GlbParts split_glb(std::span<const std::byte> bytes) {
   const std::string_view json = json_of_glb(bytes);
   const auto buffer = bytes.subspan(kHeaderBytes + 2 * kChunkBytes + json.size());
-  GlbParts parts{nlohmann::json::parse(json), {}};
-  parts.buffer.resize(buffer.size());
-  if (!buffer.empty()) std::memcpy(parts.buffer.data(), buffer.data(), buffer.size());
-  return parts;
+  return {nlohmann::json::parse(json), {buffer.begin(), buffer.end()}};
 }
 
 std::vector<std::byte> join_glb(GlbParts parts) {
   parts.gltf["buffers"][0]["byteLength"] = parts.buffer.size();
   std::string json = parts.gltf.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
-  parts.buffer.resize((parts.buffer.size() + 3) / 4 * 4, 0);
-  std::vector<std::byte> bytes;
-  bytes.reserve(kHeaderBytes + 2 * kChunkBytes + json.size() + parts.buffer.size());
-  put(bytes, "glTF\2\0\0\0", 8);
-  put_number(bytes, bytes.capacity());
-  put_chunk(bytes, "JSON", json.data(), json.size());
-  put_chunk(bytes, "BIN\0", parts.buffer.data(), parts.buffer.size());
-  return bytes;
+  parts.buffer.resize((parts.buffer.size() + 3) / 4 * 4);
+  std::vector<std::byte> front;
+  put(front, "glTF\2\0\0\0", 8);
+  put_number(front, kHeaderBytes + 2 * kChunkBytes + json.size() + parts.buffer.size());
+  put_number(front, json.size()), put(front, "JSON", 4), put(front, json.data(), json.size());
+  put_number(front, parts.buffer.size()), put(front, "BIN\0", 4);
+  parts.buffer.insert(parts.buffer.begin(), front.begin(), front.end());
+  return std::move(parts.buffer);
 }
 
 std::size_t append(GlbParts& parts, std::span<const unsigned char> bytes) {
-  parts.buffer.resize((parts.buffer.size() + 7) / 8 * 8, 0);
-  parts.buffer.insert(parts.buffer.end(), bytes.begin(), bytes.end());
+  parts.buffer.resize((parts.buffer.size() + 7) / 8 * 8);
+  put(parts.buffer, bytes.data(), bytes.size());
   return parts.buffer.size() - bytes.size();
 }
 
@@ -77,7 +69,7 @@ std::span<const unsigned char> bytes_of_view(const GlbParts& parts, const nlohma
   const std::uint64_t offset = number("byteOffset", 0), size = view.at("byteLength").get<std::uint64_t>();
   if (number("buffer", 0) != 0 || offset > parts.buffer.size() || size > parts.buffer.size() - offset)
     throw std::out_of_range("buffer views inside the buffer");
-  return std::span(parts.buffer).subspan(offset, size);
+  return {reinterpret_cast<const unsigned char*>(parts.buffer.data()) + offset, size};
 }
 
 }  // namespace citykiln::exporters

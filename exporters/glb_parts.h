@@ -11,7 +11,7 @@ namespace citykiln::exporters {
 
 struct GlbParts {
   nlohmann::json gltf;
-  std::vector<unsigned char> buffer;
+  std::vector<std::byte> buffer;
 };
 
 /// The JSON, as it is written. @param bytes  Two chunks that fill the file, here and below.
@@ -20,7 +20,7 @@ std::string_view json_of_glb(std::span<const std::byte> bytes);
 /// Throws what nlohmann's json does where the first is none.
 GlbParts split_glb(std::span<const std::byte> bytes);
 
-/// With the buffer's length, which `gltf` need not have.
+/// With the buffer's length, which `gltf` need not have. The buffer becomes the file where it has room for the rest.
 std::vector<std::byte> join_glb(GlbParts parts);
 
 /// Appends bytes to the buffer, at a multiple of eight, and returns where.

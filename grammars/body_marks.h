@@ -5,8 +5,8 @@
 
 namespace citykiln::grammars {
 
-/// Sets Body::divides and Body::changes_look. Names have to be resolved. O(what is written), for each rule that others
-/// come to by way of many.
+/// Sets the marks of bodies: Body::divides and what follows it. Names have to be resolved. O(what is written), for each
+/// rule that others come to by way of many.
 void mark_bodies(Program& program);
 
 }  // namespace citykiln::grammars

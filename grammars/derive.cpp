@@ -91,6 +91,7 @@ void Run::hit(LimitKind kind, const std::string& rule, Place place) {
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
+  if (!options.ids) return 0;
   for (std::uint32_t i = first_below[parent]; i != 0; i = known_paths[i - 1].next)
     if (known_paths[i - 1].name == &rule) return known_paths[i - 1].path;
   auto path = static_cast<std::uint32_t>(out.paths.size());

@@ -33,8 +33,9 @@ struct DeriveOptions {
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
   bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
   bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
-  bool ids = true;          ///< Terminals and reports have theirs; without, they have none, and that is quicker.
-  bool copies = true;       ///< Shapes that are the same but for a motion are derived once.
+  bool ids = true;     ///< Terminals and reports have theirs, and their paths; without, they have neither, and that
+                       ///< is quicker: what looks the same is copied wherever it came about.
+  bool copies = true;  ///< Shapes that are the same but for a motion are derived once.
   /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
   /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where nothing that comes of
   /// it may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the rules
@@ -56,7 +57,7 @@ struct Terminal {
   std::string name;         ///< The shape's name where it ended: "Wall".
   std::uint32_t path = 0;   ///< Into Derivation::paths.
   std::uint32_t look = 0;   ///< Into Derivation::looks.
-  std::vector<Face> faces;  ///< Plane metres; empty of an asset.
+  std::vector<Face> faces;  ///< Plane metres; empty of an asset. Where the street runs is not told any more.
   std::optional<TextureFrame> texture;
   std::string asset;  ///< i("…"): the instance that fills the scope; "" for none.
   Scope scope;

@@ -421,6 +421,7 @@ void run_body(Execution& execution, const Body& body, bool last) {
 
 Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int depth, std::uint32_t parent_path) {
   const std::uint32_t path = run.path(parent_path, rule.name);
+  came_to(run.memo, depth);
   const bool too_deep = depth > run.options.limits.depth, too_many = run.out.shapes > run.options.limits.shapes;
   if (too_deep) run.hit(LimitKind::kDepth, rule.name, rule.place);
   if (too_many) run.hit(LimitKind::kShapes, rule.name, rule.place);

@@ -33,14 +33,17 @@ void add(MemoKey& key, const Value& value) {
   for (const char c : *text) key.add(c);
 }
 
+void add_street(MemoKey& key, const Face& face) {
+  key.add(static_cast<std::int64_t>(face.street_edges.size() << 1 | face.street));
+  for (const std::uint8_t street : face.street_edges) key.add(street);
+}
+
 void add_face(MemoKey& key, const Face& face, const Scope& scope) {
-  key.add(static_cast<std::int64_t>(face.outer.size() << 32 | face.street_edges.size()));
-  key.add(static_cast<std::int64_t>(face.tag) << 1 | face.street);
+  key.add(static_cast<std::int64_t>(face.outer.size() << 8) | static_cast<std::int64_t>(face.tag));
   for (const Vec3 p : face.outer) {
     const Vec3 v = p - scope.origin;
     add(key, Vec3{dot(scope.axis[0], v), dot(scope.axis[1], v), dot(scope.axis[2], v)});
   }
-  for (const std::uint8_t street : face.street_edges) key.add(street);
 }
 
 void add_inherited(MemoKey& key, const Shape& shape) {
@@ -55,8 +58,9 @@ MemoKey key_of(const Execution& execution, const Body& body) {
   const Scope& scope = shape.scope;
   MemoKey key;
   key.add(std::int64_t{body.number} << 32 | execution.path);
-  key.add(execution.depth);
+  key.add(execution.depth <= 1);  // the start, which may not be cut
   add_face(key, shape.faces.front(), scope);
+  if (body.tells_street) add_street(key, shape.faces.front());
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
@@ -111,9 +115,10 @@ Made between(const Made& before, const Made& after, NodeTrace trace) {
 }
 
 // what the rules would have been stopped at, they have to reach themselves
-bool fits_limits(const Run& run, const Made& made) {
+bool fits_limits(const Run& run, int depth, const Made& made) {
   const Limits& limits = run.options.limits;
-  return run.out.shapes + made.shapes <= limits.shapes && run.out.steps + made.steps <= limits.steps;
+  return depth + made.rules_in_each_other <= limits.depth && run.out.shapes + made.shapes <= limits.shapes &&
+         run.out.steps + made.steps <= limits.steps;
 }
 
 /// Those of one kind: the one that this shape's dice will make again, or where the next of them goes.
@@ -141,7 +146,7 @@ Recording first_of_its_kind(Execution& execution, std::uint32_t& end) {
   std::vector<MemoEntry>& entries = run.memo.entries;
   const auto entry = end = static_cast<std::uint32_t>(entries.size() + 1);
   entries.emplace_back().pattern.stand = stand_of(execution.shape);
-  run.memo.open.push_back({execution.shape.birth, true});
+  run.memo.open.push_back({execution.shape.birth, execution.depth, execution.depth});
   return {entry, false, ends_of(run)};
 }
 
@@ -186,9 +191,13 @@ Recording begin_recording(Execution& execution, const Body& body) {
     ++record.misses;
     return first_of_its_kind(execution, *kind.end);
   }
-  if (!fits_limits(run, run.memo.entries[kind.known - 1].pattern.made)) return {};
+  if (!fits_limits(run, execution.depth, run.memo.entries[kind.known - 1].pattern.made)) return {};
   ++record.hits;
   return {kind.known, true, {}};
+}
+
+void came_to(Memo& memo, int depth) {
+  if (!memo.open.empty()) memo.open.back().deepest = std::max(memo.open.back().deepest, depth);
 }
 
 NodeTrace repeat(Execution& execution, const Recording& recording) {
@@ -196,6 +205,7 @@ NodeTrace repeat(Execution& execution, const Recording& recording) {
   const Pattern& pattern = run.memo.entries[recording.entry - 1].pattern;
   const Made& made = pattern.made;
   copy_pattern(run, pattern, execution.shape);
+  came_to(run.memo, execution.depth + made.rules_in_each_other);
   run.out.shapes += made.shapes;
   run.out.copied += made.shapes;
   run.out.steps += made.steps;
@@ -210,10 +220,13 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   Memo& memo = run.memo;
   BodyRecord& record = memo.bodies[body.number];
   MemoEntry& entry = memo.entries[recording.entry - 1];
-  const Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
-  const bool is_small = made.shapes <= kFewShapes;
-  entry.ready = memo.open.back().repeats && made.throws.size() <= kMostThrows;
+  Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
+  const OpenNode node = memo.open.back();
   memo.open.pop_back();
+  came_to(memo, node.deepest);
+  made.rules_in_each_other = node.deepest - node.depth;
+  const bool is_small = made.shapes <= kFewShapes;
+  entry.ready = node.repeats && made.throws.size() <= kMostThrows;
   record.small_ones += is_small;
   record.never |= is_small && body.kind == BodyKind::kStatements;
   record.never |= !entry.ready || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);

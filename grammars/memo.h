@@ -57,6 +57,8 @@ struct BodyRecord {
 /// A node under way that may become a pattern.
 struct OpenNode {
   std::uint32_t birth = 0;
+  int depth = 0;
+  int deepest = 0;  ///< Of the rules in it.
   bool repeats = true;
 };
 
@@ -78,6 +80,9 @@ struct Recording {
 
 /// Looks the node up, before anything has been done with its shape.
 Recording begin_recording(Execution& execution, const Body& body);
+
+/// What is under way has come as deep as this.
+void came_to(Memo& memo, int depth);
 
 /// Makes of the shape what the first one of the recording's entry was made to.
 NodeTrace repeat(Execution& execution, const Recording& recording);

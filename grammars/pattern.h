@@ -54,6 +54,7 @@ struct IndexRange {
 struct Made {
   IndexRange terminals, births, reports, textures, throws;
   std::uint64_t shapes = 0, steps = 0;
+  int rules_in_each_other = 0;  ///< Below the node's own.
   NodeTrace trace;
 };
 

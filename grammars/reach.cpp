@@ -220,10 +220,24 @@ Reach worst_of(Course& course, const std::vector<Selector>& selectors) {
   return worst;
 }
 
-bool floats(const Statement& split) {
-  return split.repeated || std::any_of(split.selectors.begin(), split.selectors.end(), [](const Selector& selector) {
-           return selector.size == SizeKind::kFloating || selector.size == SizeKind::kRepeat;
-         });
+bool fills(const std::vector<Selector>& selectors);
+
+// A group inside of a repeated one is laid out once, as a list of its own.
+bool is_filled_inside(const std::vector<Selector>& repeated) {
+  return std::ranges::all_of(
+      repeated, [](const Selector& selector) { return selector.size != SizeKind::kRepeat || fills(selector.nested); });
+}
+
+// Surely nothing of the length is lost: something floats, or one group is repeated as often as it takes.
+bool fills(const std::vector<Selector>& selectors) {
+  const auto is = [](SizeKind kind) { return [kind](const Selector& selector) { return selector.size == kind; }; };
+  return (std::ranges::any_of(selectors, is(SizeKind::kFloating)) ||
+          std::ranges::count_if(selectors, is(SizeKind::kRepeat)) == 1) &&
+         std::ranges::all_of(selectors, [](const Selector& s) { return is_filled_inside(s.nested); });
+}
+
+bool fills(const Statement& split) {
+  return split.repeated ? is_filled_inside(split.selectors) : fills(split.selectors);
 }
 
 bool has(const Statement& statement, const char* word) {
@@ -235,7 +249,7 @@ bool has(const Statement& statement, const char* word) {
 void look_at_split(Course& course, const Statement& statement) {
   Reach pieces = worst_of(course, statement.selectors);
   // what no size takes is lost
-  pieces.stays &= floats(statement);
+  pieces.stays &= fills(statement);
   add_group(course, pieces, 0);
 }
 
@@ -402,6 +416,14 @@ bool only_ends(const Body& body) {
   return only.kind == StatementKind::kSuccessor && only.index == ~0u && only.name != "NIL";
 }
 
+// in what the body's reach depends on
+bool are_alike(const Body& body, const NumberRanges& a, const NumberRanges& b) {
+  if (body.moved_by == 0 || a.size() != b.size()) return body.moved_by == 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if ((body.moved_by >> std::min<std::size_t>(i, 63) & 1) != 0 && a[i] != b[i]) return false;
+  return true;
+}
+
 Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame) {
   if (only_ends(body)) return kItself;
   ReachTable& table = outlook.execution.run.reaches;
@@ -409,7 +431,7 @@ Reach reach_of_body(Outlook outlook, const Body& body, const NumberRanges& frame
   std::uint32_t& first = table.first_of[body.number];
   for (std::uint32_t i = first; i != 0; i = table.found[i - 1].next) {
     const KnownReach& known = table.found[i - 1];
-    if (known.attributes == attributes && known.arguments == frame) return known.reach;
+    if (known.attributes == attributes && are_alike(body, known.arguments, frame)) return known.reach;
   }
   // what is under way is unbounded: a rule that comes to itself again
   const std::size_t place = table.found.size();

@@ -6,7 +6,8 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr double kNearlyWhole = 1e-9;  // so that 3 · 0.1 fits into 0.3
+constexpr double kNearlyWhole = 1e-9;      // so that 3 · 0.1 fits into 0.3
+constexpr double kLeastFloating_m = 1e-9;  // so that ~0 takes what nothing else does
 
 struct Divider {
   double whole_m = 0;  ///< What relative sizes are shares of.
@@ -24,6 +25,10 @@ struct Divider {
   }
 };
 
+double size_of(const SizeItem& item) {
+  return std::max(item.size, item.kind == SizeKind::kFloating ? kLeastFloating_m : 0.0);
+}
+
 /// A list of sizes as it is before anything stretches.
 struct Natural {
   double fixed_m = 0, floating_m = 0;
@@ -33,7 +38,7 @@ struct Natural {
 Natural natural_of(std::span<const SizeItem> items, double whole_m) {
   Natural natural;
   for (const SizeItem& item : items) {
-    const double size = std::max(item.size, 0.0);
+    const double size = size_of(item);
     if (item.kind == SizeKind::kAbsolute) natural.fixed_m += size;
     if (item.kind == SizeKind::kRelative) natural.fixed_m += size * whole_m;
     if (item.kind == SizeKind::kFloating) natural.floating_m += size;
@@ -42,16 +47,18 @@ Natural natural_of(std::span<const SizeItem> items, double whole_m) {
   return natural;
 }
 
+// where nothing else floats, once at least: it is cut at the end rather than that the rest is lost
 double times_fitting(Natural pattern, double room_m, bool others_float) {
-  if (!(pattern.length_m() > kSliver_m) || room_m <= kSliver_m) return 0;
+  const double least = others_float ? 0 : 1;
+  if (room_m <= kSliver_m) return 0;
+  if (!(pattern.length_m() > kSliver_m)) return least;
   if (pattern.floating_m == 0) {
     const double times = room_m / pattern.length_m();
     return others_float ? std::floor(times + kNearlyWhole) : std::ceil(times - kNearlyWhole);
   }
   double times = std::floor(room_m / pattern.length_m() + 0.5);
-  if (times == 0 && !others_float) times = 1;
   if (pattern.fixed_m > 0) times = std::min(times, std::floor(room_m / pattern.fixed_m + kNearlyWhole));
-  return times;
+  return std::max(times, least);
 }
 
 /// One list, its repeats counted.
@@ -89,7 +96,7 @@ void divide(Divider& divider, std::span<const SizeItem> items, double from_m, do
 
 /// Places one item at `at_m` and says where it ends. `end_m` is where the list ends.
 double place(Divider& divider, const SizeItem& item, double at_m, double stretch, double end_m) {
-  double size_m = std::max(item.size, 0.0);
+  double size_m = size_of(item);
   if (item.kind == SizeKind::kRelative) size_m *= divider.whole_m;
   if (item.kind == SizeKind::kFloating) size_m *= stretch;
   if (is_repeat(item)) size_m = natural_of(item.nested, divider.whole_m).length_m() * stretch;

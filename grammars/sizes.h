@@ -32,10 +32,11 @@ inline constexpr double kSliver_m = 1e-6;
 /// Divides 0 … length_m.
 ///
 /// Absolute and relative sizes are kept; floating ones share what is left in proportion. A repeat takes what the others
-/// leave at their own sizes, as many times as fits best (the nearest whole number, one at least where nothing else
-/// could fill it); then all floating sizes, those in repeats too, stretch by the same factor. A repeat without floating
-/// sizes is repeated as often as it fits, and once more, cut at the end, where nothing else would fill the rest. Where
-/// absolute sizes are too long, those at the end are cut. A repeat inside of a repeat fills its floating share anew.
+/// leave at their own sizes, as many times as fits best (the nearest whole number; where nothing else could fill it,
+/// once at least, cut at the end if need be); then all floating sizes, those in repeats too, stretch by the same
+/// factor. A repeat without floating sizes is repeated as often as it fits, and once more, cut at the end, where
+/// nothing else would fill the rest. Where absolute sizes are too long, those at the end are cut. ~0 takes what no
+/// other size does. A repeat inside of a repeat fills its floating share anew.
 ///
 /// Guarantees: intervals begin at 0, follow each other without gaps, and do not go beyond the length; with a floating
 /// size they end at it, exactly. std::nullopt where there would be more than `most`. O(intervals).

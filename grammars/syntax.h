@@ -64,6 +64,8 @@ struct Body {
   std::uint32_t number = 0;      ///< Of the program's bodies.
   bool divides = false;          ///< Divides a surface itself (body_marks.h).
   bool changes_look = false;     ///< Something that comes of it may look otherwise.
+  bool tells_street = false;     ///< What comes of it may depend on where the street runs.
+  std::uint64_t moved_by = 0;    ///< By slot, a bit each: arguments that may change how far it moves a surface.
 };
 
 struct Branch {

@@ -36,9 +36,9 @@ void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
   if (p != q) lines.push_back(std::minmax({p, q}));
 }
 
-void add_bent(const Carving& carving, const Line& line, const Box2& cell, std::vector<Line>& lines) {
+void add_bent(CarvedHeights& heights, const Line& line, const Box2& cell, std::vector<Line>& lines) {
   GridPoint from = line.first;
-  for (const Vec2 bend : bends_along(carving, plane_point(line.first), plane_point(line.second), cell)) {
+  for (const Vec2 bend : bends_along(heights, plane_point(line.first), plane_point(line.second), cell)) {
     add_line(plane_point(from), bend, lines);
     from = grid_point(bend);
   }
@@ -159,15 +159,16 @@ void add_axis_line(const Carving& carving, const GradedSegment& s, double from_m
 bool is_narrow(const GradedSegment& s) { return s.left_m + s.right_m <= kNarrow_m; }
 
 // Across a narrow road where its heights bend.
-void add_bend_lines(const Carving& carving, const GradedSegment& s, double from_m, double to_m, const Box2& cell,
+void add_bend_lines(CarvedHeights& heights, const GradedSegment& s, double from_m, double to_m, const Box2& cell,
                     std::vector<Line>& lines) {
   const Vec2 out = left_of(unit(s.to - s.from));
   const Box2 near = cell.widened(kNarrow_m);
-  for (const Vec2 p : bends_along(carving, on_axis(s, from_m), on_axis(s, to_m), near, kAxisFineness))
+  for (const Vec2 p : bends_along(heights, on_axis(s, from_m), on_axis(s, to_m), near, kAxisFineness))
     add_line(p + out * (s.left_m + kAcross_m), p - out * (s.right_m + kAcross_m), lines);
 }
 
-void add_road_lines(const Carving& carving, const GradedSegment& s, const Box2& cell, std::vector<Line>& lines) {
+void add_road_lines(CarvedHeights& heights, const GradedSegment& s, const Box2& cell, std::vector<Line>& lines) {
+  const Carving& carving = heights.carving();
   const Profile& profile = carving.roads.profiles[s.road];
   if (profile.empty()) return;
   const std::vector<double> stations = stations_of(s, profile);
@@ -180,7 +181,7 @@ void add_road_lines(const Carving& carving, const GradedSegment& s, const Box2& 
     add_line(before_right, right, lines);
     add_wall_lines(carving, s, stations[i - 1], stations[i], lines);
     add_axis_line(carving, s, stations[i - 1], stations[i], lines);
-    if (is_narrow(s)) add_bend_lines(carving, s, stations[i - 1], stations[i], cell, lines);
+    if (is_narrow(s)) add_bend_lines(heights, s, stations[i - 1], stations[i], cell, lines);
   }
 }
 
@@ -190,14 +191,15 @@ bool may_touch(const Line& line, const Box2& cell) {
 
 }  // namespace
 
-std::vector<Line> carve_lines(const Carving& carving, const Box2& cell) {
+std::vector<Line> carve_lines(CarvedHeights& heights, const Box2& cell) {
+  const Carving& carving = heights.carving();
   std::vector<Line> lines;
   for (const std::uint32_t i : boxes_about(carving.roads.grid, cell))
-    add_road_lines(carving, carving.roads.segments[i], cell, lines);
+    add_road_lines(heights, carving.roads.segments[i], cell, lines);
   add_terrain_lines(carving.terrain, cell, lines);
   std::erase_if(lines, [&](const Line& line) { return !may_touch(line, cell); });
   std::vector<Line> bent;
-  for (const Line& line : lines) add_bent(carving, line, cell, bent);
+  for (const Line& line : lines) add_bent(heights, line, cell, bent);
   std::erase_if(bent, [&](const Line& line) { return !may_touch(line, cell); });
   return bent;
 }

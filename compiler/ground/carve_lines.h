@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/geometry/arrangement.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/carved_heights.h"
 
 namespace citykiln::ground {
 
@@ -17,7 +17,7 @@ inline constexpr double kStation_m = 16;
 /// All that may touch the cell, each from its lower end; they may cross. Cut where the ground bends under
 /// them. They depend on the carving near them, not on the cell.
 /// O(roads near the cell + squares of the terrain's grid in it).
-std::vector<std::pair<GridPoint, GridPoint>> carve_lines(const Carving& carving, const Box2& cell);
+std::vector<std::pair<GridPoint, GridPoint>> carve_lines(CarvedHeights& heights, const Box2& cell);
 
 /// Of these, those that come near the cell's border: where nothing is carved the others may be left out, and the border
 /// is the same to the bit.

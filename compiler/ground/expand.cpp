@@ -73,15 +73,16 @@ Refined refined_to(const Reference& reference, std::span<const Border> borders, 
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
-Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const Carving& carving, const Box2& cell) {
-  Followed followed = follow_carving(std::move(all), heights, carving);
+Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const CarvedHeights& carved,
+                       const Box2& cell) {
+  Followed followed = follow_carving(std::move(all), heights, carved);
   return reference_of(std::move(followed.triangulation), std::move(followed.heights), cell);
 }
 
 // Where nothing is carved the terrain is the reference, and its lines matter on the border alone.
-std::vector<Border> borders_of_bare(const Layers& layers, const Carving& carving, const Box2& cell) {
+std::vector<Border> borders_of_bare(const Layers& layers, CarvedHeights& carved, const Box2& cell) {
   if (layers.order.empty()) return bare_borders(cell);
-  const Partition all = partition_all(layers, lines_near_border(carve_lines(carving, cell), cell), {}, cell);
+  const Partition all = partition_all(layers, lines_near_border(carve_lines(carved, cell), cell), {}, cell);
   return seen_borders(all, joints_of(layers, all.arrangement, cell));
 }
 
@@ -94,19 +95,20 @@ Reference reference_of_cell(std::span<const Surface> surfaces, const Carving& ca
 
 KnownCell know_cell(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
   std::vector<FaceHeight> heights = heights_of(surfaces);
-  const std::vector<Surface> bent = bent_rings(surfaces, carving, cell);
+  CarvedHeights carved(carving);
+  const std::vector<Surface> bent = bent_rings(surfaces, carved, cell);
   const Layers layers = layers_near(bent, cell);
   if (!is_carved(carving, cell))
     return {std::move(heights),
-            regions_between(borders_of_bare(layers, carving, cell)),
+            regions_between(borders_of_bare(layers, carved, cell)),
             {},
             reference_of(carving.terrain, cell)};
-  const auto lines = carve_lines(carving, cell);
-  const std::vector<GridPoint> points = bends_on_border(carving, cell);
+  const auto lines = carve_lines(carved, cell);
+  const std::vector<GridPoint> points = bends_on_border(carved, cell);
   Partition all = partition_all(layers, lines, points, cell);
   Regions between = regions_between(seen_borders(all, joints_of(layers, all.arrangement, cell)));
   std::vector<RimPiece> rim = rim_pieces(layers, lines, points, all.arrangement, cell);
-  Reference reference = reference_on(std::move(all), heights, carving, cell);
+  Reference reference = reference_on(std::move(all), heights, carved, cell);
   return {std::move(heights), std::move(between), std::move(rim), std::move(reference)};
 }
 

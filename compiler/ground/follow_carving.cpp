@@ -134,10 +134,11 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
 
 }  // namespace
 
-Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving) {
-  Following all{std::move(partition.triangulation), std::move(partition.face_surface), {}, face_heights, carving};
+Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const CarvedHeights& heights) {
+  Following all{
+      std::move(partition.triangulation), std::move(partition.face_surface), {}, face_heights, heights.carving()};
   all.is_seen.resize(all.face_surface.size()), all.is_followed.resize(all.face_surface.size());
-  for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights_at(carving, plane_point(p)));
+  for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights.once_at(plane_point(p)));
   std::deque<std::uint32_t> waiting;
   for (std::uint32_t f = 0; f < all.face_surface.size(); ++f) waiting.push_back(f);
   for (; !waiting.empty(); waiting.pop_front())

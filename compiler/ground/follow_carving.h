@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/ground/carving.h"
+#include "compiler/ground/carved_heights.h"
 #include "compiler/ground/partition.h"
 
 namespace citykiln::ground {
@@ -21,6 +21,7 @@ struct Followed {
 /// Guarantees: nothing on borders, lines or the cell's border changes; no point goes in within half a metre, on roads a
 /// quarter, of a corner of the face it splits, so beside steps of the ground a face may stay off. Depends on the order
 /// of faces, which the partition alone decides. O(n log n) in vertices, each asked for once.
-Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const Carving& carving);
+/// @param heights  Those that are known already need not be made.
+Followed follow_carving(Partition&& partition, std::span<const FaceHeight> face_heights, const CarvedHeights& heights);
 
 }  // namespace citykiln::ground

@@ -18,9 +18,9 @@ constexpr double kNear_m = 1;
 constexpr double kBendShare = 1.0 / 8;
 
 // By how much the ground is carved out of the terrain: the terrain's own bends have lines of their own.
-Heights carved_at(const Carving& carving, Vec2 p) {
-  Heights carved = heights_at(carving, p);
-  const double terrain_m = map::height_m_at(carving.terrain, p);
+Heights carved_at(CarvedHeights& heights, Vec2 p) {
+  Heights carved = heights.at(p);
+  const double terrain_m = map::height_m_at(heights.carving().terrain, p);
   for (double& height : carved) height -= terrain_m;
   return carved;
 }
@@ -63,27 +63,27 @@ struct Station {
 };
 
 // Places in the middle of a piece where the ground bends, halving it.
-void add_bends(const Carving& carving, const Fineness& fineness, const Station& a, const Station& b,
+void add_bends(CarvedHeights& heights, const Fineness& fineness, const Station& a, const Station& b,
                std::vector<Vec2>& bends) {
   if (distance(a.at, b.at) < fineness.shortest_m) return;
   const Vec2 p = snapped((a.at + b.at) * 0.5);
-  const Station middle{p, carved_at(carving, p)};
+  const Station middle{p, carved_at(heights, p)};
   if (stray_m(a.carved, b.carved, middle.carved, 0.5) <= fineness.stray_m) return;
-  add_bends(carving, fineness, a, middle, bends);
+  add_bends(heights, fineness, a, middle, bends);
   bends.push_back(middle.at);
-  add_bends(carving, fineness, middle, b, bends);
+  add_bends(heights, fineness, middle, b, bends);
 }
 
 // The joints of a line, each asked for at most once.
 struct Joints {
-  const Carving& carving;
+  CarvedHeights& heights;
   Fineness fineness;
   Pieces pieces;
   std::vector<std::optional<Heights>> carved;
 
   const Heights& at(int i) {
     auto& known = carved[static_cast<std::size_t>(i)];
-    if (!known) known = carved_at(carving, pieces.joint(i));
+    if (!known) known = carved_at(heights, pieces.joint(i));
     return *known;
   }
 
@@ -106,8 +106,8 @@ Asked asked_of(Joints& joints, int i) {
   const Pieces& pieces = joints.pieces;
   const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
   if (pieces.count > 1) asked.first = asked.last = crosses_cells(a, b);
-  if (!is_carved(joints.carving, pieces.box(i))) return asked;
-  add_bends(joints.carving, joints.fineness, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
+  if (!is_carved(joints.heights.carving(), pieces.box(i))) return asked;
+  add_bends(joints.heights, joints.fineness, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
   asked.first |= !asked.between.empty() || joints.is_bent(i);
   asked.last |= !asked.between.empty() || joints.is_bent(i + 1);
   return asked;
@@ -118,11 +118,11 @@ bool is_bent_already(const Surface& surface) {
   return layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
 }
 
-Ring bent_ring(const Ring& ring, const Carving& carving, const Box2& cell) {
+Ring bent_ring(const Ring& ring, CarvedHeights& heights, const Box2& cell) {
   Ring bent;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     bent.push_back(ring[i]);
-    const std::vector<Vec2> bends = bends_along(carving, ring[i], ring[(i + 1) % ring.size()], cell);
+    const std::vector<Vec2> bends = bends_along(heights, ring[i], ring[(i + 1) % ring.size()], cell);
     bent.insert(bent.end(), bends.begin(), bends.end());
   }
   return bent;
@@ -134,12 +134,12 @@ struct Side {
   std::vector<Heights> carved;
 };
 
-Side side_from(const Carving& carving, Vec2 from, Vec2 to) {
+Side side_from(CarvedHeights& heights, Vec2 from, Vec2 to) {
   Side side;
   const auto count = static_cast<int>(distance(from, to));
   for (int i = 0; i <= count; ++i) {
     const Vec2 p = from + (to - from) * (static_cast<double>(i) / count);
-    side.places.push_back(p), side.carved.push_back(carved_at(carving, p));
+    side.places.push_back(p), side.carved.push_back(carved_at(heights, p));
   }
   return side;
 }
@@ -163,12 +163,12 @@ void split_side(const Side& side, std::size_t first, std::size_t last, std::vect
 
 }  // namespace
 
-std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2& cell, const Fineness& fineness) {
+std::vector<Vec2> bends_along(CarvedHeights& heights, Vec2 a, Vec2 b, const Box2& cell, const Fineness& fineness) {
   std::vector<Vec2> bends;
   const Box2 near = cell.widened(kNear_m);
   if (distance(a, b) < fineness.shortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
   const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b), fineness.piece_m);
-  Joints joints{carving, fineness, pieces, {}};
+  Joints joints{heights, fineness, pieces, {}};
   joints.carved.resize(static_cast<std::size_t>(pieces.count) + 1);
   const auto add = [&](Vec2 p) {
     if (p != a && p != b && (bends.empty() || bends.back() != p)) bends.push_back(p);
@@ -184,19 +184,19 @@ std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2
   return bends;
 }
 
-std::vector<Surface> bent_rings(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell) {
+std::vector<Surface> bent_rings(std::span<const Surface> surfaces, CarvedHeights& heights, const Box2& cell) {
   std::vector<Surface> bent(surfaces.begin(), surfaces.end());
   for (Surface& surface : bent)
     if (!is_bent_already(surface))
-      for (Ring& ring : surface.rings) ring = bent_ring(ring, carving, cell);
+      for (Ring& ring : surface.rings) ring = bent_ring(ring, heights, cell);
   return bent;
 }
 
-std::vector<GridPoint> bends_on_border(const Carving& carving, const Box2& cell) {
+std::vector<GridPoint> bends_on_border(CarvedHeights& heights, const Box2& cell) {
   std::vector<GridPoint> points;
   const Vec2 sw = cell.min, ne = cell.max, se{ne.x, sw.y}, nw{sw.x, ne.y};
   for (const auto& [from, to] : {std::pair{sw, se}, {sw, nw}, {se, ne}, {nw, ne}}) {
-    const Side side = side_from(carving, from, to);
+    const Side side = side_from(heights, from, to);
     split_side(side, 0, side.places.size() - 1, points);
   }
   return points;

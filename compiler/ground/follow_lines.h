@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compiler/geometry/arrangement.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/carved_heights.h"
 
 namespace citykiln::ground {
 
@@ -26,14 +26,14 @@ struct Fineness {
 /// before and after every crossing from cell to cell. The bends of the terrain itself do not count: they have lines of
 /// their own. Points are snapped to the 2^-10 m grid, depend on the line and on what is carved within kCarve_m of the
 /// cell alone, and are the same whichever way it runs, so cells agree where it leaves the one for the other. O(length).
-std::vector<Vec2> bends_along(const Carving& carving, Vec2 a, Vec2 b, const Box2& cell, const Fineness& fineness = {});
+std::vector<Vec2> bends_along(CarvedHeights& heights, Vec2 a, Vec2 b, const Box2& cell, const Fineness& fineness = {});
 
 /// Surfaces with points in those edges of their rings that come near the cell. Roads' are left as they are: they follow
 /// their profiles. O(edges).
-std::vector<Surface> bent_rings(std::span<const Surface> surfaces, const Carving& carving, const Box2& cell);
+std::vector<Surface> bent_rings(std::span<const Surface> surfaces, CarvedHeights& heights, const Box2& cell);
 
 /// Points on a cell's border: between them the carved ground strays from the terrain by what is linear. They depend on
 /// the side alone, so both cells have them; none where nothing is carved. O(1).
-std::vector<GridPoint> bends_on_border(const Carving& carving, const Box2& cell);
+std::vector<GridPoint> bends_on_border(CarvedHeights& heights, const Box2& cell);
 
 }  // namespace citykiln::ground

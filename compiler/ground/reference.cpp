@@ -142,23 +142,30 @@ double height_in_face(const Reference& reference, const DelaunayFace& face, InFa
   return height_inside(reference, face, p, layer);
 }
 
+// How a point lies in a triangle, in areas: opposite to each corner.
+using Areas = std::array<std::int64_t, 3>;
+
 // A triangle in plan, with the plane through its corners.
 struct Plane {
   std::array<GridPoint, 3> corners;
   std::array<Vec3, 3> heights;
 
-  // Strictly inside: all tests exact.
-  bool holds(GridPoint p) const {
-    return turn(corners[0], corners[1], p) > 0 && turn(corners[1], corners[2], p) > 0 &&
-           turn(corners[2], corners[0], p) > 0;
+  // All exact.
+  Areas areas_at(GridPoint p) const {
+    return {turn(corners[1], corners[2], p), turn(corners[2], corners[0], p), turn(corners[0], corners[1], p)};
   }
-  double height_m_at(GridPoint p) const {
-    const auto area = static_cast<double>(turn(corners[0], corners[1], corners[2]));
-    const double s = static_cast<double>(turn(corners[2], corners[0], p)) / area;
-    const double t = static_cast<double>(turn(corners[0], corners[1], p)) / area;
+  double height_m_at(const Areas& areas) const {
+    // whole numbers below 2^62, and the point is inside: their sum is exact too
+    const auto area = static_cast<double>(areas[0] + areas[1] + areas[2]);
+    const double s = static_cast<double>(areas[1]) / area, t = static_cast<double>(areas[2]) / area;
     return heights[0].z + s * (heights[1].z - heights[0].z) + t * (heights[2].z - heights[0].z);
   }
 };
+
+// Nobody can foretell on which side of an edge a point lies, so all are looked at before anything is decided.
+bool is_strictly_inside(const Areas& areas) {
+  return static_cast<int>(areas[0] > 0) + static_cast<int>(areas[1] > 0) + static_cast<int>(areas[2] > 0) == 3;
+}
 
 }  // namespace
 
@@ -235,9 +242,9 @@ WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& c
   const auto& vertices = reference.triangulation.vertices();
   WorstPoint worst;
   any_near_triangle(reference.buckets, plane.corners, [&](std::uint32_t v) {
-    if (plane.holds(vertices[v]))
-      consider(worst, std::abs(plane.height_m_at(vertices[v]) - height_of(reference, v, layer)),
-               plane_point(vertices[v]));
+    const Areas areas = plane.areas_at(vertices[v]);
+    if (is_strictly_inside(areas))
+      consider(worst, std::abs(plane.height_m_at(areas) - height_of(reference, v, layer)), plane_point(vertices[v]));
     return false;
   });
   return worst;

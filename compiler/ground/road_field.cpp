@@ -49,11 +49,6 @@ bool may_reach(const GradedSegment& s, const Box2& box) {
   return distance(centre, s.from + along * t) <= reach_m(s) + distance(centre, box.max) + kSlack_m;
 }
 
-double weight_of(double from_axis_m, double half_m, double beyond_m) {
-  const double t = from_axis_m / (half_m + kBlend_m), slack = std::max(0.0, 1 - t * t), far_m = beyond_m + kNearest_m;
-  return slack * slack + kFarWeight / (far_m * far_m * far_m);
-}
-
 SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
   const Vec2 along = s.to - s.from;
   const double length2_m2 = dot(along, along);
@@ -62,29 +57,62 @@ SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
           static_cast<std::uint32_t>(knots.size())};
 }
 
-// Where a place lies beside a segment.
-struct Beside {
-  double share, aside_m, half_m, from_axis_m, beyond_m;
+// Some segments, and where a place lies beside each of them. One value of all after the other, so that the processor
+// works out several at a time.
+struct Besides {
+  static constexpr std::size_t kMost = 32;
+  template <typename T>
+  using Of = std::array<T, kMost>;
+
+  std::size_t count = 0;
+  Of<std::uint32_t> numbers;
+  Of<double> from_x, from_y, along_x, along_y, length2_m2, length_m, left_m, right_m;
+  Of<double> share, aside_m, beyond_m, weight;
+
+  void add(const RoadField& field, std::uint32_t number) {
+    const GradedSegment& s = field.segments[number];
+    const SegmentLine& line = field.lines[number];
+    numbers[count] = number;
+    from_x[count] = s.from.x, from_y[count] = s.from.y, left_m[count] = s.left_m, right_m[count] = s.right_m;
+    along_x[count] = line.along.x, along_y[count] = line.along.y;
+    length2_m2[count] = line.length2_m2, length_m[count] = line.length_m;
+    ++count;
+  }
+
+  // Of two values one is chosen, nowhere a branch taken: only of that do compilers make steps of several at a time.
+  void work_out(Vec2 p) {
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
+    const auto smaller = [](double a, double b) { return a < b ? a : b; };
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 from{from_x[i], from_y[i]}, along{along_x[i], along_y[i]};
+      share[i] = smaller(larger(dot(p - from, along) / length2_m2[i], 0), 1);
+      aside_m[i] = cross(along, p - from) / length_m[i];
+      const double left = left_m[i], right = right_m[i], half_m = aside_m[i] >= 0 ? left : right;
+      const double from_axis_m = distance(p, from + along * share[i]);
+      beyond_m[i] = larger(from_axis_m - half_m, 0);
+      const double t = from_axis_m / (half_m + kBlend_m), slack = larger(1 - t * t, 0);
+      const double far_m = beyond_m[i] + kNearest_m;
+      weight[i] = slack * slack + kFarWeight / (far_m * far_m * far_m);
+    }
+  }
 };
 
-Beside beside(const GradedSegment& s, const SegmentLine& line, Vec2 p) {
-  const Vec2 along = line.along;
-  const double share = std::clamp(dot(p - s.from, along) / line.length2_m2, 0.0, 1.0);
-  const double aside_m = cross(along, p - s.from) / line.length_m;
-  const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
-  const double from_axis_m = distance(p, s.from + along * share);
-  return {share, aside_m, half_m, from_axis_m, std::max(0.0, from_axis_m - half_m)};
-}
-
 // Filled where it stays: copies of what has just been written wait for it.
-void fill(Strand& strand, const RoadField& field, std::uint32_t number, const Beside& at, double terrain_m) {
+void fill(Strand& strand, const RoadField& field, const Besides& besides, std::size_t i, double terrain_m) {
+  const std::uint32_t number = besides.numbers[i];
   const GradedSegment& s = field.segments[number];
-  strand.kerb_m = s.kerb_m, strand.beyond_m = at.beyond_m;
-  strand.weight = weight_of(at.from_axis_m, at.half_m, at.beyond_m);
+  strand.kerb_m = s.kerb_m, strand.beyond_m = besides.beyond_m[i], strand.weight = besides.weight[i];
   strand.is_graded = field.lines[number].knot_count > 0;
   if (!strand.is_graded) return void(strand.z_m = terrain_m);
-  const Knot knot = knot_on(field, number, at.share);
-  strand.z_m = knot.z_m + knot.tilt * std::clamp(at.aside_m, -s.right_m, s.left_m);
+  const Knot knot = knot_on(field, number, besides.share[i]);
+  strand.z_m = knot.z_m + knot.tilt * std::clamp(besides.aside_m[i], -s.right_m, s.left_m);
+}
+
+void take(std::pmr::vector<Strand>& strands, const RoadField& field, Besides& besides, Vec2 p, double terrain_m) {
+  besides.work_out(p);
+  for (std::size_t i = 0; i < besides.count; ++i)
+    if (besides.beyond_m[i] < kCarve_m) fill(strands.emplace_back(), field, besides, i, terrain_m);
+  besides.count = 0;
 }
 
 // By their weights times a share.
@@ -155,11 +183,13 @@ std::pmr::vector<Strand> strands_at(const RoadField& field, Vec2 p, double terra
   std::pmr::vector<Strand> strands(memory);
   const std::span<const std::uint32_t> near = boxes_about(field.near, p);
   strands.reserve(near.size());
+  Besides besides;
   for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
-    const Beside at = beside(field.segments[i], field.lines[i], p);
-    if (at.beyond_m < kCarve_m) fill(strands.emplace_back(), field, i, at, terrain_m);
+    besides.add(field, i);
+    if (besides.count == Besides::kMost) take(strands, field, besides, p, terrain_m);
   }
+  take(strands, field, besides, p, terrain_m);
   return strands;
 }
 

@@ -68,6 +68,8 @@ struct Strand {
   double weight = 0;       ///< Among all strands of a place: most on its axis, next to none far from its edge.
   double beyond_m = 0;     ///< From the edge; 0 on the road.
   bool is_graded = false;  ///< False where it follows the terrain.
+
+  bool operator==(const Strand&) const = default;
 };
 
 /// Those whose edge is nearer than kCarve_m, in the order of the field's segments.

@@ -21,10 +21,19 @@ struct Sight {
   double inside_m = 0;  ///< To the nearer of the way's ends.
 };
 
+// Most are: told without dividing, so with some slack.
+bool is_out_of_reach(const GradedSegment& s, const SegmentLine& line, double run, double aside) {
+  constexpr double kSlack_m = 0x1p-10;
+  const double far = (std::max(s.left_m, s.right_m) + kCarve_m + kSlack_m) * line.length_m;
+  return std::abs(aside) > far || run < -far || run > line.length2_m2 + far;
+}
+
 std::optional<Sight> sight_of(const SpanField& spans, std::uint32_t number, Vec2 p) {
   const GradedSegment& s = spans.field.segments[number];
-  const auto& [along, length2_m2, long_m, first_knot, knot_count] = spans.field.lines[number];
-  const double at_m = dot(p - s.from, along) / long_m, aside_m = cross(along, p - s.from) / long_m;
+  const SegmentLine& line = spans.field.lines[number];
+  const double run = dot(p - s.from, line.along), aside = cross(line.along, p - s.from), long_m = line.length_m;
+  if (is_out_of_reach(s, line, run, aside)) return std::nullopt;
+  const double at_m = run / long_m, aside_m = aside / long_m;
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
   const double outside_m = std::max({0.0, -at_m, at_m - long_m});
   const bool is_end = (at_m < 0 && s.from_m == 0) || (at_m > long_m && s.to_m == spans.long_m[s.road]);

@@ -39,6 +39,13 @@ struct BucketEdge {
   SurfaceMap::Edge edge;
 };
 
+// False only where the edge stays clear of the bucket though its box does not: on one side of all corners.
+bool may_pass(const SurfaceMap& map, int column, int row, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a, centre = corner_of(map, column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
+  return std::abs(cross(along, centre - a)) <=
+         (map.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
+}
+
 // The borders of one surface, sorted by bucket of the range its box touches.
 struct Sorted {
   BucketRange range;
@@ -56,8 +63,9 @@ Sorted sort_edges(const SurfaceMap& map, const Surface& surface, const Box2& box
       const BucketRange near = buckets_of(map, edge);
       for (int r = near.first_row; r <= near.last_row; ++r)
         for (int c = near.first_column; c <= near.last_column; ++c)
-          sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
-                                  {ring[j], ring[i]}});
+          if (may_pass(map, c, r, ring[j], ring[i]))
+            sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
+                                    {ring[j], ring[i]}});
     }
   std::ranges::stable_sort(sorted.edges, {}, &BucketEdge::bucket);
   return sorted;
@@ -132,10 +140,15 @@ void find_in_buckets(const SurfaceMap& map, std::uint32_t number, std::vector<Su
   for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
     for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
       const auto first = static_cast<std::uint32_t>(all_edges.size());
-      for (; edge != sorted.edges.end() && edge->bucket == at; ++edge) all_edges.push_back(edge->edge);
+      Box2 about;
+      for (; edge != sorted.edges.end() && edge->bucket == at; ++edge) {
+        all_edges.push_back(edge->edge);
+        about.grow(edge->edge.a), about.grow(edge->edge.b);
+      }
       const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
       if (count == 0 && windings[at] <= 0) continue;
-      found.push_back({static_cast<std::size_t>(r) * map.columns + c, {number, windings[at], priority, first, count}});
+      found.push_back(
+          {static_cast<std::size_t>(r) * map.columns + c, {number, windings[at], priority, first, count, about}});
     }
 }
 
@@ -162,21 +175,25 @@ bool covers_point(const SurfaceMap& map, const BucketSurface& entry, Vec2 corner
 
 double squared(double x) { return x * x; }
 
-// To the nearest place of a bucket.
-double squared_distance(const SurfaceMap& map, int column, int row, Vec2 p) {
-  const Vec2 low = corner_of(map, column, row), high = corner_of(map, column + 1, row + 1);
-  const double aside = std::max({low.x - p.x, p.x - high.x, 0.0}), above = std::max({low.y - p.y, p.y - high.y, 0.0});
+// To the nearest place of a box.
+double squared_distance(const Box2& box, Vec2 p) {
+  const double aside = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
+  const double above = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
   return squared(aside) + squared(above);
+}
+
+double squared_distance(const SurfaceMap& map, int column, int row, Vec2 p) {
+  return squared_distance({corner_of(map, column, row), corner_of(map, column + 1, row + 1)}, p);
 }
 
 // The square of the distance to a border, if it is below `nearest`; else that. Squares alone are compared, so it does
 // not matter which border comes first.
 double squared_distance(const SurfaceMap& map, const BucketSurface& entry, Vec2 p, double nearest) {
+  // most are farther off than another was, alone or all together
+  if (squared_distance(entry.edges, p) >= nearest) return nearest;
   for (const auto& [a, b] : edges_of(map, entry)) {
-    // most are farther off than another was
-    const double aside = std::max({std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x), 0.0});
-    const double above = std::max({std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y), 0.0});
-    if (squared(aside) + squared(above) >= nearest) continue;
+    const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    if (squared_distance(box, p) >= nearest) continue;
     const Vec2 along = b - a;
     const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
     const Vec2 off = p - (a + along * t);

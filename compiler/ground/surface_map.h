@@ -19,6 +19,7 @@ struct BucketSurface {
   std::int32_t winding = 0;
   std::int32_t priority = 0;  ///< Of its class.
   std::uint32_t first_edge = 0, edge_count = 0;
+  Box2 edges;  ///< About all those, whole.
 };
 
 /// Surfaces sorted into square buckets of a box. Refers to the surfaces it was made from, which must outlive it.

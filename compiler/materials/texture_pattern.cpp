@@ -28,17 +28,16 @@ Field within_one(Field field) {
   return field;
 }
 
-// The mean of a row of values that comes round, over `width` of them, odd.
+// The mean of a row of values that comes round, over `width` of them, odd. All sums grow together, each from its first
+// value to its last.
 void blur_row(std::vector<double>& row, std::uint32_t width) {
-  const auto count = static_cast<std::uint32_t>(row.size());
-  const std::uint32_t half = width / 2;
-  std::vector<double> blurred(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    double sum = 0;
-    for (std::uint32_t k = 0; k < width; ++k) sum += row[(i + count + k - half) % count];
-    blurred[i] = sum / width;
-  }
-  row = std::move(blurred);
+  const std::size_t count = row.size(), half = width / 2;
+  std::vector<double> round(count + width - 1);
+  for (std::size_t i = 0; i < round.size(); ++i) round[i] = row[(i + count - half) % count];
+  std::ranges::fill(row, 0);
+  for (std::size_t k = 0; k < width; ++k)
+    for (std::size_t i = 0; i < count; ++i) row[i] += round[i + k];
+  for (double& sum : row) sum /= width;
 }
 
 // Means over squares, twice, so that their corners do not show.

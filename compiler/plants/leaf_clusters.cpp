@@ -1,6 +1,7 @@
 #include "compiler/plants/leaf_clusters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -89,6 +90,18 @@ double error_m_of(const Card& card, std::span<const Card> cards, double toleranc
   return std::max(worst, beyond_m(card, cards));
 }
 
+// Sorts by a number below eight, of equals the first first; where those of each begin, and the end.
+template <typename Number>
+std::array<std::size_t, 9> sort_into_eight(std::span<Card> cards, Number number) {
+  std::array<std::size_t, 9> starts{};
+  for (const Card& card : cards) ++starts[number(card) + 1];
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  std::array<std::size_t, 9> next = starts;
+  const std::vector<Card> unsorted(cards.begin(), cards.end());
+  for (const Card& card : unsorted) cards[next[number(card)]++] = card;
+  return starts;
+}
+
 // A cell: a cube of space, and the cards whose middles lie in it.
 struct Cell {
   Vec3 low;
@@ -133,16 +146,12 @@ struct Clustering {
     const Vec3 middle = cell.low + Vec3{half_m, half_m, half_m};
     const auto octant = [&](const Card& card) {
       const Vec3 p = card.centre();
-      return (p.x >= middle.x ? 1 : 0) + (p.y >= middle.y ? 2 : 0) + (p.z >= middle.z ? 4 : 0);
+      return (p.x >= middle.x ? 1u : 0u) + (p.y >= middle.y ? 2u : 0u) + (p.z >= middle.z ? 4u : 0u);
     };
-    std::ranges::stable_sort(cell.cards, {}, octant);
-    auto rest = cell.cards;
-    for (int o = 0; o < 8; ++o) {
-      const auto count = static_cast<std::size_t>(
-          std::ranges::find_if(rest, [&](const Card& card) { return octant(card) != o; }) - rest.begin());
+    const std::array<std::size_t, 9> starts = sort_into_eight(cell.cards, octant);
+    for (std::size_t o = 0; o < 8; ++o) {
       const Vec3 low = cell.low + Vec3{o & 1 ? half_m : 0, o & 2 ? half_m : 0, o & 4 ? half_m : 0};
-      take({low, half_m, rest.first(count)}, depth + 1);
-      rest = rest.subspan(count);
+      take({low, half_m, cell.cards.subspan(starts[o], starts[o + 1] - starts[o])}, depth + 1);
     }
   }
 };

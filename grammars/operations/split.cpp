@@ -130,6 +130,7 @@ void op_split(Execution& execution, const Statement& statement, Arguments argume
   const bool closed = is_closed(execution.shape.faces);
   Division division = divided(all_of(*intervals));
   if (may_widen(run, execution.shape)) division = widened(execution, std::move(division), all_of(leaves.selectors));
+  if (may_join(run, execution.shape)) division = joined(std::move(division), all_of(leaves.selectors));
   run.out.error_m = std::max(run.out.error_m, division.error_m);
   Saw saw{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
   const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";

@@ -107,6 +107,14 @@ Few<Slice, 8> without_taken(std::span<const Slice> slices, std::span<const std::
   return kept;
 }
 
+// `Wall.`: nothing is left of the body but the name of a terminal.
+const std::string* terminal_of(const Body& body) {
+  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return nullptr;
+  const Statement& only = body.statements.front();
+  const bool is_terminal = only.kind == StatementKind::kSuccessor && only.index == ~0u && only.arguments.empty();
+  return is_terminal ? &only.name : nullptr;
+}
+
 }  // namespace
 
 Division divided(std::span<const Interval> intervals) {
@@ -128,6 +136,27 @@ Division widened(Execution& execution, Division division, std::span<const Select
   Reaches reaches{execution, selectors};
   const auto takers = takers_of(all_of(division.slices), tolerance_m, reaches, division.error_m);
   division.slices = without_taken(all_of(division.slices), all_of(takers));
+  return division;
+}
+
+bool may_join(const Run& run, const Shape& shape) { return run.options.ahead && is_flat(shape); }
+
+Division joined(Division division, std::span<const Selector* const> selectors) {
+  Few<Slice, 8> kept;
+  std::uint32_t left_out = 0;
+  const std::string* last = nullptr;
+  for (const Slice& slice : division.slices) {
+    const std::string* terminal = terminal_of(selectors[slice.interval.leaf]->body);
+    if (terminal != nullptr && last != nullptr && *terminal == *last) {
+      kept.back().interval.to_m = slice.interval.to_m;
+      left_out += slice.left_out + 1;
+    } else {
+      kept.push_back(slice);
+      kept.back().left_out += std::exchange(left_out, 0);
+    }
+    last = terminal;
+  }
+  division.slices = std::move(kept);
   return division;
 }
 

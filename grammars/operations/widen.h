@@ -1,7 +1,9 @@
-// Narrow pieces of a split, from afar: what is no wider than the tolerance goes to its neighbour.
+// Pieces of a split that need not be made: what is no wider than the tolerance goes to its neighbour, and neighbours
+// that end at once, all under one name, are one.
 //
-//   |  Wall  |Joint|  Wall  |  →  |     Wall    |  Wall  |      Its look would be under a pixel wide. It need not be
-//            ≤ tolerance                                       derived, and its neighbour is sawn there no more.
+//   |  Wall  |Joint|  Wall  |  →  |          Wall           |      The joint's look would be under a pixel wide. It
+//   need
+//            ≤ tolerance                                           not be derived, and nothing is sawn there.
 #pragma once
 
 #include "grammars/run.h"
@@ -40,5 +42,15 @@ bool may_widen(const Run& run, const Shape& shape);
 /// @param division  As divided() made it.
 /// @param selectors  By Interval::leaf.
 Division widened(Execution& execution, Division division, std::span<const Selector* const> selectors);
+
+/// True if what is known ahead is used, and the shape is one whose pieces have no ends of their own.
+bool may_join(const Run& run, const Shape& shape);
+
+/// Of neighbouring pieces of whose bodies nothing is left but the same terminal, like `Wall.`, the first takes the
+/// place of all. The surface stays what it was.
+///
+/// @param division  As divided() or widened() made it.
+/// @param selectors  By Interval::leaf.
+Division joined(Division division, std::span<const Selector* const> selectors);
 
 }  // namespace citykiln::grammars

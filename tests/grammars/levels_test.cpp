@@ -289,6 +289,21 @@ TEST_F(Levels, PiecesAsWideAsTheToleranceGoToo) {
   }
 }
 
+TEST_F(Levels, NeighboursThatEndUnderOneNameAreOne) {
+  const std::string front =
+      "Lot --> extrude(6) comp(f) { side : Front | all : Roof. }\n"
+      "Front --> split(x) { 0.5 : Wall. | { ~1 : Wall. | 0.7 : Glass. | ~1 : Wall. }* | 0.5 : Wall. }";
+  DeriveOptions options;
+  const Derivation all = derived(front, 6, 6, options);
+  options.ahead = true;
+  const Derivation joined = derived(front, 6, 6, options);
+  ASSERT_EQ(count_named(all, "Glass"), 8u);
+  EXPECT_EQ(count_named(all, "Wall"), 24u);
+  EXPECT_EQ(count_named(joined, "Wall"), 12u);
+  // what stands between them is who it was
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(named(all, "Glass")[i]->id, named(joined, "Glass")[i]->id);
+}
+
 std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_places(const Derivation& derivation) {
   std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> made;
   for (const Terminal& terminal : derivation.terminals)

@@ -164,6 +164,23 @@ TEST(Copies, AreMadeOfWhatTheDiceChooseToo) {
   EXPECT_GT(derivation.copied * 2, derivation.shapes);
 }
 
+TEST(Copies, AreAlikeBesideTheStreetWhereNobodyAsksForIt) {
+  const auto copied = [](const std::string& of_tile) {
+    const Program program = program_of(
+        "Lot --> extrude(6) comp(f) { side : split(x) { { ~2 : Tile }* } | all : Roof. }\n"
+        "Tile --> setback(0.3) { all = Frame. | remainder : extrude(0.2) " +
+        of_tile + " }");
+    const Shape first = lot({{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {}}, 0, 0, StableId{1}, {0});
+    DeriveOptions options;
+    options.ids = false;
+    const Derivation with = derive(program, first, options);
+    options.copies = false;
+    expect_same(with, derive(program, first, options));
+    return with.copied;
+  };
+  EXPECT_GT(copied("comp(f) { front : A. | all : B. }"), copied("comp(f) { street : A. | all : B. }"));
+}
+
 TEST(Copies, LimitsEndThemAsTheyEndRules) {
   const Program program = program_of(
       "Lot --> extrude(9.3) comp(f) { side : Facade | all : Roof. }\n"
@@ -177,6 +194,23 @@ TEST(Copies, LimitsEndThemAsTheyEndRules) {
     const Derivation own = derive(program, turned_lot(), options);
     expect_same(copied, own);
     ASSERT_EQ(copied.limits.size(), own.limits.size());
+    for (std::size_t i = 0; i < own.limits.size(); ++i) EXPECT_EQ(copied.limits[i].times, own.limits[i].times);
+  }
+}
+
+TEST(Copies, EndWhereTheirOwnDerivationsWouldBeTooDeep) {
+  const Program program = program_of(
+      "Lot --> extrude(6) comp(f) { side : split(x) { { ~2 : Tile | ~2 : Inner }* } | all : Roof. }\nInner --> Tile\n"
+      "Tile --> setback(0.1) { all : F. | remainder : A }\nA --> B\nB --> extrude(0.2) comp(f) { all : C }\nC --> X.");
+  for (int depth = 2; depth < 12; ++depth) {
+    DeriveOptions options;
+    options.ids = false, options.limits.depth = depth;
+    const Derivation copied = derive(program, turned_lot(), options);
+    options.copies = false;
+    const Derivation own = derive(program, turned_lot(), options);
+    EXPECT_TRUE(copied.copied > 0 || !own.limits.empty()) << depth;
+    expect_same(copied, own);
+    ASSERT_EQ(copied.limits.size(), own.limits.size()) << depth;
     for (std::size_t i = 0; i < own.limits.size(); ++i) EXPECT_EQ(copied.limits[i].times, own.limits[i].times);
   }
 }

@@ -49,6 +49,17 @@ TEST(Sizes, ARepeatFitsTheNearestWholeNumber) {
   EXPECT_EQ(divided({repeat({floats(30)})}, 10), "0:10");
 }
 
+TEST(Sizes, ARepeatThatDoesNotFitIsCutWhereNothingElseFillsTheRest) {
+  EXPECT_EQ(divided({repeat({floats(1, 0), metres_of(2, 1)})}, 1.5), "1:1.5");
+  EXPECT_EQ(divided({metres_of(1, 0), repeat({floats(1, 1), metres_of(2, 2)}), metres_of(1, 0)}, 3), "0:1 2:2");
+  EXPECT_EQ(divided({floats(1, 0), repeat({floats(1, 1), metres_of(2, 2)})}, 1.5), "0:1.5");
+}
+
+TEST(Sizes, AFloatingOneOfZeroTakesWhatNoOtherDoes) {
+  EXPECT_EQ(divided({metres_of(1, 0), floats(0, 1)}, 3), "0:1 1:2");
+  EXPECT_EQ(divided({metres_of(1, 0), floats(0, 1), floats(2, 2)}, 3), "0:1 2:2");
+}
+
 TEST(Sizes, ARepeatWithoutFloatingOnesIsCutAtTheEnd) {
   EXPECT_EQ(divided({repeat({metres_of(4)})}, 10), "0:4 0:4 0:2");
   EXPECT_EQ(divided({repeat({metres_of(0.1)})}, 0.3), "0:0.1 0:0.1 0:0.1");

@@ -23,7 +23,8 @@ long lines_along(const std::vector<roads::Road>& roads, double x) {
   map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
   const Box2 cell{{0, 0}, {128, 128}};
   const Carving carving = carve(std::move(flat), {roads, {}, {}, cell.widened(kCarve_m), false});
-  return std::ranges::count_if(carve_lines(carving, cell), [&](const auto& line) {
+  CarvedHeights heights(carving);
+  return std::ranges::count_if(carve_lines(heights, cell), [&](const auto& line) {
     return plane_point(line.first).x == x && plane_point(line.second).x == x;
   });
 }
@@ -47,7 +48,8 @@ long lines_across(const std::vector<roads::Road>& roads, double x, double most_m
   map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
   const Box2 cell{{0, 0}, {128, 128}};
   const Carving carving = carve(std::move(flat), {roads, {}, {}, cell.widened(kCarve_m), false});
-  return std::ranges::count_if(carve_lines(carving, cell), [&](const auto& line) {
+  CarvedHeights heights(carving);
+  return std::ranges::count_if(carve_lines(heights, cell), [&](const auto& line) {
     const double a = plane_point(line.first).x - x, b = plane_point(line.second).x - x;
     return a * b < 0 && std::max(std::abs(a), std::abs(b)) <= most_m;
   });
@@ -69,7 +71,8 @@ std::set<double> crossings_of_axis(const map::Heightfield& terrain, const Box2& 
   map::Heightfield copy = terrain;
   const Carving carving = carve(std::move(copy), {roads, {}, {}, cell.widened(kCarve_m), false});
   std::set<double> crossings;
-  for (const auto& line : carve_lines(carving, cell)) {
+  CarvedHeights known(carving);
+  for (const auto& line : carve_lines(known, cell)) {
     const Vec2 a = plane_point(line.first), b = plane_point(line.second);
     if (a.x < 0 && b.x > 0) crossings.insert(a.y - a.x * (b.y - a.y) / (b.x - a.x));
   }

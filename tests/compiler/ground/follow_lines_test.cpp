@@ -46,8 +46,9 @@ TEST(BendsAlong, AreTheSameWhicheverWayALineRuns) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < 200; i += 2) {
     const Vec2 a = place(draw, i), b = place(draw, i + 1);
-    auto there = bends_along(shore.carving, a, b, kCell);
-    const auto back = bends_along(shore.carving, b, a, kCell);
+    CarvedHeights one(shore.carving), other(shore.carving);
+    auto there = bends_along(one, a, b, kCell);
+    const auto back = bends_along(other, b, a, kCell);
     std::ranges::reverse(there);
     EXPECT_EQ(there, back);
     count += there.size();
@@ -58,7 +59,9 @@ TEST(BendsAlong, AreTheSameWhicheverWayALineRuns) {
 TEST(BendsAlong, AreNoneWhereNothingIsCarvedHoweverTheTerrainBends) {
   Heightfield rough = slope();
   for (std::size_t i = 0; i < rough.heights.size(); ++i) rough.heights[i] += static_cast<std::int32_t>(i % 3) * 640;
-  EXPECT_TRUE(bends_along(Carving(std::move(rough)), {0, 0}, {127, 100}, kCell).empty());
+  const Carving carving(std::move(rough));
+  CarvedHeights heights(carving);
+  EXPECT_TRUE(bends_along(heights, {0, 0}, {127, 100}, kCell).empty());
 }
 
 TEST(BendsOnBorder, BothCellsHaveThem) {
@@ -68,9 +71,10 @@ TEST(BendsOnBorder, BothCellsHaveThem) {
     return points;
   };
   const std::int64_t x = grid_point(kCell.max).x;
-  const auto west = on_line(bends_on_border(shore.carving, kCell), x);
+  CarvedHeights in_west(shore.carving), in_east(shore.carving);
+  const auto west = on_line(bends_on_border(in_west, kCell), x);
   EXPECT_FALSE(west.empty());
-  EXPECT_EQ(west, on_line(bends_on_border(shore.carving, {{128, 0}, {256, 128}}), x));
+  EXPECT_EQ(west, on_line(bends_on_border(in_east, {{128, 0}, {256, 128}}), x));
 }
 
 // Nowhere does this ground step, so it is followed everywhere, not only where it is looked at.

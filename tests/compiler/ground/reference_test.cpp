@@ -207,7 +207,8 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
       field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
     const Box2 cell{{-37, -20}, {91, 108}};
     const Carving carving{map::Heightfield(field)};
-    Partition all = partition_all({}, carve_lines(carving, cell), {}, cell);
+    CarvedHeights carved(carving);
+    Partition all = partition_all({}, carve_lines(carved, cell), {}, cell);
     std::vector<Heights> heights;
     for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
     const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);

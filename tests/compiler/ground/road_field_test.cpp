@@ -43,6 +43,27 @@ TEST(RoadField, StrandsAreAllThatAreNear) {
   }
 }
 
+TEST(RoadField, StrandsOfARoadAreTheSameHoweverManyAreThere) {
+  const auto memory = std::pmr::get_default_resource();
+  const Draw draw(1, StableId{34}, "crowd");
+  std::vector<roads::Road> roads;
+  for (std::uint32_t r = 0; r < 100; ++r) roads.push_back(random_road(draw, r));
+  const RoadField field = field_of(roads, true);
+  std::size_t most = 0;
+  for (std::uint32_t i = 0; i < 150; ++i) {
+    const Vec2 p{draw.between(-100, 100, 100000 + 2 * i), draw.between(-100, 100, 100001 + 2 * i)};
+    std::vector<Strand> alone;
+    for (const roads::Road& road : roads)
+      for (const Strand& strand : strands_at(field_of(std::span(&road, 1), true), p, 7, memory))
+        alone.push_back(strand);
+    const auto together = strands_at(field, p, 7, memory);
+    ASSERT_EQ(together.size(), alone.size());
+    most = std::max(most, alone.size());
+    for (std::size_t k = 0; k < alone.size(); ++k) EXPECT_EQ(together[k], alone[k]);
+  }
+  EXPECT_GT(most, 40u);
+}
+
 // Two straight streets beside each other, 8 m wide each; the left one's axis is x = 0.
 struct Terrace {
   double gap_m, rise_m;
