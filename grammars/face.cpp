@@ -52,6 +52,16 @@ Vec3 area_vector_m2(const Face& face) {
 Vec3 normal_of(const Face& face) { return unit(area_vector_m2(face.outer)); }
 double area_m2(const Face& face) { return length(area_vector_m2(face)) / 2; }
 
+double bend_m(const Face& face) {
+  const Vec3 normal = normal_of(face);
+  double low_m = HUGE_VAL, high_m = -HUGE_VAL;
+  each_vertex(face, [&](Vec3 p) {
+    low_m = std::min(low_m, dot(normal, p));
+    high_m = std::max(high_m, dot(normal, p));
+  });
+  return high_m - low_m > kOnPlane_m ? high_m - low_m : 0;
+}
+
 Face reversed(const Face& face) {
   Face made = face;
   made.outer = reversed_ring(face.outer);

@@ -41,6 +41,9 @@ Vec3 area_vector_m2(const Face& face);
 Vec3 normal_of(const Face& face);
 double area_m2(const Face& face);
 Face reversed(const Face& face);
+/// How far its corners lie apart along its normal; 0 if that is no more than kOnPlane_m. Roofs' are rounded, so that
+/// they are flat to a millimetre: pieces of one lie so far from it as others would triangulate it. O(n).
+double bend_m(const Face& face);
 
 /// Calls `with` on every vertex.
 template <typename Visitor>

@@ -58,6 +58,12 @@ std::vector<Key> keys_of(Execution& execution, const Statement& statement, const
   return keys;
 }
 
+Displacement of_cutting(std::span<const Face> faces) {
+  double most_m = 0;
+  for (const Face& face : faces) most_m = std::max(most_m, bend_m(face));
+  return {most_m, most_m};
+}
+
 void spawn_parts(Execution& execution, const Statement& statement, std::vector<PartOf> parts, Displacement moved) {
   std::vector<Piece> pieces;
   pieces.reserve(parts.size());

@@ -24,6 +24,9 @@ struct PartOf {
   int selector = -1;
 };
 
+/// What cutting faces up in their planes moves: nothing, where they are flat.
+Displacement of_cutting(std::span<const Face> faces);
+
 /// Hands the faces over: to `:` one shape each, to `=` all in one. Single faces get the scope of a face; several keep
 /// the current scope's axes. Faces that no selector has vanish. Together the parts have to cover the current surface,
 /// but for `moved`.

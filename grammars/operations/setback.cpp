@@ -157,7 +157,8 @@ void op_setback(Execution& execution, const Statement& statement, Arguments argu
   bool on_grid = false;
   for (const Face& face : execution.shape.faces)
     on_grid |= add_setback(execution, keys, remainder, face, depth_m, parts);
-  spawn_parts(execution, statement, std::move(parts), on_grid ? kOfTheGrid : Displacement{});
+  const Displacement moved = of_cutting(execution.shape.faces);
+  spawn_parts(execution, statement, std::move(parts), on_grid ? moved + kOfTheGrid : moved);
 }
 
 void op_offset(Execution& execution, const Statement& statement, Arguments arguments) {

@@ -89,7 +89,7 @@ void cut_strips(Execution& execution, const Statement& statement, const Depths& 
     const std::vector<Cell> cells = cells_of(face, strip_planes(axes, face, depths));
     hand_over(execution, statement, merged_cells(cells, true), merged_cells(cells, false), parts);
   }
-  spawn_parts(execution, statement, std::move(parts), {});
+  spawn_parts(execution, statement, std::move(parts), of_cutting(execution.shape.faces));
 }
 
 // ---- the inner rectangle
@@ -201,7 +201,7 @@ void op_inner_rectangle(Execution& execution, const Statement& statement, Argume
     const std::vector<Cell> cells = cut_around(face, plan_axes(execution.shape.scope, face));
     hand_over(execution, statement, merged_cells(cells, false), merged_cells(cells, true), parts);
   }
-  spawn_parts(execution, statement, std::move(parts), {});
+  spawn_parts(execution, statement, std::move(parts), of_cutting(execution.shape.faces));
 }
 
 }  // namespace citykiln::grammars

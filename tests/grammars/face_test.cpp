@@ -36,5 +36,13 @@ TEST(FaceFrame, BeginsAlongTheFirstEdge) {
   EXPECT_LE(length(frame_of(wall).y - Vec3{0, 0, 1}), 1e-15);
 }
 
+TEST(Face, BendsByWhatItsCornersAreRoundedBy) {
+  EXPECT_GT(bend_m(roof_plane(0)), 1e-5);
+  EXPECT_LT(bend_m(roof_plane(0)), 0x1p-10);
+  Face wall;
+  wall.outer = {{1, 2, 3}, {5, 5, 3}, {5, 5, 9}, {1, 2, 9}};
+  EXPECT_EQ(bend_m(wall), 0);
+}
+
 }  // namespace
 }  // namespace citykiln::grammars

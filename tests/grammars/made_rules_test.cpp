@@ -31,7 +31,12 @@ TEST_F(MadeRules, ParseWhateverTheChoices) {
   }
 }
 
-TEST_F(MadeRules, KeepEveryClaimOnAnyFootprint) {
+// Seeds at which something was found, and another.
+struct MadeRulesOf : MadeRules, testing::WithParamInterface<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, MadeRulesOf, testing::Values(2, 3, 9, 44, 58));
+
+TEST_P(MadeRulesOf, KeepEveryClaimOnAnyFootprint) {
+  chance.seed(GetParam());
   constexpr double kTolerances_m[] = {0.05, 0.2, 0.6, 2, 8};
   for (int round = 0; round < 400; ++round) {
     const auto given = bytes();
