@@ -41,14 +41,13 @@ struct Delaunay::Triangulation {
     handles.push_back(face);
   }
 
-  // Copies CGAL's face into ours. All its neighbours must be numbered.
+  // Copies CGAL's face into ours. All its neighbours must be numbered; infinite ones never are.
   void refresh(Cdt::Face_handle face) {
     DelaunayFace& ours = faces[face->info().value];
     for (int i = 0; i < 3; ++i) {
       ours.vertices[i] = face->vertex(i)->info();
       ours.is_constrained[i] = face->is_constrained(i);
-      const Cdt::Face_handle beyond = face->neighbor(i);
-      ours.neighbours[i] = cdt.is_infinite(beyond) ? kNoFace : beyond->info().value;
+      ours.neighbours[i] = face->neighbor(i)->info().value;
     }
   }
 

@@ -13,15 +13,15 @@ std::size_t CarvedHeights::PlaceHash::operator()(Vec2 place) const {
   return static_cast<std::size_t>(mixed ^ mixed >> 29);
 }
 
-const Heights& CarvedHeights::at(Vec2 p) {
+const Sounding& CarvedHeights::at(Vec2 p) {
   const auto [found, is_new] = known_.try_emplace(p);
-  if (is_new) found->second = heights_at(carving_, p);
+  if (is_new) found->second = sound(carving_, p);
   return found->second;
 }
 
 Heights CarvedHeights::once_at(Vec2 p) const {
   const auto found = known_.find(p);
-  return found == known_.end() ? heights_at(carving_, p) : found->second;
+  return found == known_.end() ? heights_at(carving_, p) : found->second.heights;
 }
 
 }  // namespace citykiln::ground

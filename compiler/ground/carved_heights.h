@@ -15,10 +15,10 @@ class CarvedHeights {
  public:
   explicit CarvedHeights(const Carving& carving) : carving_(carving) {}
 
-  /// To the bit what heights_at gives. O(1) where the place has been asked for before. Stays where it is.
-  const Heights& at(Vec2 p);
+  /// To the bit what sound() gives. O(1) where the place has been asked for before. Stays where it is.
+  const Sounding& at(Vec2 p);
 
-  /// The same for places that nobody asks for again: not kept.
+  /// The heights of places that nobody asks for again: not kept.
   Heights once_at(Vec2 p) const;
 
   const Carving& carving() const { return carving_; }
@@ -29,7 +29,7 @@ class CarvedHeights {
   };
   const Carving& carving_;
   std::pmr::monotonic_buffer_resource memory_;
-  std::pmr::unordered_map<Vec2, Heights, PlaceHash> known_{&memory_};
+  std::pmr::unordered_map<Vec2, Sounding, PlaceHash> known_{&memory_};
 };
 
 }  // namespace citykiln::ground

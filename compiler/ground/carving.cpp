@@ -119,16 +119,6 @@ Bounds bounds_at(const Carving& carving, std::span<const Strand> strands, const 
   return bounds;
 }
 
-// The ground at a place, and the terrain that it is carved out of.
-struct Sounding {
-  Heights heights;
-  double terrain_m;
-};
-
-Sounding sound(const Carving& carving, Vec2 p) {
-  return {heights_at(carving, p), map::height_m_at(carving.terrain, p)};
-}
-
 bool is_near_span(const Carving& carving, Vec2 p) {
   return !boxes_about(carving.decks.field.grid, p).empty() || !boxes_about(carving.bores.field.grid, p).empty();
 }
@@ -173,20 +163,23 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts) {
   return carving;
 }
 
-Heights heights_at(const Carving& carving, Vec2 p) {
+Sounding sound(const Carving& carving, Vec2 p) {
   const double terrain_m = map::height_m_at(carving.terrain, p);
   std::array<std::byte, kStrandBytes> room;
   std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
   const std::pmr::vector<Strand> strands = strands_at(carving.roads, p, terrain_m, &memory);
   const std::optional<NearWater> water = water_near(carving, p);
-  if (strands.empty() && !water && !is_near_span(carving, p)) return {terrain_m, terrain_m, terrain_m, terrain_m};
+  if (strands.empty() && !water && !is_near_span(carving, p))
+    return {{terrain_m, terrain_m, terrain_m, terrain_m}, terrain_m};
   const RoadHeight road = strands.empty() ? RoadHeight{terrain_m, 0} : blend(strands);
   const Bounds bounds = bounds_at(carving, strands, road, water, p, terrain_m);
   const double land_m = within(bounds, terrain_m);
   const double share = road_share(strands), road_m = land_m + (road.z_m - land_m) * share;
   const double water_m = water ? land_m + (water->z_m - land_m) * share_of(water->shore_m) : land_m;
-  return {land_m, road_m, road_m - road.kerb_m * share, water_m};
+  return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
 }
+
+Heights heights_at(const Carving& carving, Vec2 p) { return sound(carving, p).heights; }
 
 double land_m(const Carving& carving, Vec2 p) { return of(heights_at(carving, p), HeightLayer::kLand); }
 

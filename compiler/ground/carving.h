@@ -60,6 +60,13 @@ Carving carve(map::Heightfield terrain, const CarvingParts& parts);
 /// O(roads near).
 Heights heights_at(const Carving& carving, Vec2 p);
 
+/// The ground at a place, and the terrain that it is carved out of.
+struct Sounding {
+  Heights heights;
+  double terrain_m = 0;
+};
+Sounding sound(const Carving& carving, Vec2 p);
+
 /// What stands on the ground stands at this height: the land's, on roads that of their kerbs' tops.
 double land_m(const Carving& carving, Vec2 p);
 

@@ -2,27 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace citykiln::ground {
 namespace {
 
 constexpr std::uint32_t kNoEdge = 0xffffffffu;
 
-std::uint32_t edge_between(const Arrangement& arrangement, std::uint32_t p, std::uint32_t q) {
-  const auto ends = std::minmax(p, q);
-  const auto found = std::lower_bound(
-      arrangement.edges.begin(), arrangement.edges.end(), ends,
-      [](const ArrangedEdge& e, const auto& key) { return std::pair(e.a, e.b) < std::pair(key.first, key.second); });
-  const bool is_there = found != arrangement.edges.end() && found->a == ends.first && found->b == ends.second;
-  return is_there ? static_cast<std::uint32_t>(found - arrangement.edges.begin()) : kNoEdge;
-}
+// Edges by their lower end, where each vertex has few.
+struct EdgesByEnd {
+  std::span<const ArrangedEdge> edges;
+  std::vector<std::uint32_t> starts;  // one a vertex, and the end
 
-// How often the walk is inside of each owner, and the ranks of those it is inside of.
+  explicit EdgesByEnd(const Arrangement& arrangement) : edges(arrangement.edges) {
+    starts.assign(arrangement.vertices.size() + 1, 0);
+    for (const ArrangedEdge& e : edges) ++starts[e.a + 1];
+    for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
+  }
+
+  std::uint32_t between(std::uint32_t p, std::uint32_t q) const {
+    const auto [low, high] = std::minmax(p, q);
+    for (std::uint32_t e = starts[low]; e < starts[low + 1]; ++e)
+      if (edges[e].b == high) return e;
+    return kNoEdge;
+  }
+};
+
+// How often the walk is inside of each owner, and the ranks of those it is inside of: few.
 struct Inside {
+  using Ranked = std::pair<std::uint32_t, std::uint32_t>;  // rank, owner
   std::span<const std::uint32_t> ranks;
   std::vector<std::int32_t> windings;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> covering;  // rank, owner
+  std::vector<Ranked> covering;  // sorted
 
   explicit Inside(std::span<const std::uint32_t> r) : ranks(r), windings(r.size(), 0) {}
 
@@ -30,10 +40,12 @@ struct Inside {
     const bool was = windings[owner] > 0;
     windings[owner] += winding;
     const bool is = windings[owner] > 0;
-    if (is && !was) covering.emplace(ranks[owner], owner);
-    if (was && !is) covering.erase({ranks[owner], owner});
+    if (is == was) return;
+    const Ranked ranked{ranks[owner], owner};
+    const auto place = std::ranges::lower_bound(covering, ranked);
+    is ? void(covering.insert(place, ranked)) : void(covering.erase(place));
   }
-  std::uint32_t top() const { return covering.empty() ? kNoOwner : covering.begin()->second; }
+  std::uint32_t top() const { return covering.empty() ? kNoOwner : covering.front().second; }
 };
 
 // A step of the walk: the face it has come to, the edge it crossed and which way.
@@ -52,13 +64,13 @@ void cross_edge(Inside& inside, const Arrangement& arrangement, const Frame& fra
 }
 
 // The frame on the other side of edge i of a face.
-Frame beyond(const Delaunay& triangulation, const Arrangement& arrangement, std::uint32_t from, int i) {
+Frame beyond(const Delaunay& triangulation, const EdgesByEnd& edges, std::uint32_t from, int i) {
   const DelaunayFace& face = triangulation.faces()[from];
   Frame frame{face.neighbours[i]};
   if (!face.is_constrained[i]) return frame;
   // the face lies to the left of p → q, so that leaving it goes from left to right
   const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
-  frame.edge = edge_between(arrangement, p, q);
+  frame.edge = edges.between(p, q);
   frame.sign = p < q ? -1 : 1;
   return frame;
 }
@@ -70,6 +82,7 @@ std::vector<std::uint32_t> cover(const Delaunay& triangulation, const Arrangemen
   std::vector<std::uint32_t> top(triangulation.faces().size(), kNoOwner);
   std::vector<bool> seen(top.size(), false);
   Inside inside(ranks);
+  const EdgesByEnd edges(arrangement);
   for (const WindingStep& step : known.windings) inside.add(step.owner, step.winding);
   std::vector<Frame> walk;
   const auto enter = [&](const Frame& frame) {
@@ -88,7 +101,7 @@ std::vector<std::uint32_t> cover(const Delaunay& triangulation, const Arrangemen
     }
     const int i = here.next++;
     const std::uint32_t neighbour = triangulation.faces()[here.face].neighbours[i];
-    if (neighbour != kNoFace && !seen[neighbour]) enter(beyond(triangulation, arrangement, here.face, i));
+    if (neighbour != kNoFace && !seen[neighbour]) enter(beyond(triangulation, edges, here.face, i));
   }
   return top;
 }

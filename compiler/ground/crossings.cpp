@@ -137,6 +137,7 @@ struct Finder {
   GraphWalk walk;
   std::vector<Segment> segments = {};
   std::vector<Crossing> found = {};
+  std::vector<std::uint32_t> near = {};  // what is looked at now
 
   template <typename Name>
   void add_line(const Polyline& axis, Name name) {
@@ -179,21 +180,26 @@ struct Finder {
            leg.length_m;
   }
 
-  // Whether one ends on the ground beside the other, close by.
-  bool lands_on(std::uint32_t way, double at_m, std::uint32_t other) {
-    if (graph.ways[way].road != kNone) return false;
-    const Track &track = *graph.ways[way].track, &beside = *graph.ways[other].track;
-    const double reach_m = half_width_m(track) + half_width_m(beside);
-    bool lands = false;
+  // Where a way off the ground comes down to it, close by.
+  std::vector<Vec2> landings_of(std::uint32_t way, double at_m) {
+    std::vector<Vec2> landings;
+    if (graph.ways[way].road != kNone) return landings;
     walk.from(
         starts_about(graph, way, at_m), kJoined_m,
         [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
         [&](std::uint32_t node, double) {
           const GraphNode& n = graph.nodes[node];
-          lands |= (n.is_on_ground || n.is_pinned) && distance_to(beside.axis, n.at) < reach_m;
-          return !lands;
+          if (n.is_on_ground || n.is_pinned) landings.push_back(n.at);
+          return true;
         });
-    return lands;
+    return landings;
+  }
+
+  // Whether one of them is beside another way.
+  bool are_beside(std::span<const Vec2> landings, std::uint32_t way, std::uint32_t other) const {
+    const Track& beside = *graph.ways[other].track;
+    const double reach_m = half_width_m(*graph.ways[way].track) + half_width_m(beside);
+    return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to(beside.axis, at) < reach_m; });
   }
 
   // Lines that meet close by are not apart yet.
@@ -258,7 +264,6 @@ struct Finder {
 
   void find_intersections(std::uint32_t w) {
     const Polyline& axis = graph.ways[w].track->axis;
-    std::vector<std::uint32_t> near;
     double at_m = 0;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       const double length_m = snapped(distance(axis[i], axis[i + 1]));
@@ -291,10 +296,10 @@ struct Finder {
 
   void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
     const double half_m = half_width_m(*graph.ways[w].track);
-    std::vector<std::uint32_t> near;
     Box2 box;
     box.grow(at);
     grid.near(box.widened(half_m + kWidest_m), near);
+    std::optional<std::vector<Vec2>> landings;  // the same for all that is near
     for (const std::uint32_t s : near) {
       const Segment& other = segments[s];
       if (other.way == kNone || other.way == w) continue;
@@ -302,7 +307,9 @@ struct Finder {
       const double apart_m = distance(at, other.a + (other.b - other.a) * along);
       if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
       const double other_m = other.at_m + along * distance(other.a, other.b);
-      if (!lands_on(w, at_m, other.way) && !lands_on(other.way, other_m, w)) add(w, at_m, other, along);
+      if (!landings) landings = landings_of(w, at_m);
+      if (!are_beside(*landings, w, other.way) && !are_beside(landings_of(other.way, other_m), other.way, w))
+        add(w, at_m, other, along);
     }
   }
 

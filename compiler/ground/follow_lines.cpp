@@ -19,8 +19,7 @@ constexpr double kBendShare = 1.0 / 8;
 
 // By how much the ground is carved out of the terrain: the terrain's own bends have lines of their own.
 Heights carved_at(CarvedHeights& heights, Vec2 p) {
-  Heights carved = heights.at(p);
-  const double terrain_m = map::height_m_at(heights.carving().terrain, p);
+  auto [carved, terrain_m] = heights.at(p);
   for (double& height : carved) height -= terrain_m;
   return carved;
 }

@@ -30,7 +30,8 @@ TEST(CarvedHeights, AreThoseOfTheGroundHoweverOftenTheyAreAskedFor) {
   for (std::uint32_t i = 0; i < 3000; ++i) {
     // few places, on both sides of both axes, so that most come again
     const Vec2 p{std::floor(draw.between(-16, 16, 3 * i)), std::floor(draw.between(-16, 16, 3 * i + 1)) / 1024};
-    EXPECT_EQ(draw.below(2, 3 * i + 2) == 0 ? heights.at(p) : heights.once_at(p), heights_at(carving, p));
+    EXPECT_EQ(draw.below(2, 3 * i + 2) == 0 ? heights.at(p).heights : heights.once_at(p), heights_at(carving, p));
+    EXPECT_EQ(heights.at(p).terrain_m, map::height_m_at(carving.terrain, p));
   }
 }
 
