@@ -9,6 +9,7 @@
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
+#include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 
 namespace citykiln::commands {
@@ -62,12 +63,16 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   const Exit exit = spec.is_strict && has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
 
   StageWatch watch(on_progress);
-  watch.enter("bake, write");
-  const Result<Written> written =
-      write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
+  watch.enter("bake, write, measure heights");
+  Result<Written> written = Written{};
+  HeightsRecord heights{{}, compiled->profiles};
+  do_beside(
+      spec.threads,
+      [&] {
+        written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
+      },
+      [&] { heights.recipes = measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
-  watch.enter("measure heights");
-  const HeightsRecord heights{measure_heights(compiled->scene, spec.threads), compiled->profiles};
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
 

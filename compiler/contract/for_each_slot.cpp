@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 
@@ -44,6 +45,15 @@ void for_each_in_order(std::size_t count, int threads, const std::function<void(
                                tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, made) &
                                tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, taken));
   });
+}
+
+void do_beside(int threads, const std::function<void()>& work, const std::function<void()>& aside) {
+  if (threads > 0) return work(), aside();
+  tbb::task_arena idle(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
+  tbb::task_group group;
+  idle.enqueue(group.defer(aside));
+  work();
+  idle.execute([&] { group.wait(); });
 }
 
 }  // namespace citykiln

@@ -20,6 +20,10 @@ inline constexpr int kUnderWayPerThread = 4;
 void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
                        const std::function<bool(std::size_t)>& take);
 
+/// Calls both. With as many threads as the machine has (0), those that find nothing to do in the loops of `work` begin
+/// with `aside`, and what is left of that is done when `work` is; else one after the other. Neither may need the other.
+void do_beside(int threads, const std::function<void()>& work, const std::function<void()>& aside);
+
 /// The slots that `make(i)` filled, in order.
 template <typename T, typename Make>
 std::vector<T> for_each_slot(std::size_t count, int threads, Make make) {

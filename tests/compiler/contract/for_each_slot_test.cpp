@@ -48,6 +48,20 @@ TEST(ForEachInOrder, KeepsNoMoreWaitingThanItSays) {
   EXPECT_GT(most, kThreads);
 }
 
+TEST(DoBeside, DoesBothOnceWithLoopsInEach) {
+  for (const int threads : {0, 1, 3}) {
+    std::vector<int> work(300, 0), aside(300, 0);
+    const auto fill = [&](std::vector<int>& slots) {
+      return [&] { for_each_index(slots.size(), threads, [&](std::size_t i) { slots[i] += static_cast<int>(i); }); };
+    };
+    do_beside(threads, fill(work), fill(aside));
+    std::vector<int> all(300);
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(work, all) << threads << " threads";
+    EXPECT_EQ(aside, all) << threads << " threads";
+  }
+}
+
 TEST(ForEachInOrder, EndsWhereNoMoreIsTaken) {
   std::size_t taken = 0;
   std::atomic<std::size_t> made = 0;
