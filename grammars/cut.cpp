@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <ranges>
 
 namespace citykiln::grammars {
 namespace {
@@ -57,17 +56,16 @@ void open_ring(std::span<const Vec3> ring, std::span<const double> heights, Chai
 void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, bool is_hole, Chains& out) {
   const std::size_t n = ring.size();
   std::vector<double> heights(n);
-  bool below = false, above = false;
+  bool below = false, above = false, has_edge_in_plane = false;
   for (std::size_t i = 0; i < n; ++i) {
     heights[i] = height_above(plane, ring[i]);
     below |= heights[i] < 0;
     above |= heights[i] > 0;
   }
   if (!above) return;
-  const auto lies_in_plane = [&](std::size_t i) { return heights[i] == 0 && heights[(i + 1) % n] == 0; };
-  const auto edges = std::views::iota(std::size_t{0}, n);
+  for (std::size_t i = 0; i < n; ++i) has_edge_in_plane |= heights[i] == 0 && heights[(i + 1) % n] == 0;
   // beyond such an edge of a hole nothing is left that would part it from the outside
-  if (!below && is_hole && std::ranges::any_of(edges, lies_in_plane)) return open_ring(ring, heights, out);
+  if (!below && is_hole && has_edge_in_plane) return open_ring(ring, heights, out);
   if (!below) return out.whole.emplace_back(ring.begin(), ring.end()), void();
   for (std::size_t i = 0; i < n; ++i) {
     if (heights[i] < 0 || heights[(i + n - 1) % n] >= 0) continue;
