@@ -127,4 +127,11 @@ void mark_bodies(Program& program) {
   }
 }
 
+const std::string* terminal_of(const Body& body) {
+  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return nullptr;
+  const Statement& only = body.statements.front();
+  const bool is_terminal = only.kind == StatementKind::kSuccessor && only.index == ~0u && only.arguments.empty();
+  return is_terminal ? &only.name : nullptr;
+}
+
 }  // namespace citykiln::grammars

@@ -9,4 +9,7 @@ namespace citykiln::grammars {
 /// rule that others come to by way of many.
 void mark_bodies(Program& program);
 
+/// `Wall.`: of a body that is nothing but the name of a terminal (or NIL), that name; else null.
+const std::string* terminal_of(const Body& body);
+
 }  // namespace citykiln::grammars

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grammars/body_marks.h"
 #include "grammars/builtin.h"
 #include "grammars/evaluate.h"
 #include "grammars/operations/table.h"
@@ -409,11 +410,9 @@ Reach found_reach(Outlook outlook, const Body& body, const NumberRanges& frame) 
   return reach_with(outlook, body, with_locals);
 }
 
-// `Wall.`
 bool only_ends(const Body& body) {
-  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return false;
-  const Statement& only = body.statements.front();
-  return only.kind == StatementKind::kSuccessor && only.index == ~0u && only.name != "NIL";
+  const std::string* terminal = terminal_of(body);
+  return terminal != nullptr && *terminal != "NIL";
 }
 
 // in what the body's reach depends on

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "grammars/body_marks.h"
+
 namespace citykiln::grammars {
 namespace {
 
@@ -105,14 +107,6 @@ Few<Slice, 8> without_taken(std::span<const Slice> slices, std::span<const std::
     if (takers[i] <= i) from_m = slices[i].interval.to_m;
   }
   return kept;
-}
-
-// `Wall.`: nothing is left of the body but the name of a terminal.
-const std::string* terminal_of(const Body& body) {
-  if (body.kind != BodyKind::kStatements || body.statements.size() != 1 || !body.locals.empty()) return nullptr;
-  const Statement& only = body.statements.front();
-  const bool is_terminal = only.kind == StatementKind::kSuccessor && only.index == ~0u && only.arguments.empty();
-  return is_terminal ? &only.name : nullptr;
 }
 
 }  // namespace

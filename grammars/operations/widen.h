@@ -2,8 +2,7 @@
 // that end at once, all under one name, are one.
 //
 //   |  Wall  |Joint|  Wall  |  →  |          Wall           |      The joint's look would be under a pixel wide. It
-//   need
-//            ≤ tolerance                                           not be derived, and nothing is sawn there.
+//            ≤ tolerance                                           need not be derived, and nothing is sawn there.
 #pragma once
 
 #include "grammars/run.h"
