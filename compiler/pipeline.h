@@ -9,7 +9,7 @@
 #include "compiler/bake/baked.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
-#include "compiler/ground/measure_profiles.h"
+#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_watch.h"

@@ -19,7 +19,7 @@
 
 namespace citykiln {
 
-/// How meshes are packed in .glb files (exporters/compression.h).
+/// How meshes are packed in .glb files (exporters/gltf/compression.h).
 enum class Compress { kNone, kDraco, kMeshopt };
 std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": as the setting is written.
 Result<Compress> parse_compress(std::string_view text);

@@ -28,7 +28,8 @@ ROWS = [
     ["compiler/bake"],
     ["compiler"],  # spec, stage_watch, pipeline
     ["exporters"],
-    ["preview"],
+    ["preview", "compiler/verify"],
+    ["compiler/charts"],
     ["compiler/commands"],
     ["main"],  # compiler/main.cpp
 ]

@@ -10,7 +10,7 @@
 #include "compiler/bake/ground_tint.h"
 #include "compiler/bake/texture_place.h"
 #include "compiler/materials/texture.h"
-#include "compiler/roads/sheet_layout.h"
+#include "compiler/roads/markings/sheet_layout.h"
 
 namespace citykiln::bake {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "compiler/bake/baked.h"
 #include "compiler/materials/texture_shelf.h"
-#include "compiler/plants/nursery.h"
-#include "compiler/plants/prototype_mesh.h"
+#include "compiler/plants/prototypes/nursery.h"
+#include "compiler/plants/prototypes/prototype_mesh.h"
 
 namespace citykiln::bake {
 

@@ -10,7 +10,7 @@
 #include "compiler/bake/fire_ground.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/expand.h"
-#include "compiler/plants/canopy.h"
+#include "compiler/plants/prototypes/canopy.h"
 #include "compiler/plants/expand.h"
 #include "compiler/props/expand.h"
 #include "compiler/props/tree_pits.h"

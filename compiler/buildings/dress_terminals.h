@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/materials/dressed_mesh.h"
-#include "grammars/derive.h"
+#include "grammars/derivation/derive.h"
 
 namespace citykiln::buildings {
 

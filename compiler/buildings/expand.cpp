@@ -10,7 +10,7 @@
 #include "compiler/buildings/mass.h"
 #include "compiler/buildings/rule_values.h"
 #include "compiler/contract/tolerance.h"
-#include "grammars/form_roofs.h"
+#include "grammars/derivation/form_roofs.h"
 
 namespace citykiln::buildings {
 namespace {

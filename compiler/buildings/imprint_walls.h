@@ -5,7 +5,7 @@
 
 #include "compiler/imprint/imprint.h"
 #include "compiler/materials/dressed_mesh.h"
-#include "grammars/derive.h"
+#include "grammars/derivation/derive.h"
 
 namespace citykiln::buildings {
 

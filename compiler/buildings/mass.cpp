@@ -7,7 +7,7 @@
 #include <span>
 
 #include "compiler/geometry/snap.h"
-#include "grammars/form_roofs.h"
+#include "grammars/derivation/form_roofs.h"
 #include "grammars/roofs/expand_roof.h"
 
 namespace citykiln::buildings {

@@ -12,7 +12,7 @@
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/report.h"
 #include "grammars/roofs/roof.h"
-#include "grammars/shape.h"
+#include "grammars/shapes/shape.h"
 
 namespace citykiln::buildings {
 

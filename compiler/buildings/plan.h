@@ -5,7 +5,7 @@
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/report.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::buildings {

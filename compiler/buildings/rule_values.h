@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/buildings/recipe.h"
-#include "grammars/value.h"
+#include "grammars/language/value.h"
 
 namespace citykiln::buildings {
 

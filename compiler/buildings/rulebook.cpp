@@ -4,7 +4,7 @@
 #include <set>
 
 #include "compiler/buildings/style.h"
-#include "grammars/link.h"
+#include "grammars/language/link.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/result.h"
-#include "grammars/syntax.h"
+#include "grammars/language/syntax.h"
 
 namespace citykiln::buildings {
 

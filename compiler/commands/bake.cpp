@@ -10,13 +10,13 @@
 
 #include "compiler/commands/eye_options.h"
 #include "compiler/commands/join_tiles.h"
-#include "compiler/commands/output_folder.h"
+#include "exporters/output_folder.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
 #include "compiler/pipeline.h"
 #include "exporters/file.h"
-#include "exporters/manifest.h"
+#include "exporters/kiln/manifest.h"
 #include "preview/preview.h"
 
 namespace citykiln::commands {

@@ -1,5 +1,5 @@
 // citykiln chart NAME… -o DIR: speed against accuracy, measured here and now.
-#include "compiler/commands/chart.h"
+#include "compiler/charts/chart.h"
 
 #include <fmt/format.h>
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/check_tile.h"
-#include "compiler/commands/standing.h"
+#include "compiler/verify/check_tile.h"
+#include "compiler/verify/standing.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/for_each_slot.h"
-#include "exporters/manifest.h"
+#include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "compiler/commands/output_folder.h"
+#include "exporters/output_folder.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"

@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/commands/geojson.h"
-#include "compiler/commands/output_folder.h"
+#include "exporters/output_folder.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_osm.h"
 #include "exporters/file.h"
-#include "exporters/glb.h"
-#include "exporters/manifest.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
 namespace {

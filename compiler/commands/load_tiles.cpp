@@ -8,8 +8,8 @@
 #include "compiler/commands/run_report.h"
 #include "compiler/pipeline.h"
 #include "compiler/sky/plan.h"
-#include "exporters/glb.h"
-#include "exporters/manifest.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
 namespace {

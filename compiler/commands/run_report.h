@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/commands/measure_heights.h"
+#include "compiler/verify/measure_heights.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "compiler/pipeline.h"
-#include "exporters/glb.h"
-#include "exporters/manifest.h"
-#include "exporters/quantise.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
+#include "exporters/gltf/quantise.h"
 
 namespace citykiln::commands {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
-#include "compiler/commands/output_folder.h"
+#include "exporters/output_folder.h"
 #include "compiler/commands/run_report.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/ground/bend_borders.h"
-#include "compiler/ground/carve_lines.h"
-#include "compiler/ground/follow_carving.h"
-#include "compiler/ground/follow_lines.h"
-#include "compiler/ground/partition.h"
-#include "compiler/ground/refine.h"
-#include "compiler/ground/simplify_borders.h"
-#include "compiler/ground/step_mesh.h"
+#include "compiler/ground/mesh/bend_borders.h"
+#include "compiler/ground/grading/carve_lines.h"
+#include "compiler/ground/mesh/follow_carving.h"
+#include "compiler/ground/grading/follow_lines.h"
+#include "compiler/ground/cover/partition.h"
+#include "compiler/ground/mesh/refine.h"
+#include "compiler/ground/cover/simplify_borders.h"
+#include "compiler/ground/mesh/step_mesh.h"
 
 namespace citykiln::ground {
 namespace {

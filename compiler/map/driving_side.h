@@ -1,7 +1,7 @@
 // On which side of the road a place drives.
 #pragma once
 
-#include "compiler/map/lanes.h"
+#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/plane.h"
 
 namespace citykiln::map {

@@ -11,7 +11,7 @@
 #include "compiler/geometry/polygon.h"
 #include "compiler/map/growth.h"
 #include "compiler/map/heightfield.h"
-#include "compiler/map/lanes.h"
+#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/surface_class.h"
 #include "compiler/materials/material.h"
 #include "grammars/roofs/roof_shape.h"

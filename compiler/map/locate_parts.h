@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/map/features.h"
-#include "compiler/map/lanes.h"
+#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/osm_reader.h"
 
 namespace citykiln::map {

@@ -3,8 +3,8 @@
 
 #include "compiler/map/driving_side.h"
 #include "compiler/map/each_line.h"
-#include "compiler/map/lane_tags.h"
-#include "compiler/map/lanes.h"
+#include "compiler/map/lanes/lane_tags.h"
+#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/plant_tags.h"
 #include "compiler/map/track_points.h"
 #include "compiler/map/track_rules.h"

@@ -1,6 +1,6 @@
 #include "compiler/plants/expand.h"
 
-#include "compiler/plants/standing.h"
+#include "compiler/plants/placing/standing.h"
 
 namespace citykiln::plants {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/contour.h"
+#include "compiler/plants/placing/contour.h"
 #include "compiler/plants/habit.h"
 
 namespace citykiln::plants {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/geometry/placement.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/materials/dressed_mesh.h"
 #include "compiler/props/recipe.h"
 #include "compiler/props/street_lamps.h"

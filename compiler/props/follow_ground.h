@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/geometry/polygon.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 
 namespace citykiln::props {
 

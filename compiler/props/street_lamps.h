@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/surface_map.h"
+#include "compiler/ground/cover/surface_map.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/recipe.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "compiler/geometry/placement.h"
-#include "compiler/ground/surface_map.h"
+#include "compiler/ground/cover/surface_map.h"
 #include "compiler/props/expand.h"
 #include "compiler/roads/recipe.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/squeeze.h"
+#include "compiler/roads/width_limits/squeeze.h"
 
 namespace citykiln::roads {
 namespace {

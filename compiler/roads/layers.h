@@ -12,7 +12,7 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/map/features.h"
-#include "compiler/roads/junction.h"
+#include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::roads {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/roads/round_places.h"
+#include "compiler/roads/junctions/round_places.h"
 
 namespace citykiln::roads {
 namespace {

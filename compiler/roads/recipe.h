@@ -8,7 +8,7 @@
 #include "compiler/geometry/polygon.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/map/features.h"
-#include "compiler/map/lanes.h"
+#include "compiler/map/lanes/lanes.h"
 #include "compiler/map/surface_class.h"
 
 namespace citykiln::roads {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"
 #include "compiler/scene/ground_cover.h"

@@ -1,7 +1,7 @@
 // How a chunk's ground is carved, from its recipes.
 #pragma once
 
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::scene {

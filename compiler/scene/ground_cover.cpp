@@ -4,10 +4,10 @@
 #include <tuple>
 
 #include "compiler/ground/plan.h"
-#include "compiler/roads/corner_pavements.h"
-#include "compiler/roads/islands.h"
+#include "compiler/roads/junctions/corner_pavements.h"
+#include "compiler/roads/pieces/islands.h"
 #include "compiler/roads/network.h"
-#include "compiler/roads/through_road.h"
+#include "compiler/roads/junctions/through_road.h"
 
 namespace citykiln::scene {
 namespace {

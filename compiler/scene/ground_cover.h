@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/roads/pieces.h"
+#include "compiler/roads/pieces/pieces.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::scene {

@@ -16,7 +16,7 @@
 #include "compiler/plants/season.h"
 #include "compiler/plants/species_texts.h"
 #include "compiler/props/recipe.h"
-#include "compiler/roads/junction.h"
+#include "compiler/roads/junctions/junction.h"
 #include "compiler/sky/recipe.h"
 #include "compiler/structures/recipe.h"
 

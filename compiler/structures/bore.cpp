@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/ground/span_field.h"
+#include "compiler/ground/grading/span_field.h"
 #include "compiler/structures/deck.h"
 
 namespace citykiln::structures {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/ground/road_field.h"
-#include "compiler/roads/lane_strips.h"
-#include "compiler/roads/markings.h"
+#include "compiler/ground/grading/road_field.h"
+#include "compiler/roads/pieces/lane_strips.h"
+#include "compiler/roads/markings/markings.h"
 
 namespace citykiln::structures {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/ground/road_field.h"
+#include "compiler/ground/grading/road_field.h"
 #include "compiler/structures/deck.h"
 #include "compiler/structures/railing.h"
 #include "compiler/structures/supports.h"

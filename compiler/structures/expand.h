@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compiler/materials/dressed_mesh.h"
-#include "compiler/roads/pattern.h"
+#include "compiler/roads/markings/pattern.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::structures {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/contract/report.h"
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::structures {

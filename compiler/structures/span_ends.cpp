@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "compiler/roads/junction.h"
+#include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::structures {
 namespace {

@@ -1,7 +1,7 @@
 // comp(f): a shape a face.
 #include <cmath>
 
-#include "grammars/evaluate.h"
+#include "grammars/derivation/evaluate.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
 

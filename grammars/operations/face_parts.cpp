@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "grammars/evaluate.h"
+#include "grammars/derivation/evaluate.h"
 #include "grammars/operations/table.h"
 
 namespace citykiln::grammars {

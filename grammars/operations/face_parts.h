@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grammars/run.h"
+#include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 

@@ -11,7 +11,7 @@ bool set_look(Look& look, const std::string& name, const Value& value) {
   if (name == key) return look.member = text_of(value), true;
 #define LOOK_NUMBER(key, member) \
   if (name == key) return look.member = std::clamp(number_of(value), 0.0, 1000.0), true;
-#include "grammars/look_table.inc"
+#include "grammars/language/look_table.inc"
 #undef LOOK_TEXT
 #undef LOOK_NUMBER
   return false;

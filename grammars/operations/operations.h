@@ -4,7 +4,7 @@
 #include <span>
 
 #include "grammars/operations/table.h"
-#include "grammars/run.h"
+#include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 

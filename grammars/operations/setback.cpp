@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "compiler/geometry/offset_polygon.h"
-#include "grammars/cut.h"
+#include "grammars/shapes/cut.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
 

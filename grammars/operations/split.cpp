@@ -1,11 +1,11 @@
 // split: pieces along an axis of the scope.
 #include <algorithm>
 
-#include "grammars/cut.h"
-#include "grammars/evaluate.h"
+#include "grammars/shapes/cut.h"
+#include "grammars/derivation/evaluate.h"
 #include "grammars/operations/operations.h"
 #include "grammars/operations/widen.h"
-#include "grammars/sizes.h"
+#include "grammars/derivation/sizes.h"
 
 namespace citykiln::grammars {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/cut.h"
+#include "grammars/shapes/cut.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grammars/syntax.h"
+#include "grammars/language/syntax.h"
 
 namespace citykiln::grammars {
 

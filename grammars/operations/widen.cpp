@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "grammars/body_marks.h"
+#include "grammars/language/body_marks.h"
 
 namespace citykiln::grammars {
 namespace {

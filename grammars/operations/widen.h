@@ -5,8 +5,8 @@
 //            ≤ tolerance                                           need not be derived, and nothing is sawn there.
 #pragma once
 
-#include "grammars/run.h"
-#include "grammars/sizes.h"
+#include "grammars/derivation/run.h"
+#include "grammars/derivation/sizes.h"
 
 namespace citykiln::grammars {
 

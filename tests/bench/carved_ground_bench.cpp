@@ -5,7 +5,7 @@
 
 #include "compiler/bake/fire_ground.h"
 #include "compiler/contract/draw.h"
-#include "compiler/ground/plan_profiles.h"
+#include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/pipeline.h"
 #include "compiler/roads/plan.h"

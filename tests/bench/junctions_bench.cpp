@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "compiler/map/locate.h"
-#include "compiler/roads/junction.h"
+#include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_osm.h"
 #include "tests/bench/bench_data.h"

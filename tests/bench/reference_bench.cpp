@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/ground/height_error.h"
+#include "compiler/ground/mesh/height_error.h"
 #include "tests/compiler/ground/made_references.h"
 
 namespace citykiln::ground {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "compiler/bake/fire_ground.h"
-#include "compiler/ground/yield_slivers.h"
+#include "compiler/ground/cover/yield_slivers.h"
 #include "compiler/pipeline.h"
 #include "compiler/scene/ground_cover.h"
 #include "tests/compiler/ground/border_claims.h"

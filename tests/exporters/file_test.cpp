@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "exporters/glb.h"
-#include "exporters/manifest.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
 #include "tests/exporters/made_scene.h"
 #include "tests/exporters/made_tile.h"
 #include "tests/scratch_folder.h"

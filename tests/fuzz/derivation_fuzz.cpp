@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "grammars/form_roofs.h"
-#include "grammars/link.h"
+#include "grammars/derivation/form_roofs.h"
+#include "grammars/language/link.h"
 #include "tests/grammars/derivation_claims.h"
 #include "tests/grammars/made_rules.h"
 

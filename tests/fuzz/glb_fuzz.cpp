@@ -1,7 +1,7 @@
 // The reader of tiles: whatever the bytes, a tile or an error; and a tile is written and read as itself.
 #include <cstdlib>
 
-#include "exporters/glb.h"
+#include "exporters/gltf/glb.h"
 #include "tests/fuzz/unpacked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "exporters/file.h"
-#include "exporters/glb.h"
-#include "exporters/manifest.h"
-#include "exporters/png.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/kiln/manifest.h"
+#include "exporters/gltf/png.h"
 #include "tests/exporters/made_tile.h"
 #include "tests/fuzz/unpacked.h"
 

@@ -1,7 +1,7 @@
 // The manifest's reader: whatever the bytes, a scene or an error; and a scene is written and read as itself.
 #include <cstdlib>
 
-#include "exporters/manifest.h"
+#include "exporters/kiln/manifest.h"
 #include "tests/fuzz/unpacked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

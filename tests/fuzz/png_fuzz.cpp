@@ -1,7 +1,7 @@
 // The reader of pictures: whatever the bytes, a picture or an error; and a picture is written and read as itself.
 #include <cstdlib>
 
-#include "exporters/png.h"
+#include "exporters/gltf/png.h"
 #include "tests/fuzz/unpacked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "exporters/chunk_codec.h"
+#include "exporters/kiln/chunk_codec.h"
 #include "exporters/manifest_generated.h"
-#include "exporters/streams.h"
-#include "exporters/zstd_frame.h"
+#include "exporters/kiln/streams.h"
+#include "exporters/kiln/zstd_frame.h"
 
 namespace citykiln::exporters::fuzz {
 

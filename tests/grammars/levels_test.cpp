@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "grammars/memo.h"
+#include "grammars/derivation/memo.h"
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/surfaces.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "grammars/derive.h"
-#include "grammars/form_roofs.h"
+#include "grammars/derivation/derive.h"
+#include "grammars/derivation/form_roofs.h"
 #include "grammars/roofs/expand_roof.h"
 
 namespace citykiln::grammars {

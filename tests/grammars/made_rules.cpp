@@ -6,7 +6,7 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/trig.h"
-#include "grammars/builtin.h"
+#include "grammars/language/builtin.h"
 #include "tests/grammars/made_mass.h"
 
 namespace citykiln::grammars {

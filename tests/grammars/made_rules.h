@@ -12,7 +12,7 @@
 
 #include "compiler/geometry/polygon.h"
 #include "grammars/operations/table.h"
-#include "grammars/shape.h"
+#include "grammars/shapes/shape.h"
 
 namespace citykiln::grammars {
 

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "grammars/form_roofs.h"
-#include "grammars/link.h"
+#include "grammars/derivation/form_roofs.h"
+#include "grammars/language/link.h"
 #include "tests/grammars/derivation_claims.h"
 
 namespace citykiln::grammars {

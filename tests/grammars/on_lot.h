@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "grammars/derive.h"
-#include "grammars/link.h"
+#include "grammars/derivation/derive.h"
+#include "grammars/language/link.h"
 
 namespace citykiln::grammars {
 

@@ -1,7 +1,7 @@
 // What the README shows is what the room does.
 #include <gtest/gtest.h>
 
-#include "grammars/builtin.h"
+#include "grammars/language/builtin.h"
 #include "grammars/operations/table.h"
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/rule_files.h"

@@ -12,9 +12,9 @@
 
 #include "compiler/bake/merge.h"
 #include "compiler/buildings/dress_terminals.h"
-#include "exporters/glb.h"
-#include "grammars/form_roofs.h"
-#include "grammars/link.h"
+#include "exporters/gltf/glb.h"
+#include "grammars/derivation/form_roofs.h"
+#include "grammars/language/link.h"
 #include "tests/grammars/made_mass.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/geometry/triangulate.h"
-#include "grammars/derive.h"
+#include "grammars/derivation/derive.h"
 
 namespace citykiln::grammars {
 

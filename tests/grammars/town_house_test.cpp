@@ -1,7 +1,7 @@
 // A rule file of some size, from the file to the house: town_house.cga extrudes its lot.
 #include <gtest/gtest.h>
 
-#include "grammars/cut.h"
+#include "grammars/shapes/cut.h"
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/rule_files.h"
 

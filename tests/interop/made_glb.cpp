@@ -2,7 +2,7 @@
 // read. marked.glb, marked_nodes.glb.
 #include <cstdio>
 
-#include "exporters/glb.h"
+#include "exporters/gltf/glb.h"
 #include "tests/exporters/made_tile.h"
 
 int main(int count, char** words) {

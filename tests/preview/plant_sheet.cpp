@@ -8,7 +8,7 @@
 #include "compiler/bake/grove.h"
 #include "compiler/bake/merge.h"
 #include "compiler/sky/plan.h"
-#include "exporters/glb.h"
+#include "exporters/gltf/glb.h"
 #include "preview/preview.h"
 
 namespace citykiln {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "compiler/materials/texture.h"
-#include "grammars/link.h"
+#include "grammars/language/link.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "compiler/buildings/dress.h"
-#include "grammars/link.h"
+#include "grammars/language/link.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "compiler/buildings/dress_terminals.h"
-#include "grammars/form_roofs.h"
-#include "grammars/link.h"
+#include "grammars/derivation/form_roofs.h"
+#include "grammars/language/link.h"
 #include "tests/grammars/made_mass.h"
 #include "tests/grammars/rule_files.h"
 

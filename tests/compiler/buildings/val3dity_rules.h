@@ -29,7 +29,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grammars/face.h"
+#include "grammars/shapes/face.h"
 
 namespace citykiln::val3dity {
 

@@ -12,9 +12,9 @@
 
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
-#include "compiler/ground/partition.h"
-#include "compiler/ground/simplify_borders.h"
-#include "compiler/ground/surface_map.h"
+#include "compiler/ground/cover/partition.h"
+#include "compiler/ground/cover/simplify_borders.h"
+#include "compiler/ground/cover/surface_map.h"
 
 namespace citykiln::ground {
 

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "compiler/ground/level_waters.h"
-#include "compiler/ground/measure_waters.h"
-#include "compiler/ground/standing_water.h"
+#include "compiler/ground/water/level_waters.h"
+#include "compiler/ground/water/measure_waters.h"
+#include "compiler/ground/water/standing_water.h"
 #include "tests/compiler/ground/real_ground.h"
 
 namespace citykiln::ground {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "compiler/ground/carving.h"
+#include "compiler/ground/grading/carving.h"
 
 namespace citykiln::ground {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "compiler/contract/draw.h"
-#include "compiler/ground/measure_profiles.h"
+#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/roads/plan.h"
 
 namespace citykiln::ground {

@@ -7,7 +7,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/arrangement.h"
-#include "compiler/ground/reference.h"
+#include "compiler/ground/mesh/reference.h"
 #include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {

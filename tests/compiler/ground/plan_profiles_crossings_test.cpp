@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "compiler/ground/crossings.h"
-#include "compiler/ground/grade_rules.h"
-#include "compiler/ground/line_heights.h"
-#include "compiler/ground/plan_profiles.h"
-#include "compiler/ground/profile_knots.h"
+#include "compiler/ground/profiles/crossings.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/profiles/profile_knots.h"
 #include "tests/compiler/ground/made_network.h"
 
 namespace citykiln::ground {

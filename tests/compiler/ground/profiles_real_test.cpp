@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "compiler/ground/measure_profiles.h"
+#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_raster.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/blue_noise.h"
+#include "compiler/plants/placing/blue_noise.h"
 
 namespace citykiln::plants {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "compiler/materials/texture.h"
-#include "compiler/plants/prototype_mesh.h"
-#include "compiler/plants/sprays.h"
+#include "compiler/plants/prototypes/prototype_mesh.h"
+#include "compiler/plants/prototypes/sprays.h"
 
 namespace citykiln::plants {
 namespace {

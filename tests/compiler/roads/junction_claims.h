@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/contract/tolerance.h"
-#include "compiler/roads/junction.h"
+#include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::roads {
 

@@ -1,9 +1,9 @@
-// Patterns written as the cross-sections of compiler/map/lanes.h: "cddc vv^^", raised where in bars, "|c| |^|".
+// Patterns written as the cross-sections of compiler/map/lanes/lanes.h: "cddc vv^^", raised where in bars, "|c| |^|".
 #pragma once
 
 #include <string>
 
-#include "compiler/roads/pattern.h"
+#include "compiler/roads/markings/pattern.h"
 
 namespace citykiln::roads {
 

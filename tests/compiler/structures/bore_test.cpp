@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/ground/span_field.h"
+#include "compiler/ground/grading/span_field.h"
 #include "tests/compiler/structures/made_spans.h"
 
 namespace citykiln::structures {

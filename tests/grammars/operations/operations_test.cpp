@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "grammars/cut.h"
-#include "grammars/measure.h"
+#include "grammars/shapes/cut.h"
+#include "grammars/shapes/measure.h"
 #include "tests/grammars/on_lot.h"
 
 namespace citykiln::grammars {

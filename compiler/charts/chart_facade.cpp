@@ -1,0 +1,242 @@
+// What facades cost over the tolerance, and what they look like: triangles, bytes and time of some of a map's houses,
+// and the error of their picture from where the tolerance is one pixel, and from 100 m.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "compiler/bake/bake.h"
+#include "compiler/charts/chart.h"
+#include "compiler/map/locate.h"
+#include "exporters/gltf/glb.h"
+#include "preview/preview.h"
+
+namespace citykiln::charts {
+namespace {
+
+constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
+/// What pictures are compared with.
+constexpr double kFinest_m = 0.01;
+constexpr std::size_t kHouses = 4;
+/// What a picture shows of a wall, the same at each tolerance: with more sky around it, an error would seem less. Its
+/// pixels are as large as the tolerance, but for the finest.
+constexpr double kWindow_m = 12.8;
+constexpr int kFewestPixels = 5, kMostPixels = 256;
+/// Samples of all pixels together, so that small pictures are no noisier.
+constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 24;
+/// Focal length: that of 1,080 lines at 45 degrees.
+constexpr double kFocal_px = 1304;
+/// Where pictures of all tolerances are compared too, and how many pixels wide.
+constexpr double kAcrossTheSquare_m = 100;
+constexpr int kSquarePixels = 160;
+
+int pixels_at(double tolerance_m) {
+  return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestPixels, kMostPixels);
+}
+
+/// A house on a tile of its own, as small as tiles get; what stands around it would hide it.
+struct House {
+  scene::Header header;
+  scene::Chunk chunk;
+};
+
+House alone(scene::Header header, const scene::Chunk& chunk, const buildings::Building& building) {
+  header.tile_m = map::kCell_m;
+  House house{std::move(header), {}};
+  const Vec2 corner = building.footprint.outer.front();
+  house.chunk.tile = {static_cast<std::int32_t>(std::floor(corner.x / map::kCell_m)),
+                      static_cast<std::int32_t>(std::floor(corner.y / map::kCell_m))};
+  const Box2 near = scene::box_of(house.header, house.chunk.tile).widened(scene::kHalo_m);
+  house.chunk.heights = map::window_of(chunk.heights, near);
+  house.chunk.buildings = {building};
+  house.chunk.buildings.front().party_walls.clear();
+  return house;
+}
+
+/// Houses that have rules, evenly taken.
+std::vector<House> houses_of(const scene::Scene& scene) {
+  std::vector<std::pair<const scene::Chunk*, const buildings::Building*>> all;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const buildings::Building& building : chunk.buildings)
+      if (building.style != buildings::Style::kPlain && building.stands_on_ground) all.emplace_back(&chunk, &building);
+  std::vector<House> some;
+  const std::size_t count = std::min(kHouses, all.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [chunk, building] = all[i * all.size() / count];
+    some.push_back(alone(scene.header, *chunk, *building));
+  }
+  return some;
+}
+
+bake::BakedTile fired(const House& house, double tolerance_m, int threads) {
+  Report ignored;
+  return bake::bake(house.header, house.chunk, tolerance_m, threads, ignored);
+}
+
+struct Wall {
+  Vec2 middle, along, out;  ///< `along`, `out`: unit.
+};
+
+/// The first wall at a street, or the first.
+Wall front_of(const buildings::Building& building) {
+  const Ring& ring = building.footprint.outer;
+  std::size_t front = 0;
+  for (std::size_t i = 0; i < building.fronts.size(); ++i)
+    if (building.fronts[i].faces_street && !building.fronts[front].faces_street) front = i;
+  const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()], along = unit(to - from);
+  return {(from + to) * 0.5, along, left_of(along) * -1};
+}
+
+/// Before the front, a little above the ground.
+preview::Camera camera_before(const buildings::Building& building, double away_m, int pixels) {
+  const auto [middle, along, out] = front_of(building);
+  const double height_m = (building.floor_m + building.top_m) / 2;
+  // a little from the side, so that depths show
+  const Vec2 eye = middle + out * away_m + along * (0.2 * away_m);
+  constexpr double kDegrees = 57.29577951308232;
+  return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(pixels / 2.0 / kFocal_px)};
+}
+
+/// The sun 20 degrees high, and nearer to the wall than to what is before it: depths throw long shadows.
+sky::Sky sun_along(const buildings::Building& building, sky::Sky sky) {
+  const Wall front = front_of(building);
+  sky.to_sun = unit(at_height(front.along * 0.8 + front.out * 0.6, 0.364));
+  return sky;
+}
+
+preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const preview::Camera& camera, int pixels,
+                       std::uint64_t seed) {
+  preview::Options options;
+  options.width = options.height = pixels;
+  options.samples = std::max(kFewestSamples, kSamples / (pixels * pixels));
+  options.bounces = 2, options.seed = seed;
+  return preview::render(std::span(&tile, 1), sky, camera, options);
+}
+
+/// Mean over pixels and channels, in shares of white; brighter than white is white.
+double difference(const preview::Image& a, const preview::Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f));
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+struct Costs {
+  double triangles = 0, bytes = 0, ms = 0, error = 0, error_by_low_sun = 0, noise = 0, error_at_100_m = 0,
+         noise_at_100_m = 0;
+};
+
+double triangles_of(const bake::BakedTile& tile) {
+  double sum = 0;
+  for (const bake::Primitive& primitive : tile.primitives) sum += static_cast<double>(primitive.triangles.size());
+  return sum;
+}
+
+/// What the house adds to its tile.
+void add_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
+  House empty = house;
+  empty.chunk.buildings.clear();
+  const auto clock = [] { return std::chrono::steady_clock::now(); };
+  const auto start = clock();
+  const bake::BakedTile bare = fired(empty, tolerance_m, threads);
+  const auto middle = clock();
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  costs.ms += std::chrono::duration<double, std::milli>((clock() - middle) - (middle - start)).count();
+  costs.triangles += triangles_of(tile) - triangles_of(bare);
+  const auto bytes = [&](const bake::BakedTile& t) {
+    return static_cast<double>(encode_glb(t, house.header, exporters::Instancing::kExtension).size());
+  };
+  costs.bytes += bytes(tile) - bytes(bare);
+}
+
+void add_picture_error(const House& house, const bake::BakedTile& finest, double tolerance_m, int threads,
+                       Costs& costs) {
+  const sky::Sky& sky = house.header.sky;
+  const int pixels = pixels_at(tolerance_m);
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m, pixels);
+  const preview::Image truth = picture(finest, sky, camera, pixels, 1);
+  costs.noise += difference(truth, picture(finest, sky, camera, pixels, 2));
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  costs.error += difference(truth, picture(tile, sky, camera, pixels, 2));
+  const sky::Sky low = sun_along(house.chunk.buildings.front(), sky);
+  costs.error_by_low_sun += difference(picture(finest, low, camera, pixels, 1), picture(tile, low, camera, pixels, 2));
+}
+
+preview::Image seen_across_the_square(const House& house, const bake::BakedTile& tile, std::uint64_t seed) {
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kAcrossTheSquare_m, kSquarePixels);
+  return picture(tile, house.header.sky, camera, kSquarePixels, seed);
+}
+
+/// What coarser ones are compared with.
+struct Finest {
+  bake::BakedTile tile;
+  preview::Image across_the_square;
+  double noise = 0;  ///< Of that picture.
+};
+
+Finest finest_of(const House& house, int threads) {
+  Finest finest{fired(house, kFinest_m, threads), {}};
+  finest.across_the_square = seen_across_the_square(house, finest.tile, 1);
+  finest.noise = difference(finest.across_the_square, seen_across_the_square(house, finest.tile, 2));
+  return finest;
+}
+
+void add_error_across_the_square(const House& house, const Finest& finest, double tolerance_m, int threads,
+                                 Costs& costs) {
+  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  costs.noise_at_100_m += finest.noise;
+  costs.error_at_100_m += difference(finest.across_the_square, seen_across_the_square(house, tile, 2));
+}
+
+std::vector<Chart> empty_charts(std::size_t houses) {
+  std::vector<Chart> charts(3);
+  for (Chart& chart : charts) chart.x.label = "tolerance (m)", chart.x.is_logarithmic = true;
+  charts[0].name = "facade_costs", charts[0].title = fmt::format("A house, mean of {}", houses);
+  charts[0].y.label = "triangles; bytes of .glb; microseconds", charts[0].y.is_logarithmic = true;
+  charts[0].series = {{"triangles", {}}, {"bytes", {}}, {"microseconds", {}}};
+  charts[1].name = "facade_picture";
+  charts[1].title = "Error of the picture from where the tolerance is one pixel";
+  charts[1].y.label = "mean difference (share of white)";
+  charts[1].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}, {"by low sun along the wall", {}}};
+  charts[2].name = "facade_picture_100_m";
+  charts[2].title = "Error of the picture from 100 m";
+  charts[2].y.label = charts[1].y.label;
+  charts[2].series = {{"against 0.01 m", {}}, {"noise: 0.01 m twice", {}}};
+  return charts;
+}
+
+void add_points(double tolerance_m, const Costs& costs, double houses, std::vector<Chart>& charts) {
+  charts[0].series[0].points.emplace_back(tolerance_m, costs.triangles / houses);
+  charts[0].series[1].points.emplace_back(tolerance_m, costs.bytes / houses);
+  charts[0].series[2].points.emplace_back(tolerance_m, 1000 * costs.ms / houses);
+  charts[1].series[0].points.emplace_back(tolerance_m, costs.error / houses);
+  charts[1].series[1].points.emplace_back(tolerance_m, costs.noise / houses);
+  charts[1].series[2].points.emplace_back(tolerance_m, costs.error_by_low_sun / houses);
+  charts[2].series[0].points.emplace_back(tolerance_m, costs.error_at_100_m / houses);
+  charts[2].series[1].points.emplace_back(tolerance_m, costs.noise_at_100_m / houses);
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
+  const Result<scene::Scene> scene = compile_first_map(request);
+  if (!scene) return scene.error();
+  const std::vector<House> houses = houses_of(*scene);
+  if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
+  std::vector<Chart> charts = empty_charts(houses.size());
+  std::vector<Finest> finest;
+  for (const House& house : houses) finest.push_back(finest_of(house, request.threads));
+  for (const double tolerance_m : kTolerances_m) {
+    Costs costs;
+    for (std::size_t i = 0; i < houses.size(); ++i) {
+      add_costs(houses[i], tolerance_m, request.threads, costs);
+      add_picture_error(houses[i], finest[i].tile, tolerance_m, request.threads, costs);
+      add_error_across_the_square(houses[i], finest[i], tolerance_m, request.threads, costs);
+    }
+    add_points(tolerance_m, costs, static_cast<double>(houses.size()), charts);
+  }
+  return charts;
+}
+
+}  // namespace citykiln::charts

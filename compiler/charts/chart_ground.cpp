@@ -1,0 +1,185 @@
+// What the ground of a map costs over the ladder: certified error, triangles beside the least one might ask for, time
+// and memory.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <set>
+
+#include "compiler/bake/fire_ground.h"
+#include "compiler/charts/chart.h"
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/ground/cover/partition.h"
+#include "compiler/ground/plan.h"
+#include "compiler/ground/cover/simplify_borders.h"
+#include "compiler/pipeline.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln::charts {
+namespace {
+
+/// What the ground may cost more than heights and borders each by themselves.
+constexpr double kBoundFactor = 1.3;
+
+struct Measure {
+  double triangles = 0, upright = 0, error_m = 0, border_error_m = 0, seconds = 0, cpu_seconds = 0, peak_MB = 0;
+};
+
+struct Bound {
+  double bare_triangles = 0, border_vertices = 0;
+  double triangles() const { return kBoundFactor * (bare_triangles + 2 * border_vertices); }
+};
+
+void fire_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
+  Report ignored;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const ground::Carving carving = scene::carving_of(scene.header, chunk, tolerance_m);
+    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, tolerance_m);
+    for (const ground::GroundMesh& cell : bake::expand_cells(
+             carving, cover.surfaces, scene::box_of(scene.header, chunk.tile), tolerance_m, threads, ignored)) {
+      measure.triangles += cell.first_upright;
+      measure.upright += static_cast<double>(cell.mesh.triangles.size() - cell.first_upright);
+      measure.error_m = std::max(measure.error_m, cell.error_m);
+      measure.border_error_m = std::max(measure.border_error_m, cell.border_error_m);
+    }
+  }
+}
+
+/// Clock, processors and memory of some work.
+template <typename Work>
+Measure measured(Work work) {
+  Measure measure;
+  StageWatch watch([](std::string_view, double) {});
+  watch.enter("ground");
+  const std::clock_t begin = std::clock();
+  work(measure);
+  measure.cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const StageCost cost = watch.finish().front();
+  measure.seconds = cost.seconds;
+  measure.peak_MB = static_cast<double>(cost.peak_bytes) * 1e-6;
+  return measure;
+}
+
+Measure measure_level(const scene::Scene& scene, double tolerance_m, int threads) {
+  return measured([&](Measure& measure) { fire_ground(scene, tolerance_m, threads, measure); });
+}
+
+/// All levels of a tile at once, as bake() makes them.
+void fire_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
+  const auto carve = [&](double tolerance_m) { return scene::carving_of(scene.header, chunk, tolerance_m); };
+  const ground::Carving fine = carve(scene::kPlainRoads_m / 2), coarse = carve(scene::kPlainRoads_m);
+  std::vector<scene::GroundCover> covers;
+  for (const double tolerance_m : ladder_m) covers.push_back(scene::cover_of(scene.header, chunk, tolerance_m));
+  std::vector<bake::GroundLevel> levels;
+  for (std::size_t i = 0; i < ladder_m.size(); ++i)
+    levels.push_back({ladder_m[i] < scene::kPlainRoads_m ? fine : coarse, covers[i].surfaces, ladder_m[i]});
+  std::vector<Report> ignored(levels.size());
+  bake::expand_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
+}
+
+Measure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
+  return measured([&](Measure&) {
+    for_each_index(scene.chunks.size(), threads,
+                   [&](std::size_t i) { fire_ladder(scene, scene.chunks[i], ladder_m, threads); });
+  });
+}
+
+/// What the surfaces' seen borders are down to at the tolerance, without heights.
+double border_vertices_of(std::span<const ground::Surface> surfaces, const Box2& cell, double tolerance_m) {
+  std::vector<ground::Surface> near;
+  for (const ground::Surface& surface : surfaces) {
+    near.push_back(ground::trimmed_to(surface, cell.widened(1)));
+    if (near.back().rings.empty()) near.pop_back();
+  }
+  const ground::Layers layers = ground::layers_near(near, cell);
+  const ground::Partition all = ground::partition_all(layers, {}, {}, cell);
+  const auto borders = ground::seen_borders(all, ground::joints_of(layers, all.arrangement, cell));
+  const auto none = [](GridPoint) { return false; };
+  std::set<GridPoint> vertices;
+  for (const ground::Border& border : ground::simplify_borders(borders, tolerance_m, none).borders) {
+    if (border.is_cell_border) continue;
+    vertices.insert(border.a), vertices.insert(border.b);
+  }
+  return static_cast<double>(vertices.size());
+}
+
+Bound bound_of(const scene::Scene& scene, double tolerance_m, int threads) {
+  Bound bound;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    const ground::Carving carving = scene::carving_of(scene.header, chunk, tolerance_m);
+    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, tolerance_m);
+    const std::vector<Box2> cells = bake::cells_of(scene::box_of(scene.header, chunk.tile));
+    const auto each = for_each_slot<Bound>(cells.size(), threads, [&](std::size_t i) {
+      Report ignored;
+      const auto bare = ground::expand_cell({}, carving, cells[i], tolerance_m, ignored);
+      return Bound{static_cast<double>(bare.mesh.triangles.size()),
+                   border_vertices_of(cover.surfaces, cells[i], tolerance_m)};
+    });
+    for (const Bound& cell : each)
+      bound.bare_triangles += cell.bare_triangles, bound.border_vertices += cell.border_vertices;
+  }
+  return bound;
+}
+
+struct GroundCharts {
+  Chart triangles, errors, seconds, memory;
+};
+
+GroundCharts empty_charts(const std::string& what) {
+  const Axis tolerance{"tolerance (m)", true};
+  return {{"ground_triangles",
+           "Triangles of the ground over the tolerance: " + what,
+           tolerance,
+           {"triangles", true},
+           {{"citykiln, looking upwards", {}},
+            {"citykiln, upright: kerbs, quays, walls", {}},
+            {"1.3 × (heights alone + 2 a vertex of borders alone)", {}, true}}},
+          {"ground_error",
+           "Errors of the ground over the tolerance: " + what,
+           tolerance,
+           {"largest error (m)", true},
+           {{"of heights, certified", {}}, {"of borders, in plan", {}}, {"the tolerance", {}, true}}},
+          {"ground_time",
+           "Time of the ground over the tolerance: " + what,
+           tolerance,
+           {"seconds", true},
+           {{"by the clock", {}}, {"of processors", {}}}},
+          {"ground_memory",
+           "Memory of the ground over the tolerance: " + what,
+           tolerance,
+           {"largest resident memory (MB)", false},
+           {{"citykiln", {}}}}};
+}
+
+void add_level(GroundCharts& charts, double tolerance_m, const Measure& measure, const Bound& bound) {
+  const auto add = [&](Chart& chart, std::initializer_list<double> values) {
+    std::size_t i = 0;
+    for (const double value : values) chart.series[i++].points.emplace_back(tolerance_m, value);
+  };
+  add(charts.triangles, {measure.triangles, measure.upright, bound.triangles()});
+  add(charts.errors, {measure.error_m, measure.border_error_m, tolerance_m});
+  add(charts.seconds, {measure.seconds, measure.cpu_seconds});
+  add(charts.memory, {measure.peak_MB});
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_ground(const ChartRequest& request) {
+  const Result<scene::Scene> scene = compile_first_map(request);
+  if (!scene) return scene.error();
+  const Box2& region = scene->header.region;
+  const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);
+  GroundCharts charts = empty_charts(
+      fmt::format("{}, {:.0f} km², {} tiles", map, region.width() * region.height() * 1e-6, scene->chunks.size()));
+  const Measure all = measure_ladder(*scene, Outputs{}.ladder_m, request.threads);
+  charts.seconds.title += fmt::format("; all levels at once {:.1f} s by the clock, {:.1f} s of processors, {:.0f} MB",
+                                      all.seconds, all.cpu_seconds, all.peak_MB);
+  for (const double tolerance_m : Outputs{}.ladder_m) {
+    const Measure measure = measure_level(*scene, tolerance_m, request.threads);
+    add_level(charts, tolerance_m, measure, bound_of(*scene, tolerance_m, request.threads));
+  }
+  return std::vector{charts.triangles, charts.errors, charts.seconds, charts.memory};
+}
+
+}  // namespace citykiln::charts

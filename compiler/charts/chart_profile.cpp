@@ -1,0 +1,143 @@
+// What grade limits cost: the earth that roads move, and how far they leave the heightmap, over the scale of the
+// limits.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/charts/chart.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/water/level_waters.h"
+#include "compiler/ground/plan.h"
+#include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/map/locate.h"
+#include "compiler/roads/plan.h"
+#include "compiler/source/read_osm.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::charts {
+namespace {
+
+/// Roads are compared with the heightmap as often as this.
+constexpr double kEvery_m = 4;
+
+struct Country {
+  map::Features features;
+  map::Heightfield heights;
+  std::vector<roads::Road> roads;
+  std::vector<roads::Junction> junctions;
+  ground::Waters waters;
+};
+
+Result<std::vector<source::Raster>> read_rasters(const std::vector<std::string>& texts) {
+  std::vector<source::Raster> rasters;
+  Report ignored;
+  for (const std::string& text : texts) {
+    const Result<source::RasterSpec> spec = source::parse_raster_spec(text);
+    if (!spec) return spec.error();
+    Result<source::Raster> raster = source::read_raster(*spec, nullptr);
+    if (!raster) return raster.error();
+    rasters.push_back(source::fill_voids(std::move(*raster), ignored));
+  }
+  return rasters;
+}
+
+Result<Country> read_country(const ChartRequest& request) {
+  if (request.maps.empty() || request.rasters.empty())
+    return Error{"chart profile", "needs a map and a heightmap (--map FILE --dem FILE)"};
+  Report ignored;
+  const Result<source::OsmData> osm = source::read_osm(request.maps.front(), request.threads, ignored);
+  if (!osm) return osm.error();
+  const Result<std::vector<source::Raster>> rasters = read_rasters(request.rasters);
+  if (!rasters) return rasters.error();
+  const source::LonLatBox box = map::choose_box(*osm, {});
+  const map::Plane plane(map::default_origin(box));
+  Country country;
+  country.features = map::locate(*osm, plane, box, {}, ignored);
+  Result<map::Heightfield> heights = map::resample(*rasters, plane, country.features.region, ignored);
+  if (!heights) return heights.error();
+  country.heights = std::move(*heights);
+  country.roads = roads::plan(country.features, ignored);
+  country.junctions = roads::plan_junctions(country.roads, ignored);
+  country.waters =
+      ground::level_waters(ground::plan(country.features, ignored), ground::plan_streams(country.features, ignored),
+                           ground::covered_waterways(country.features), country.heights, ignored);
+  return country;
+}
+
+struct Measure {
+  double length_m = 0, over_m = 0, earth_m3 = 0, squares_m3 = 0;
+
+  double over_percent() const { return 100 * over_m / std::max(length_m, 1.0); }
+  double earth_m3_per_km() const { return earth_m3 / std::max(length_m * 1e-3, 1e-3); }
+  double rms_m() const { return std::sqrt(squares_m3 / std::max(length_m, 1.0)); }
+};
+
+/// Steps along the axis, each with the height of the heightmap in its middle.
+void add_earth(const roads::Road& road, const map::Heightfield& heights, Measure& measure) {
+  const std::vector<double> along = roads::distances_along(road);
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    const double long_m = along[i + 1] - along[i];
+    const int n = std::max(1, static_cast<int>(std::ceil(long_m / kEvery_m)));
+    for (int k = 0; k < n; ++k) {
+      const double t = (k + 0.5) / n, step_m = long_m / n;
+      const Vec2 p = road.axis[i] + (road.axis[i + 1] - road.axis[i]) * t;
+      const double off_m = knot_at(road.profile, along[i] + long_m * t).z_m - map::height_m_at(heights, p);
+      measure.length_m += step_m;
+      measure.earth_m3 += std::abs(off_m) * roads::width_m(road) * step_m;
+      measure.squares_m3 += off_m * off_m * step_m;
+    }
+  }
+}
+
+void add_grades(const roads::Road& road, double scale, Measure& measure) {
+  const double limit = scale * ground::grade_rule_of(road.surface).limit;
+  for (std::size_t i = 1; i < road.profile.size(); ++i) {
+    const Knot a = road.profile[i - 1], b = road.profile[i];
+    const double run_m = b.at_m - a.at_m;
+    if (std::abs(b.z_m - a.z_m) > limit * run_m + 2 * ground::kKnotError_m) measure.over_m += run_m;
+  }
+}
+
+Measure measure_at(const Country& country, double scale) {
+  Report ignored;
+  const ground::Profiles profiles =
+      ground::plan_profiles(country.features, country.roads, country.junctions, country.waters.streams,
+                            country.waters.surfaces, country.heights, ignored, scale);
+  Measure measure;
+  for (const roads::Road& road : profiles.roads) {
+    if (road.profile.empty() || !ground::is_graded(road.surface)) continue;
+    add_earth(road, country.heights, measure);
+    add_grades(road, scale, measure);
+  }
+  return measure;
+}
+
+Chart chart_of(const std::string& name, const std::string& title, const std::string& label, const std::string& map) {
+  return {name,
+          title + ", by the grade limit: " + map,
+          {"grade limits, times the classes' own", true},
+          {label, false},
+          {{map, {}}}};
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_profile(const ChartRequest& request) {
+  const Result<Country> country = read_country(request);
+  if (!country) return country.error();
+  const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);
+  Chart earth = chart_of("profile_earth", "Earth moved", "cut and filled under roads on the ground (m³ per km)", map);
+  Chart error = chart_of("profile_error", "Profiles against the heightmap", "root mean square (m)", map);
+  Chart over = chart_of("profile_over", "Share over the limit", "share of roads on the ground (%)", map);
+  for (const double scale : {0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0}) {
+    const Measure measure = measure_at(*country, scale);
+    earth.series.front().points.emplace_back(scale, measure.earth_m3_per_km());
+    error.series.front().points.emplace_back(scale, measure.rms_m());
+    over.series.front().points.emplace_back(scale, measure.over_percent());
+  }
+  return std::vector{earth, error, over};
+}
+
+}  // namespace citykiln::charts

@@ -1,0 +1,27 @@
+// The scene that a chart measures.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/charts/chart.h"
+#include "compiler/pipeline.h"
+#include "compiler/source/read_raster.h"
+
+namespace citykiln::charts {
+
+Result<scene::Scene> compile_first_map(const ChartRequest& request) {
+  if (request.maps.empty())
+    return Error{"chart", fmt::format("{} needs a map (--map FILE)", fmt::join(request.names, ", "))};
+  CompileSpec spec;
+  spec.map_path = request.maps.front();
+  spec.threads = request.threads;
+  for (const std::string& text : request.rasters) {
+    Result<source::RasterSpec> raster = source::parse_raster_spec(text);
+    if (!raster) return raster.error();
+    spec.rasters.push_back(std::move(*raster));
+  }
+  Result<Compiled> compiled = compile(spec, [](std::string_view, double) {});
+  if (!compiled) return compiled.error();
+  return std::move(compiled->scene);
+}
+
+}  // namespace citykiln::charts

@@ -1,0 +1,96 @@
+// What one eye's picture costs: triangles of the ground over the error on the picture, made for the eye and at one
+// tolerance everywhere.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/bake/view_levels.h"
+#include "compiler/charts/chart.h"
+#include "compiler/commands/eye_options.h"
+#include "compiler/map/heightfield.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
+#include "compiler/spec.h"
+
+namespace citykiln::charts {
+namespace {
+
+/// Errors asked for, in pixels of a picture of the preview's size and field of view.
+constexpr double kPixels[] = {0.5, 1, 2, 4, 8, 16};
+constexpr double kFov_deg = 45;
+
+/// The eye where none is given: so high over the middle of the map.
+constexpr double kOver_m = 100;
+
+/// All faces, upright ones too.
+double triangles_of(const scene::Scene& scene, const scene::Chunk& chunk, double roads_m,
+                    std::span<const bake::CellLevel> cells, int threads) {
+  Report ignored;
+  const ground::Carving carving = scene::carving_of(scene.header, chunk, roads_m);
+  const scene::GroundCover cover = scene::cover_of(scene.header, chunk, roads_m);
+  double triangles = 0;
+  for (const ground::GroundMesh& cell : bake::expand_cells(carving, cover.surfaces, cells, threads, ignored))
+    triangles += static_cast<double>(cell.mesh.triangles.size());
+  return triangles;
+}
+
+double triangles_seen(const scene::Scene& scene, const bake::View& view, int threads) {
+  const bake::ViewLevels levels = bake::levels_for(scene, view);
+  double triangles = 0;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const bake::SeenZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
+      triangles += triangles_of(scene, chunk, zone.roads_m, zone.cells, threads);
+  return triangles;
+}
+
+double triangles_everywhere(const scene::Scene& scene, double tolerance_m, int threads) {
+  double triangles = 0;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    std::vector<bake::CellLevel> cells;
+    for (const Box2& cell : bake::cells_of(scene::box_of(scene.header, chunk.tile)))
+      cells.push_back({cell, tolerance_m, ground::all_sides(tolerance_m)});
+    triangles += triangles_of(scene, chunk, tolerance_m, cells, threads);
+  }
+  return triangles;
+}
+
+Vec3 over_the_middle(const scene::Scene& scene) {
+  const Vec2 middle = scene.header.region.centre();
+  for (const scene::Chunk& chunk : scene.chunks)
+    if (chunk.heights.box().contains(middle))
+      return at_height(middle, map::height_m_at(chunk.heights, middle) + kOver_m);
+  return at_height(middle, kOver_m);
+}
+
+/// The error on the picture of what is off by a tolerance at the nearest ground.
+double pixels_at_nearest(const scene::Scene& scene, const bake::View& view, double tolerance_m) {
+  double away_m = 1e9;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const Box2& cell : bake::cells_of(scene::box_of(scene.header, chunk.tile)))
+      away_m = std::min(away_m, bake::distance_m(bake::bounds_of(chunk.heights, cell), view.eye));
+  return tolerance_m / std::max(away_m, 1.0) * view.focal_px;
+}
+
+}  // namespace
+
+Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
+  const Result<scene::Scene> scene = compile_first_map(request);
+  if (!scene) return scene.error();
+  bake::View view{request.eye.value_or(over_the_middle(*scene)), focal_px({}, kFov_deg)};
+  Chart chart{"view_triangles",
+              fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x,
+                          view.eye.y, view.eye.z, scene->header.region.width() * scene->header.region.height() * 1e-6),
+              {"largest error on the picture (pixels)", true},
+              {"triangles", true},
+              {{"a tolerance a cell, by its distance", {}}, {"one tolerance everywhere", {}}}};
+  for (const double pixels : kPixels) {
+    view.pixel_error = pixels;
+    chart.series[0].points.emplace_back(pixels, triangles_seen(*scene, view, request.threads));
+  }
+  for (const double tolerance_m : Outputs{}.ladder_m)
+    chart.series[1].points.emplace_back(pixels_at_nearest(*scene, view, tolerance_m),
+                                        triangles_everywhere(*scene, tolerance_m, request.threads));
+  return std::vector{chart};
+}
+
+}  // namespace citykiln::charts

@@ -1,0 +1,32 @@
+// Normals of the carved ground, each made once: four places are asked for those of one, layers meet there, and levels
+// of a cell share most of their vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+#include "compiler/geometry/arrangement.h"
+#include "compiler/ground/grading/carving.h"
+
+namespace citykiln::ground {
+
+/// Of one carving, which must outlive it. Grows with the places asked for.
+class CarvedNormals {
+ public:
+  explicit CarvedNormals(const Carving& carving) : carving_(carving) {}
+
+  /// To the bit what normals_at gives. O(1) where the place has been asked for before.
+  Vec3 at(GridPoint p, HeightLayer layer);
+
+  const Carving& carving() const { return carving_; }
+
+ private:
+  struct PlaceHash {
+    std::size_t operator()(GridPoint place) const;
+  };
+  const Carving& carving_;
+  std::unordered_map<GridPoint, std::array<Vec3, kHeightLayers>, PlaceHash> known_;
+};
+
+}  // namespace citykiln::ground

@@ -1,0 +1,102 @@
+#include "compiler/ground/mesh/height_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Numbers of the whole steps strictly between two values, measured from `start`.
+struct Lines {
+  int first, last;
+};
+Lines lines_between(double low, double high, double start, double step) {
+  return {static_cast<int>(std::floor((low - start) / step)) + 1,
+          static_cast<int>(std::ceil((high - start) / step)) - 1};
+}
+
+void consider(WorstPoint& worst, double error_m, Vec2 at) {
+  if (error_m > worst.error_m) worst = {error_m, at};
+}
+
+// A family of parallel lines, on which a function of the place takes the values start + k · step.
+struct Family {
+  double start, step;
+  Lines inside;
+};
+
+// The crossings with one family; value_a and value_b are its function's at the ends.
+void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a, Vec3 b, double value_a,
+                        double value_b, const Family& family) {
+  if (value_a == value_b) return;
+  const auto [start, step, inside] = family;
+  const Lines lines = lines_between(std::min(value_a, value_b), std::max(value_a, value_b), start, step);
+  for (int k = std::max(lines.first, inside.first); k <= std::min(lines.last, inside.last); ++k) {
+    const double t = (start + k * step - value_a) / (value_b - value_a);
+    const Vec3 p = a + (b - a) * t;
+    consider(worst, std::abs(p.z - map::height_m_at(field, in_plan(p))), in_plan(p));
+  }
+}
+
+}  // namespace
+
+WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
+  WorstPoint worst;
+  const Vec2 min = field.min, step = field.step_m;
+  consider_crossings(worst, field, a, b, a.x, b.x, {min.x, step.x, {0, field.columns - 1}});
+  consider_crossings(worst, field, a, b, a.y, b.y, {min.y, step.y, {0, field.rows - 1}});
+  // a cross product with the diagonal is constant on each: of whole numbers, so exact
+  const auto beside = [&](Vec2 p) { return cross(p, step); };
+  consider_crossings(worst, field, a, b, beside(in_plan(a)), beside(in_plan(b)),
+                     {beside(min), step.x * step.y, {1 - field.rows, field.columns - 1}});
+  return worst;
+}
+
+WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
+  if (in_plan(b) < in_plan(a)) std::swap(a, b);
+  const bool by_x = a.x != b.x;
+  const auto along_axis = [&](auto v) { return by_x ? v.x : v.y; };
+  const auto across_axis = [&](auto v) { return by_x ? v.y : v.x; };
+  const double low = along_axis(a), high = along_axis(b), start = along_axis(field.min);
+  const double step = along_axis(field.step_m), other_step = across_axis(field.step_m);
+  const double across = across_axis(a) - across_axis(field.min);
+  // how far beyond a line of the grid the nearest diagonal crosses
+  const double beyond = snapped((across - std::floor(across / other_step) * other_step) * step / other_step);
+  WorstPoint worst;
+  const auto look_at = [&](double along) {
+    if (along <= low || along >= high) return;
+    const Vec2 p = by_x ? Vec2{along, a.y} : Vec2{a.x, along};
+    if (!field.box().contains(p)) return;
+    const double share = (along - low) / (high - low);
+    consider(worst, std::abs(a.z + (b.z - a.z) * share - map::height_m_at(field, p)), p);
+  };
+  for (double line = start + std::floor((low - start) / step) * step; line < high; line += step) {
+    look_at(line);
+    if (beyond > 0) look_at(line + beyond);
+  }
+  return worst;
+}
+
+WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners) {
+  WorstPoint worst;
+  const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+  const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+  const Lines columns = lines_between(low_x, high_x, field.min.x, field.step_m.x);
+  const Lines rows = lines_between(low_y, high_y, field.min.y, field.step_m.y);
+  const Vec2 u = in_plan(corners[1] - corners[0]), v = in_plan(corners[2] - corners[0]);
+  const double area = cross(u, v);
+  for (int j = std::max(rows.first, 0); j <= std::min(rows.last, field.rows - 1); ++j)
+    for (int i = std::max(columns.first, 0); i <= std::min(columns.last, field.columns - 1); ++i) {
+      const Vec2 p = field.vertex(i, j);
+      const Vec2 w = p - in_plan(corners[0]);
+      const double s = cross(w, v) / area, t = cross(u, w) / area;
+      if (s < 0 || t < 0 || s + t > 1) continue;
+      const double z = corners[0].z + s * (corners[1].z - corners[0].z) + t * (corners[2].z - corners[0].z);
+      consider(worst, std::abs(z - field.height_m_at_vertex(i, j)), p);
+    }
+  return worst;
+}
+
+}  // namespace citykiln::ground

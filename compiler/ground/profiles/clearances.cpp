@@ -1,0 +1,243 @@
+#include "compiler/ground/profiles/clearances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/profiles/pinned.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+
+/// Crossings that lack less than this are left alone.
+constexpr double kMet_m = 0.01;
+/// What neighbours take from a crossing that was met is given back once, if it is no more than this.
+constexpr double kRest_m = 2;
+/// Where a ramp meets the road it is rounded over this height.
+constexpr double kFoot_m = 0.5;
+constexpr double kFar_m = std::numeric_limits<double>::infinity();
+
+// How far a ramp is down where one at its grade from the beginning would be down by `cost_m`.
+double drop_m(double cost_m) {
+  if (cost_m <= 0) return 0;
+  return cost_m < kCrest_m ? cost_m * cost_m / (2 * kCrest_m) : cost_m - kCrest_m / 2;
+}
+
+// The greater of two, rounded where they are nearly equal; never steeper than the steeper one.
+double soft_max(double a, double b) {
+  const double h = std::max(kFoot_m - std::abs(a - b), 0.0) / kFoot_m;
+  return std::max(a, b) + h * h * kFoot_m / 4;
+}
+
+std::vector<double> negated(std::span<const double> values) {
+  std::vector<double> turned;
+  for (const double v : values) turned.push_back(-v);
+  return turned;
+}
+
+// Who makes room: tunnels under what is no bridge, then bridges, then what lies under bridges that could not rise.
+enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
+
+// A place of a way that has to go up.
+struct Push {
+  std::uint32_t way = 0;
+  double at_m = 0, lack_m = 0, half_width_m = 0;
+};
+
+struct Clearer {
+  const ProfileGraph& graph;
+  std::span<const Crossing> crossings;
+  std::vector<double> z_m, start_m;
+  GraphWalk walk;
+  std::vector<bool> is_above = {};  // by way: whether it is the upper one anywhere
+
+  // What is not in the graph stays where it is, like the ground.
+  Passage passage_of(std::uint32_t way) const {
+    return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
+  }
+  bool is_tunnel(const Leg& leg) const { return passage_of(leg.way) == Passage::kTunnel; }
+  double ramp_m(const Leg& leg) const { return kRampShare * limit_of(graph, leg) * leg.length_m; }
+
+  std::vector<double> floors();
+  std::vector<double> covers(const map::Heightfield& heights) const;
+  void sink(std::span<const double> floor_m, std::span<const double> cover_m);
+  void push_up(std::span<const Push> pushes);
+  std::vector<int> storeys(Mover mover) const;
+  bool moves(const Crossing& c, Mover mover) const;
+  void make_room(Mover mover);
+  void turn_over() { z_m = negated(z_m), start_m = negated(start_m); }
+  void keep_near_start();
+};
+
+// From each mouth of a tunnel down at the ramps' grade.
+std::vector<double> Clearer::floors() {
+  std::vector<double> floor_m(graph.nodes.size(), -kFar_m);
+  const auto in_tunnel = [&](const Leg& leg) { return is_tunnel(leg); };
+  for (std::uint32_t n = 0; n < graph.nodes.size(); ++n) {
+    const std::span<const Leg> legs = graph.legs_of(n);
+    if (std::ranges::none_of(legs, in_tunnel)) continue;
+    if (!graph.nodes[n].is_pinned && std::ranges::all_of(legs, in_tunnel)) continue;
+    const GraphWalk::Start start{0, n};
+    walk.from(
+        std::span(&start, 1), kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        [&](std::uint32_t node, double cost_m) {
+          floor_m[node] = std::max(floor_m[node], z_m[n] - drop_m(cost_m));
+          return true;
+        });
+  }
+  return floor_m;
+}
+
+// How high tunnels may be under the ground.
+std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
+  std::vector<double> cover_m(graph.nodes.size(), kFar_m);
+  for (const GradedWay& way : graph.ways) {
+    const map::Track& track = *way.track;
+    const bool is_path = map::values_of(track.surface).group == map::SurfaceGroup::kPath;
+    // what is told to lie above the ground is none below it
+    if (track.passage != Passage::kTunnel || (is_path ? track.layer >= 0 : track.layer > 0)) continue;
+    for (const Station& station : graph.stations_of(way)) {
+      const double ground_m = height_without_spikes_m(heights, graph.nodes[station.node].at);
+      cover_m[station.node] = std::min(cover_m[station.node], ground_m - (is_path ? kPathCover_m : kCover_m));
+    }
+  }
+  return cover_m;
+}
+
+// Within tunnels, no lower than their floors.
+void Clearer::sink(std::span<const double> floor_m, std::span<const double> cover_m) {
+  std::vector<double> down_m(z_m.size(), kFar_m);
+  const auto press = [&](std::span<const GraphWalk::Start> starts, double at_m) {
+    walk.from(
+        starts, kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        [&](std::uint32_t node, double cost_m) {
+          down_m[node] = std::min(down_m[node], at_m + drop_m(cost_m));
+          return at_m + drop_m(cost_m) < z_m[node] + kFoot_m;
+        });
+  };
+  for (const Crossing& c : crossings) {
+    if (passage_of(c.lower) != Passage::kTunnel) continue;
+    const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
+    if (lack_m > kMet_m)
+      press(starts_about(graph, c.lower, c.lower_at_m),
+            height_along(graph, graph.ways[c.lower], z_m, c.lower_at_m) - lack_m);
+  }
+  for (std::uint32_t n = 0; n < cover_m.size(); ++n) {
+    if (cover_m[n] >= z_m[n]) continue;
+    const GraphWalk::Start start{0, n};
+    press(std::span(&start, 1), std::max(cover_m[n], z_m[n] - kMostLift_m));
+  }
+  for (std::uint32_t n = 0; n < z_m.size(); ++n)
+    if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
+}
+
+// Along all that is joined. On a slope a ramp is as steep as it may be, and ends where what it adds is used up, at half
+// its grade.
+void Clearer::push_up(std::span<const Push> pushes) {
+  std::vector<double> up_m(z_m.size(), -kFar_m);
+  for (const Push& push : pushes) {
+    const GradedWay& way = graph.ways[push.way];
+    const double top_m = height_along(graph, way, z_m, push.at_m) + push.lack_m;
+    const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
+    const double level_m = ramp_m({0, push.way, push.half_width_m});
+    walk.from(
+        starts_about(graph, push.way, push.at_m), 5 * std::max(rise_m, 0.0) + kCrest_m + level_m,
+        [&](const Leg& leg) { return ramp_m(leg); },
+        [&](std::uint32_t node, double cost_m) {
+          const double down_m = drop_m(cost_m - level_m);
+          const double steep_m = top_m - down_m / kRampShare - std::max(0.0, down_m - 2 * rise_m) / 2;
+          const double faded_m = start_m[node] + rise_m - down_m / 2;
+          const double here_m = std::min(top_m - down_m, std::max(steep_m, faded_m));
+          up_m[node] = std::max(up_m[node], here_m);
+          return here_m > z_m[node] - kFoot_m;
+        });
+  }
+  const std::vector<double> cap_m = caps_of_pinned(graph, walk, z_m);
+  for (std::uint32_t n = 0; n < z_m.size(); ++n)
+    if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
+}
+
+// Tunnels go down with their approaches; of paths of the ground those that pass over nothing.
+bool Clearer::moves(const Crossing& c, Mover mover) const {
+  if (mover == Mover::kBridges) return passage_of(c.upper) == Passage::kBridge;
+  if (c.lower == kNone) return false;
+  if (mover == Mover::kPaths)
+    return graph.lines == Lines::kPaths && passage_of(c.lower) == Passage::kGround && !is_above[c.lower];
+  if (passage_of(c.lower) != Passage::kTunnel) return false;
+  if ((mover == Mover::kTunnelsUnderBridges) != (passage_of(c.upper) == Passage::kBridge)) return false;
+  // no street goes down with an underpass that ends on it
+  return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
+}
+
+// By crossing: how many lie one above the other below it (above it, for tunnels), itself among them.
+std::vector<int> Clearer::storeys(Mover mover) const {
+  std::vector<int> of_way(graph.ways.size(), 0), of_crossing(crossings.size(), 0);
+  for (int round = 0; round < kLiftRounds; ++round) {
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const Crossing& c = crossings[i];
+      if (!moves(c, mover)) continue;
+      const std::uint32_t still = mover == Mover::kBridges ? c.lower : c.upper;
+      of_crossing[i] = 1 + (still == kNone ? 0 : of_way[still]);
+    }
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (of_crossing[i] == 0) continue;
+      int& storey = of_way[mover == Mover::kBridges ? crossings[i].upper : crossings[i].lower];
+      storey = std::max(storey, of_crossing[i]);
+    }
+  }
+  return of_crossing;
+}
+
+// Storey by storey, each crossing once: what is joined so that both rise does not rise for ever.
+void Clearer::make_room(Mover mover) {
+  const std::vector<int> storey = storeys(mover);
+  const bool lifts = mover == Mover::kBridges;
+  for (int round = 1; round <= kLiftRounds + 1; ++round) {
+    const bool is_last = round > kLiftRounds;
+    std::vector<Push> pushes;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const Crossing& c = crossings[i];
+      if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
+      const double most_m = mover == Mover::kPaths ? kMostYield_m : kMostLift_m + (storey[i] - 1) * kOverRail_m;
+      const double lack_m = std::min(shortfall_m(graph, c, z_m), most_m);
+      if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
+      pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, lack_m, c.half_width_m}
+                             : Push{c.lower, c.lower_at_m, lack_m, c.half_width_m});
+    }
+    if (pushes.empty()) continue;
+    if (!lifts) turn_over();
+    push_up(pushes);
+    if (!lifts) turn_over();
+  }
+}
+
+void Clearer::keep_near_start() {
+  for (std::size_t n = 0; n < z_m.size(); ++n)
+    z_m[n] = std::clamp(z_m[n], start_m[n] - kMostLiftInAll_m, start_m[n] + kMostLiftInAll_m);
+}
+
+}  // namespace
+
+std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
+                                    const map::Heightfield* heights, std::span<const double> z_m) {
+  Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
+  clearer.is_above.resize(graph.ways.size());
+  for (const Crossing& c : crossings)
+    if (c.upper != kNone) clearer.is_above[c.upper] = true;
+  const std::vector<double> floor_m = clearer.floors();
+  if (heights != nullptr) clearer.sink(floor_m, clearer.covers(*heights));
+  for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
+  for (const Mover mover : {Mover::kTunnels, Mover::kBridges, Mover::kTunnelsUnderBridges, Mover::kPaths})
+    clearer.make_room(mover);
+  // foot bridges may have gone down with a path
+  if (graph.lines == Lines::kPaths) clearer.make_room(Mover::kBridges);
+  clearer.keep_near_start();
+  return std::move(clearer.z_m);
+}
+
+}  // namespace citykiln::ground

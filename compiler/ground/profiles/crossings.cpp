@@ -1,0 +1,373 @@
+#include "compiler/ground/profiles/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_walk.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+using map::SurfaceGroup;
+using map::Track;
+
+// No line is wider than this to one side.
+constexpr double kWidest_m = 16;
+// Along a line, what lies beside it is looked at this often.
+constexpr double kEvery_m = 4;
+
+SurfaceGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
+
+double half_width_m(const Track& track) {
+  const double width_m = map::carriageway_width_m(track.section), left_m = track.section.axis_offset_m;
+  return std::min(std::max(left_m, width_m - left_m), kWidest_m);
+}
+
+std::pair<int, int> rank_of(const Track& track) {
+  if (track.passage == Passage::kGround) return {1, 0};
+  if (track.passage == Passage::kBridge) return {2, track.layer == 0 ? 1 : track.layer};
+  return {0, track.layer == 0 ? -1 : track.layer};
+}
+
+bool is_corridor(const Track& track) {
+  return track.passage == Passage::kTunnel && group_of(track) == SurfaceGroup::kPath && track.layer >= 0;
+}
+
+// A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
+struct Segment {
+  Vec2 a, b;
+  double at_m = 0;  // of a, along its line
+  std::uint32_t way = kNone, path = kNone, stream = kNone;
+  auto key() const { return std::tuple(way, path, stream, at_m); }
+};
+
+// Cells of the plane near what leaves the ground; the rest of the map is not looked at.
+struct Grid {
+  static constexpr double kCell_m = 32;
+  Box2 box;
+  int columns = 0, rows = 0;
+  std::vector<bool> is_near;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries;  // cell and segment, sorted
+
+  explicit Grid(const ProfileGraph& graph) {
+    for (const GradedWay& way : graph.ways)
+      if (way.road == kNone)
+        for (const Vec2 p : way.track->axis) box.grow(p);
+    if (box.is_empty()) return;
+    box = box.widened(2 * kWidest_m);
+    columns = static_cast<int>(box.width() / kCell_m) + 1, rows = static_cast<int>(box.height() / kCell_m) + 1;
+    is_near.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
+    for (const GradedWay& way : graph.ways) {
+      if (way.road != kNone) continue;
+      const Polyline& axis = way.track->axis;
+      for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+        for_each_cell(box_of(std::span(axis).subspan(i, 2)).widened(2 * kWidest_m),
+                      [&](std::uint32_t cell) { is_near[cell] = true; });
+    }
+  }
+
+  template <typename Visit>
+  void for_each_cell(const Box2& of, Visit visit) const {
+    if (is_near.empty() || !of.touches(box)) return;
+    const auto column = [&](double x) {
+      return std::clamp(static_cast<int>((x - box.min.x) / kCell_m), 0, columns - 1);
+    };
+    const auto row = [&](double y) { return std::clamp(static_cast<int>((y - box.min.y) / kCell_m), 0, rows - 1); };
+    for (int j = row(of.min.y); j <= row(of.max.y); ++j)
+      for (int i = column(of.min.x); i <= column(of.max.x); ++i)
+        visit(static_cast<std::uint32_t>(j) * static_cast<std::uint32_t>(columns) + static_cast<std::uint32_t>(i));
+  }
+
+  void add(const Segment& segment, std::uint32_t index) {
+    const Vec2 ends[2] = {segment.a, segment.b};
+    for_each_cell(box_of(ends), [&](std::uint32_t cell) {
+      if (is_near[cell]) entries.emplace_back(cell, index);
+    });
+  }
+
+  /// Segments near the box, sorted, once each.
+  void near(const Box2& of, std::vector<std::uint32_t>& found) const {
+    found.clear();
+    for_each_cell(of, [&](std::uint32_t cell) {
+      auto entry = std::ranges::lower_bound(entries, std::pair(cell, 0u));
+      for (; entry != entries.end() && entry->first == cell; ++entry) found.push_back(entry->second);
+    });
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+};
+
+// How far along ab the line crosses cd, if it does.
+std::optional<std::pair<double, double>> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double area = cross(b - a, d - c);
+  if (area == 0) return std::nullopt;
+  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
+  return std::pair(s, t);
+}
+
+double nearest_along(Vec2 a, Vec2 b, Vec2 p) {
+  return std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
+}
+
+double distance_to(const Polyline& axis, Vec2 p) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    least_m =
+        std::min(least_m, distance(p, axis[i] + (axis[i + 1] - axis[i]) * nearest_along(axis[i], axis[i + 1], p)));
+  return least_m;
+}
+
+bool share_a_node(const Track& a, const Track& b) {
+  return std::ranges::any_of(a.node_ids,
+                             [&](std::int64_t id) { return std::ranges::find(b.node_ids, id) != b.node_ids.end(); });
+}
+
+struct Finder {
+  const ProfileGraph& graph;
+  const map::Features& features;
+  const Below& below;
+  Grid grid;
+  GraphWalk walk;
+  std::vector<Segment> segments = {};
+  std::vector<Crossing> found = {};
+  std::vector<std::uint32_t> near = {};  // what is looked at now
+
+  template <typename Name>
+  void add_line(const Polyline& axis, Name name) {
+    double at_m = 0;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      Segment segment{axis[i], axis[i + 1], at_m};
+      name(segment);
+      at_m += snapped(distance(axis[i], axis[i + 1]));
+      const Box2 box = box_of(std::span(axis).subspan(i, 2));
+      if (!box.touches(grid.box)) continue;
+      const std::size_t before = grid.entries.size();
+      grid.add(segment, static_cast<std::uint32_t>(segments.size()));
+      if (grid.entries.size() > before) segments.push_back(segment);
+    }
+  }
+
+  bool is_in_graph(const Track& track) const {
+    const auto id = [](const GradedWay& way) { return way.track->id; };
+    return std::ranges::binary_search(graph.ways, track.id, {}, id);
+  }
+
+  void add_lines() {
+    for (std::uint32_t w = 0; w < graph.ways.size(); ++w)
+      add_line(graph.ways[w].track->axis, [&](Segment& s) { s.way = w; });
+    for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
+      const Track& track = features.tracks[t];
+      if (!leaves_ground(track) && group_of(track) == SurfaceGroup::kPath && !is_in_graph(track))
+        add_line(track.axis, [&](Segment& s) { s.path = t; });
+    }
+    for (std::uint32_t i = 0; i < below.streams.size(); ++i)
+      add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
+    std::ranges::sort(grid.entries);
+  }
+
+  double joining_m(const Leg& leg) const {
+    const Track& track = *graph.ways[leg.way].track;
+    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins
+            : is_graded(track.surface)             ? 1
+                                                   : kPathJoins) *
+           leg.length_m;
+  }
+
+  // Where a way off the ground comes down to it, close by.
+  std::vector<Vec2> landings_of(std::uint32_t way, double at_m) {
+    std::vector<Vec2> landings;
+    if (graph.ways[way].road != kNone) return landings;
+    walk.from(
+        starts_about(graph, way, at_m), kJoined_m,
+        [&](const Leg& leg) { return graph.ways[leg.way].road == kNone ? joining_m(leg) : 2 * kJoined_m; },
+        [&](std::uint32_t node, double) {
+          const GraphNode& n = graph.nodes[node];
+          if (n.is_on_ground || n.is_pinned) landings.push_back(n.at);
+          return true;
+        });
+    return landings;
+  }
+
+  // Whether one of them is beside another way.
+  bool are_beside(std::span<const Vec2> landings, std::uint32_t way, std::uint32_t other) const {
+    const Track& beside = *graph.ways[other].track;
+    const double reach_m = half_width_m(*graph.ways[way].track) + half_width_m(beside);
+    return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to(beside.axis, at) < reach_m; });
+  }
+
+  // Lines that meet close by are not apart yet.
+  bool are_joined(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
+    const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
+    const Station* from = &graph.stations[graph.ways[a].first + i];
+    const Station* to = &graph.stations[graph.ways[b].first + j];
+    const GraphWalk::Start starts[2] = {{joining_m({0, a, std::abs(a_m - from[0].at_m)}), from[0].node},
+                                        {joining_m({0, a, std::abs(a_m - from[1].at_m)}), from[1].node}};
+    bool joined = false;
+    walk.from(
+        starts, kJoined_m, [&](const Leg& leg) { return joining_m(leg); },
+        [&](std::uint32_t node, double run_m) {
+          for (int k = 0; k < 2; ++k)
+            joined |= to[k].node == node && run_m + joining_m({0, b, std::abs(b_m - to[k].at_m)}) <= kJoined_m;
+          return !joined;
+        });
+    return joined;
+  }
+
+  bool passes_a_mouth(const Track& upper, std::uint32_t lower, double at_m) const {
+    const GradedWay& way = graph.ways[lower];
+    return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !is_graded(upper.surface) &&
+           std::min(at_m, graph.stations_of(way).back().at_m - at_m) < kMouth_m;
+  }
+
+  void add_ways(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
+    const Track &one = *graph.ways[a].track, &two = *graph.ways[b].track;
+    if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
+    if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
+    if (are_joined(a, a_m, b, b_m) || passes_a_mouth(one, b, b_m)) return;
+    found.push_back({a, b, a_m, b_m, 0, 0, wanted_room_m(one.surface, two.surface), half_width_m(two)});
+  }
+
+  void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
+    if (other.path == kNone) return;
+    const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
+    if (share_a_node(tunnel, path) || is_corridor(tunnel) || passes_a_mouth(path, way, at_m)) return;
+    found.push_back(
+        {kNone, way, 0, at_m, 0, ground_m, wanted_room_m(path.surface, tunnel.surface), half_width_m(tunnel)});
+  }
+
+  void add(std::uint32_t way, double at_m, const Segment& other, double along) {
+    const double other_m = other.at_m + along * distance(other.a, other.b);
+    if (other.way != kNone) return add_ways(way, at_m, other.way, other_m);
+    const Track& track = *graph.ways[way].track;
+    const Vec2 at = other.a + (other.b - other.a) * along;
+    const double ground_m = below.ground_m(at);
+    if (track.passage == Passage::kTunnel) return add_path_above(way, at_m, other, ground_m);
+    if (other.path != kNone) {
+      const Track& path = features.tracks[other.path];
+      if (share_a_node(track, path)) return;
+      found.push_back(
+          {way, kNone, at_m, 0, ground_m, 0, wanted_room_m(track.surface, path.surface), half_width_m(path)});
+    } else {
+      const roads::Strip& stream = below.streams[other.stream];
+      const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
+      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_over_water_m(stream.left_m + stream.right_m),
+                       std::max(stream.left_m, stream.right_m)});
+    }
+  }
+
+  void find_intersections(std::uint32_t w) {
+    const Polyline& axis = graph.ways[w].track->axis;
+    double at_m = 0;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      const double length_m = snapped(distance(axis[i], axis[i + 1]));
+      grid.near(box_of(std::span(axis).subspan(i, 2)), near);
+      for (const std::uint32_t s : near) {
+        const Segment& other = segments[s];
+        if (other.way == w) continue;
+        // of two off the ground once
+        if (other.way != kNone && graph.ways[other.way].road == kNone && other.way < w) continue;
+        if (const auto hit = intersection(axis[i], axis[i + 1], other.a, other.b))
+          add(w, at_m + hit->first * length_m, other, hit->second);
+      }
+      at_m += length_m;
+    }
+  }
+
+  // Where it lies over another way: nobody crosses who runs along.
+  void find_overlaps(std::uint32_t w) {
+    const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
+    for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
+      const Vec2 from = graph.nodes[stations[s].node].at, to = graph.nodes[stations[s + 1].node].at;
+      const double run_m = stations[s + 1].at_m - stations[s].at_m;
+      const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / kEvery_m)));
+      for (int k = s == 0 ? 0 : 1; k <= pieces; ++k) {
+        const double t = static_cast<double>(k) / pieces;
+        find_overlaps(w, stations[s].at_m + run_m * t, from + (to - from) * t);
+      }
+    }
+  }
+
+  void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
+    const double half_m = half_width_m(*graph.ways[w].track);
+    Box2 box;
+    box.grow(at);
+    grid.near(box.widened(half_m + kWidest_m), near);
+    std::optional<std::vector<Vec2>> landings;  // the same for all that is near
+    for (const std::uint32_t s : near) {
+      const Segment& other = segments[s];
+      if (other.way == kNone || other.way == w) continue;
+      const double along = nearest_along(other.a, other.b, at);
+      const double apart_m = distance(at, other.a + (other.b - other.a) * along);
+      if (apart_m >= half_m + half_width_m(*graph.ways[other.way].track)) continue;
+      const double other_m = other.at_m + along * distance(other.a, other.b);
+      if (!landings) landings = landings_of(w, at_m);
+      if (!are_beside(*landings, w, other.way) && !are_beside(landings_of(other.way, other_m), other.way, w))
+        add(w, at_m, other, along);
+    }
+  }
+
+  void find_waters(std::uint32_t w) {
+    if (graph.ways[w].track->passage != Passage::kBridge) return;
+    for (const Surface& water : below.waters) {
+      if (!water.level_m) continue;
+      Box2 box;
+      for (const Ring& ring : water.rings)
+        for (const Vec2 p : ring) box.grow(p);
+      for (const Station& station : graph.stations_of(graph.ways[w])) {
+        const Vec2 at = graph.nodes[station.node].at;
+        if (!box.contains(at)) continue;
+        int winding = 0;
+        for (const Ring& ring : water.rings) winding += winding_number(ring, at);
+        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kOverWater_m, 0});
+      }
+    }
+  }
+};
+
+}  // namespace
+
+double wanted_room_m(map::SurfaceClass upper, map::SurfaceClass lower) {
+  const bool is_thin = map::values_of(upper).group == SurfaceGroup::kPath;
+  const SurfaceGroup below = map::values_of(lower).group;
+  if (below == SurfaceGroup::kPath && lower != map::SurfaceClass::kFarmTrack) return kOverPath_m;
+  return (lower == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) - (is_thin ? kThinDeck_m : 0);
+}
+
+double wanted_over_water_m(double width_m) {
+  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
+}
+
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below) {
+  Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};
+  if (finder.grid.is_near.empty()) return {};
+  finder.add_lines();
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    if (graph.ways[w].road != kNone) continue;
+    finder.find_intersections(w);
+    finder.find_overlaps(w);
+    finder.find_waters(w);
+  }
+  std::ranges::sort(finder.found, {}, [](const Crossing& c) {
+    return std::tuple(c.upper, c.upper_at_m, c.lower, c.lower_at_m, c.lower_z_m, c.upper_z_m);
+  });
+  return std::move(finder.found);
+}
+
+double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
+  const double upper_m = crossing.upper == kNone
+                             ? crossing.upper_z_m
+                             : height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);
+  const double lower_m = crossing.lower == kNone
+                             ? crossing.lower_z_m
+                             : height_along(graph, graph.ways[crossing.lower], z_m, crossing.lower_at_m);
+  return lower_m + crossing.wanted_m - upper_m;
+}
+
+}  // namespace citykiln::ground

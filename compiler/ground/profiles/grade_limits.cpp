@@ -1,0 +1,173 @@
+#include "compiler/ground/profiles/grade_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/pinned.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Nodes that move together: a plate's, or one alone.
+struct Units {
+  std::vector<std::uint32_t> of;     // each node
+  std::vector<std::uint32_t> first;  // of each unit, and one beyond, into nodes
+  std::vector<std::uint32_t> nodes;
+
+  explicit Units(const ProfileGraph& graph) : of(graph.nodes.size()) {
+    std::vector<std::uint32_t> of_junction;
+    std::uint32_t count = 0;
+    for (std::uint32_t n = 0; n < of.size(); ++n) {
+      const std::uint32_t j = graph.nodes[n].junction;
+      if (j != kNone && j >= of_junction.size()) of_junction.resize(j + 1, kNone);
+      of[n] = j == kNone || of_junction[j] == kNone ? count++ : of_junction[j];
+      if (j != kNone) of_junction[j] = of[n];
+    }
+    first.assign(count + 1, 0);
+    for (const std::uint32_t unit : of) ++first[unit + 1];
+    for (std::uint32_t u = 0; u < count; ++u) first[u + 1] += first[u];
+    nodes.resize(of.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t n = 0; n < of.size(); ++n) nodes[next[of[n]]++] = n;
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  std::span<const std::uint32_t> members(std::uint32_t unit) const {
+    return std::span(nodes).subspan(first[unit], first[unit + 1] - first[unit]);
+  }
+};
+
+// How far units come down. What is walked with is how far below its height a unit has to be.
+class Lowering {
+ public:
+  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeReach reach,
+           std::span<const double> steepness = {})
+      : graph_(graph),
+        units_(units),
+        z_m_(z_m),
+        reach_(reach),
+        steepness_(steepness),
+        excess_m_(units.count(), 0),
+        low_m_(units.count(), 0),
+        times_(units.count(), 0) {}
+
+  /// By unit, none above zero. Each foot of a steep leg acts for itself: their order is nothing.
+  std::vector<double> run() {
+    for (std::uint32_t u = 0; u < units_.count(); ++u)
+      if (is_foot(u)) spread(u);
+    return std::move(low_m_);
+  }
+
+ private:
+  using Key = std::pair<double, std::uint32_t>;
+
+  double steepness_of(std::uint32_t node, const Leg& leg) const {
+    if (steepness_.empty() || !may_be_steeper(graph_, leg.way)) return 1;
+    return std::max(steepness_[node], steepness_[leg.to]);
+  }
+
+  // How far below its height the end of a leg is for one that rises from its beginning as it may.
+  double excess_beyond_m(std::uint32_t node, const Leg& leg) const {
+    return steepness_of(node, leg) * limit_of(graph_, leg) * leg.length_m - (z_m_[leg.to] - z_m_[node]);
+  }
+
+  bool is_foot(std::uint32_t unit) const {
+    return std::ranges::any_of(units_.members(unit), [&](std::uint32_t n) {
+      return std::ranges::any_of(
+          graph_.legs_of(n), [&](const Leg& leg) { return units_.of[leg.to] != unit && excess_beyond_m(n, leg) < 0; });
+    });
+  }
+
+  void spread(std::uint32_t foot) {
+    const Vec2 at = graph_.nodes[units_.members(foot).front()].at;
+    queue_.emplace_back(0, foot);
+    while (!queue_.empty()) {
+      std::ranges::pop_heap(queue_, std::greater<>());
+      const auto [key, unit] = queue_.back();
+      queue_.pop_back();
+      const double left = 1 - distance(graph_.nodes[units_.members(unit).front()].at, at) / reach_.reach_m;
+      if (left <= 0) continue;
+      low_m_[unit] = std::min(low_m_[unit], std::max(excess_m_[unit], -reach_.most_m * left));
+      go_on(unit);
+    }
+    for (const std::uint32_t unit : touched_) excess_m_[unit] = 0, times_[unit] = 0;
+    touched_.clear();
+    queue_.clear();
+  }
+
+  void go_on(std::uint32_t unit) {
+    constexpr double kLess_m = 1e-9;
+    // two plates side by side that tilt apart pull each other down without end
+    constexpr int kTimes = 3;
+    for (const std::uint32_t n : units_.members(unit)) {
+      for (const Leg& leg : graph_.legs_of(n)) {
+        const std::uint32_t to = units_.of[leg.to];
+        const double excess_m = excess_m_[unit] + excess_beyond_m(n, leg);
+        if (to == unit || excess_m > excess_m_[to] - kLess_m || times_[to] >= kTimes) continue;
+        ++times_[to];
+        excess_m_[to] = excess_m;
+        touched_.push_back(to);
+        queue_.emplace_back(z_m_[leg.to] + excess_m, to);
+        std::ranges::push_heap(queue_, std::greater<>());
+      }
+    }
+  }
+
+  const ProfileGraph& graph_;
+  const Units& units_;
+  std::span<const double> z_m_;
+  GradeReach reach_;
+  std::span<const double> steepness_;
+  std::vector<double> excess_m_, low_m_;
+  std::vector<int> times_;
+  std::vector<std::uint32_t> touched_;
+  std::vector<Key> queue_;
+};
+
+std::vector<double> negated(std::span<const double> z_m) {
+  std::vector<double> turned;
+  for (const double z : z_m) turned.push_back(-z);
+  return turned;
+}
+
+// How far each unit may rise for pinned nodes.
+std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::span<const double> z_m) {
+  GraphWalk walk(graph);
+  const std::vector<double> cap_m = caps_of_pinned(graph, walk, z_m);
+  std::vector<double> room_m(units.count(), std::numeric_limits<double>::infinity());
+  for (std::uint32_t n = 0; n < z_m.size(); ++n) room_m[units.of[n]] = std::min(room_m[units.of[n]], cap_m[n] - z_m[n]);
+  return room_m;
+}
+
+}  // namespace
+
+std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeReach reach) {
+  const Units units(graph);
+  const std::vector<double> low_m = Lowering(graph, units, z_m, reach).run();
+  std::vector<double> lowered;
+  for (std::uint32_t n = 0; n < z_m.size(); ++n) lowered.push_back(z_m[n] + low_m[units.of[n]]);
+  return lowered;
+}
+
+std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
+                                 std::span<const double> steepness) {
+  const Units units(graph);
+  const std::vector<double> turned_m = negated(z_m);
+  const std::vector<double> down_m = Lowering(graph, units, z_m, {}, steepness).run();
+  const std::vector<double> up_m = Lowering(graph, units, turned_m, {}, steepness).run();
+  const auto stays = [](double m) { return m == 0; };
+  if (std::ranges::all_of(down_m, stays) && std::ranges::all_of(up_m, stays)) return {z_m.begin(), z_m.end()};
+  const std::vector<double> room_up_m = room_of(graph, units, z_m), room_down_m = room_of(graph, units, turned_m);
+  std::vector<double> limited;
+  for (std::uint32_t n = 0; n < z_m.size(); ++n) {
+    const std::uint32_t u = units.of[n];
+    const double move_m = (down_m[u] - up_m[u]) / 2;
+    limited.push_back(z_m[n] + std::max(std::min(move_m, room_up_m[u]), -room_down_m[u]));
+  }
+  return limited;
+}
+
+}  // namespace citykiln::ground

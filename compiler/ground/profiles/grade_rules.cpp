@@ -1,0 +1,35 @@
+#include "compiler/ground/profiles/grade_rules.h"
+
+#include <algorithm>
+
+namespace citykiln::ground {
+namespace {
+
+using map::SurfaceClass;
+
+struct Row {
+  SurfaceClass surface;
+  GradeRule rule;
+};
+
+constexpr Row kRows[] = {
+#define GRADED(surface, limit, smooth_m) {SurfaceClass::surface, {limit, smooth_m}},
+#include "compiler/ground/profiles/grade_rules.inc"
+#undef GRADED
+};
+
+const Row* row_of(SurfaceClass surface) {
+  const Row* found = std::ranges::find(kRows, surface, &Row::surface);
+  return found == std::end(kRows) ? nullptr : found;
+}
+
+}  // namespace
+
+bool is_graded(SurfaceClass surface) { return row_of(surface) != nullptr; }
+
+GradeRule grade_rule_of(SurfaceClass surface) {
+  if (const Row* row = row_of(surface)) return row->rule;
+  return {0.50, 24};
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,66 @@
+// From a place of the graph outwards, nearest first (Dijkstra 1959).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "compiler/ground/profiles/profile_graph.h"
+
+namespace citykiln::ground {
+
+/// Memory for many walks over one graph.
+class GraphWalk {
+ public:
+  explicit GraphWalk(const ProfileGraph& graph)
+      : graph_(graph), cost_(graph.nodes.size(), std::numeric_limits<double>::infinity()) {}
+
+  /// A node to start from, and what being there costs.
+  using Start = std::pair<double, std::uint32_t>;
+
+  /// Calls reached(node, cost) for each node that costs at most `most`, once, in the order of costs, then of nodes;
+  /// goes on from where it returns true. `cost_of(leg)` >= 0. O(s log s) in the legs seen.
+  template <typename CostOf, typename Reached>
+  void from(std::span<const Start> starts, double most, CostOf cost_of, Reached reached) {
+    for (const auto& [cost, node] : starts) improve(node, cost, most);
+    while (!queue_.empty()) {
+      std::ranges::pop_heap(queue_, std::greater<>());
+      const auto [cost, node] = queue_.back();
+      queue_.pop_back();
+      if (cost > cost_[node] || !reached(node, cost)) continue;
+      for (const Leg& leg : graph_.legs_of(node)) improve(leg.to, cost + cost_of(leg), most);
+    }
+    for (const std::uint32_t node : touched_) cost_[node] = std::numeric_limits<double>::infinity();
+    touched_.clear();
+  }
+
+ private:
+  void improve(std::uint32_t node, double cost, double most) {
+    if (cost >= cost_[node] || cost > most) return;
+    cost_[node] = cost;
+    touched_.push_back(node);
+    queue_.emplace_back(cost, node);
+    std::ranges::push_heap(queue_, std::greater<>());
+  }
+
+  const ProfileGraph& graph_;
+  std::vector<double> cost_;
+  std::vector<std::uint32_t> touched_;
+  std::vector<Start> queue_;
+};
+
+/// The stations before and after a place along a way, to start from at no cost.
+std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
+
+/// How steep a leg may be.
+double limit_of(const ProfileGraph& graph, const Leg& leg);
+
+/// Whether a way may be steeper than its limit for the sake of a clearance: streets and paths, not what runs on rails,
+/// nor motorways.
+bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
+
+}  // namespace citykiln::ground

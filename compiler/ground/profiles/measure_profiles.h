@@ -1,0 +1,32 @@
+// What profiles keep of what they promise, measured on the knots as they are written.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/ground/profiles/plan_profiles.h"
+
+namespace citykiln::ground {
+
+struct GradeMeasure {
+  map::SurfaceClass surface{};
+  double length_m = 0;
+  double over_m = 0;    ///< Of that, steeper than the class' limit by more than the heights' rounding.
+  double steepest = 0;  ///< Rise over run, of runs of 2 m or more.
+};
+
+struct ProfileMeasures {
+  std::vector<GradeMeasure> classes;  ///< By class; those that occur.
+  double length_m = 0, over_m = 0;    ///< Of what is driven on: without paths' bridges.
+  double largest_jump_m = 0;          ///< Between two ways where they share a node.
+  std::uint64_t knots = 0;
+  std::uint64_t crossings = 0;  ///< Pairs of which one passes over the other.
+  std::uint64_t lacking = 0;    ///< Pairs of which more than a quarter of a metre of clearance is missing.
+  double largest_lack_m = 0;
+  std::uint64_t lacking_over_1_m = 0, lacking_over_3_m = 0;
+};
+
+ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);
+
+}  // namespace citykiln::ground

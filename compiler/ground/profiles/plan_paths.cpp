@@ -1,0 +1,200 @@
+#include "compiler/ground/profiles/plan_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "compiler/ground/profiles/approach_paths.h"
+#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/grade_limits.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/lacks.h"
+#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/plan.h"
+#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/roads/plan.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Track;
+
+/// Of a stair.
+constexpr double kStep_m = 0.25;
+
+double height_on(const Profile& profile, double at_m) { return profile.empty() ? 0 : knot_at(profile, at_m).z_m; }
+
+const Profile& profile_of(const Profiles& profiles, const GradedWay& way) {
+  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+}
+
+// Bridges for what is no path, with their heights: the land keeps below them.
+std::vector<roads::Road> decks_of(const map::Features& features, const Profiles& profiles) {
+  std::vector<roads::Road> decks;
+  std::size_t off = 0;
+  for (const Track& track : features.tracks) {
+    if (!leaves_ground(track)) continue;
+    const Profile& profile = profiles.off_ground[off++];
+    if (track.passage != map::Passage::kBridge || !is_graded(track.surface)) continue;
+    decks.push_back(roads::road_of(track));
+    decks.back().profile = profile;
+  }
+  return decks;
+}
+
+Carving carved(const map::Features& features, const Profiles& profiles, const Bare& bare) {
+  std::vector<Surface> wet(bare.waters.begin(), bare.waters.end());
+  for (const roads::Strip& stream : bare.streams) wet.push_back(surface_of(stream));
+  const std::vector<roads::Road> decks = decks_of(features, profiles);
+  return carve(bare.heights, {profiles.roads, bare.streams, wet, features.region, false, decks, {}});
+}
+
+// The decided height of every node of the map that a line with heights of its own shares with a path of the graph.
+struct Decided {
+  std::int64_t node_id;
+  double z_m;
+};
+
+std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles) {
+  std::vector<std::int64_t> of_paths;
+  for (const GradedWay& way : paths.ways)
+    of_paths.insert(of_paths.end(), way.track->node_ids.begin(), way.track->node_ids.end());
+  std::ranges::sort(of_paths);
+  std::vector<Decided> decided;
+  for (const GradedWay& way : all.ways) {
+    if (!is_graded(way.track->surface)) continue;
+    const std::vector<double> along = roads::distances_along(way.track->axis, 0);
+    for (std::size_t v = 0; v < along.size(); ++v)
+      if (std::ranges::binary_search(of_paths, way.track->node_ids[v]))
+        decided.push_back({way.track->node_ids[v], height_on(profile_of(profiles, way), along[v])});
+  }
+  std::ranges::sort(decided, {}, [](const Decided& d) { return std::tuple(d.node_id, d.z_m); });
+  return decided;
+}
+
+// By node: of the ground the carved land's, of what is shared with other lines theirs; off the ground the line between.
+std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
+                               const Carving& carving) {
+  std::vector<double> z_m;
+  z_m.reserve(paths.nodes.size());
+  for (const GraphNode& node : paths.nodes) z_m.push_back(land_m(carving, node.at));
+  const std::vector<Decided> decided = decided_heights(paths, all, profiles);
+  for (const GradedWay& way : paths.ways) {
+    const std::vector<double> along = roads::distances_along(way.track->axis, 0);
+    for (const Station& station : paths.stations_of(way)) {
+      const auto v = std::ranges::find(along, station.at_m);
+      if (v == along.end()) continue;
+      const std::int64_t id = way.track->node_ids[static_cast<std::size_t>(v - along.begin())];
+      const auto found = std::ranges::lower_bound(decided, id, {}, &Decided::node_id);
+      if (found != decided.end() && found->node_id == id) z_m[station.node] = found->z_m;
+    }
+  }
+  draw_lines(paths, z_m);
+  return z_m;
+}
+
+// Crossings of all lines as the paths see them: others stay where they are.
+std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all, std::span<const Crossing> crossings,
+                              const Profiles& profiles) {
+  const auto way_of = [&](std::uint32_t way) {
+    if (way == kNone) return kNone;
+    const auto id = [](const GradedWay& w) { return w.track->id; };
+    const auto found = std::ranges::lower_bound(paths.ways, all.ways[way].track->id, {}, id);
+    const bool is_path = found != paths.ways.end() && found->track->id == all.ways[way].track->id;
+    return is_path ? static_cast<std::uint32_t>(found - paths.ways.begin()) : kNone;
+  };
+  std::vector<Crossing> seen;
+  for (const Crossing& c : crossings) {
+    Crossing path = c;
+    path.upper = way_of(c.upper), path.lower = way_of(c.lower);
+    if (path.upper == kNone && path.lower == kNone) continue;
+    if (path.upper == kNone && c.upper != kNone)
+      path.upper_z_m = height_on(profile_of(profiles, all.ways[c.upper]), c.upper_at_m);
+    if (path.lower == kNone && c.lower != kNone)
+      path.lower_z_m = height_on(profile_of(profiles, all.ways[c.lower]), c.lower_at_m);
+    seen.push_back(path);
+  }
+  return seen;
+}
+
+// Between its ends, which stay. Upper hull (Andrew 1979).
+void straighten(std::span<const Station> stations, std::vector<double>& z_m) {
+  Polyline crests;
+  for (const Station& s : stations) {
+    const Vec2 here{s.at_m, z_m[s.node]};
+    while (crests.size() > 1 && cross(crests.back() - crests[crests.size() - 2], here - crests.back()) >= 0)
+      crests.pop_back();
+    crests.push_back(here);
+  }
+  for (std::size_t s = 1, c = 0; s + 1 < stations.size(); ++s) {
+    while (c + 2 < crests.size() && crests[c + 1].x <= stations[s].at_m) ++c;
+    const double t = (stations[s].at_m - crests[c].x) / (crests[c + 1].x - crests[c].x);
+    z_m[stations[s].node] = std::max(z_m[stations[s].node], crests[c].y + (crests[c + 1].y - crests[c].y) * t);
+  }
+}
+
+// A deck that was lifted over one thing after the other goes straight from crest to crest, where nothing is above it,
+// as far as nothing else joins it.
+void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> crossings, std::vector<double>& z_m) {
+  std::vector<bool> is_below(paths.ways.size());
+  for (const Crossing& c : crossings)
+    if (c.lower != kNone) is_below[c.lower] = true;
+  for (std::size_t w = 0; w < paths.ways.size(); ++w) {
+    const GradedWay& way = paths.ways[w];
+    if (way.track->passage != map::Passage::kBridge || is_below[w]) continue;
+    const std::span<const Station> stations = paths.stations_of(way);
+    for (std::size_t first = 0, s = 1; s < stations.size(); ++s) {
+      const GraphNode& node = paths.nodes[stations[s].node];
+      if (s + 1 < stations.size() && !node.is_pinned && node.legs == 2) continue;
+      straighten(stations.subspan(first, s - first + 1), z_m);
+      first = s;
+    }
+  }
+}
+
+// A path that nothing moved for a clearance needs no profile, nor one that its grade limit moved by less than a step.
+bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
+              std::span<const double> to_m, double by_m) {
+  return std::ranges::any_of(paths.stations_of(way),
+                             [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > by_m; });
+}
+
+// Of each upper line, or of a tunnel under a path, how much it lacks at most.
+void tell_low(std::span<const Lack> lacks, Report& report) {
+  const auto told_of = [](const Lack& lack) { return lack.upper == OsmId{} ? lack.lower : lack.upper; };
+  for (std::size_t i = 0; i < lacks.size();) {
+    const OsmId line = told_of(lacks[i]);
+    double worst_m = 0;
+    for (; i < lacks.size() && told_of(lacks[i]) == line; ++i) worst_m = std::max(worst_m, lacks[i].lack_m);
+    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
+  }
+}
+
+}  // namespace
+
+Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare& bare, Report& report) {
+  const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
+  const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);
+  const Carving carving = carved(features, profiles, bare);
+  const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
+  const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
+  const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
+  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &bare.heights, lines_m);
+  std::vector<double> z_m = limit_grades(paths, cleared_m);
+  straighten_decks(paths, crossings, z_m);
+  const Plates plates{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
+  for (const GradedWay& way : paths.ways) {
+    if (way.road == kNone) {
+      profiles.off_ground[way.off_ground] = knots_of(paths, way, plates);
+    } else if (is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
+               is_moved(paths, way, lines_m, plates.z_m, kStep_m)) {
+      profiles.roads[way.road].profile = knots_of(paths, way, plates);
+    }
+  }
+  profiles.lacks = find_lacks(features, profiles, below);
+  tell_low(profiles.lacks, report);
+  return profiles;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,124 @@
+#include "compiler/ground/profiles/plan_profiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/ground/profiles/clearances.h"
+#include "compiler/ground/profiles/grade_limits.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/graph_walk.h"
+#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/profiles/plan_paths.h"
+#include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/profiles/smooth_profile.h"
+
+namespace citykiln::ground {
+namespace {
+
+/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back. What is
+/// lacking then is lifted once more, and ramps may be so much steeper than their limit: as much as push_up() makes them
+/// on slopes.
+constexpr double kSteepest = 1.375;
+// Over its limit by less, a road is as steep as rounding makes it.
+constexpr double kSteepMargin = 0.005;
+// Smoothing alone moves tunnels by about as much.
+constexpr double kDugMargin_m = 2;
+
+void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    const double limit = graph.limit_scale * grade_rule_of(way.track->surface).limit;
+    const std::span<const Station> stations = graph.stations_of(way);
+    double steepest = 0;
+    for (std::size_t s = 1; s < stations.size(); ++s) {
+      const double run_m = std::max(stations[s].at_m - stations[s - 1].at_m, 1.0);
+      steepest = std::max(steepest, std::abs(z_m[stations[s].node] - z_m[stations[s - 1].node]) / run_m);
+    }
+    if (steepest > limit + kSteepMargin) report.add(Code::kTooSteep, way.track->id.osm, steepest);
+  }
+}
+
+// How far below the line between its mouths a tunnel had to go.
+void tell_dug(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    if (way.track->passage != map::Passage::kTunnel) continue;
+    double deepest_m = 0;
+    for (const Station& station : graph.stations_of(way)) {
+      deepest_m = std::max(deepest_m, lines_m[station.node] - z_m[station.node]);
+    }
+    if (deepest_m > kDugMargin_m) report.add(Code::kTunnelDug, way.track->id.osm, deepest_m);
+  }
+}
+
+void tell_loose_ends(const ProfileGraph& graph, Report& report) {
+  for (const GradedWay& way : graph.ways) {
+    if (way.track->passage != map::Passage::kBridge) continue;
+    const std::span<const Station> stations = graph.stations_of(way);
+    for (const Station& end : {stations.front(), stations.back()})
+      if (graph.nodes[end.node].is_loose) report.add(Code::kBridgeWithoutGround, way.track->id.osm);
+  }
+}
+
+// All along, and so is the heightmap.
+bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates& plates,
+                   const map::Heightfield& heights) {
+  return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
+    return plates.z_m[s.node] == 0 && plates.gradient[s.node] == Vec2{} &&
+           height_m_at(heights, graph.nodes[s.node].at) == 0;
+  });
+}
+
+// Those that nothing would move that must not be steeper.
+std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Crossing> crossings) {
+  std::vector<Crossing> of_streets;
+  const auto keeps = [&](std::uint32_t way, map::Passage moving) {
+    return way == kNone || graph.ways[way].track->passage != moving || may_be_steeper(graph, way);
+  };
+  for (const Crossing& c : crossings)
+    if (keeps(c.upper, map::Passage::kBridge) && keeps(c.lower, map::Passage::kTunnel)) of_streets.push_back(c);
+  return of_streets;
+}
+
+Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
+             std::span<const double> lines_m) {
+  Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.longer_step_m()));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  plates = level_junctions(graph, clear_crossings(graph, crossings, &heights, plates.z_m));
+  plates.z_m = limit_grades(graph, plates.z_m);
+  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, plates.z_m);
+  if (cleared_m == plates.z_m) return plates;
+  std::vector<double> steepness;
+  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == plates.z_m[n] ? 1 : kSteepest);
+  plates = level_junctions(graph, cleared_m);
+  plates.z_m = limit_grades(graph, plates.z_m, steepness);
+  return plates;
+}
+
+}  // namespace
+
+Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
+                       std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
+                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report,
+                       double limit_scale) {
+  ProfileGraph graph = graph_of(features, roads, junctions);
+  graph.limit_scale = limit_scale;
+  const std::vector<Crossing> crossings =
+      find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
+  const std::vector<double> lines_m = line_heights(graph, heights);
+  const Plates plates = solve(graph, crossings, heights, lines_m);
+
+  Profiles profiles{std::move(roads), {}, {}};
+  profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
+  for (const GradedWay& way : graph.ways) {
+    if (way.road == kNone) {
+      profiles.off_ground[way.off_ground] = knots_of(graph, way, plates);
+    } else if (!is_level_zero(graph, way, plates, heights)) {
+      profiles.roads[way.road].profile = knots_of(graph, way, plates);
+    }
+  }
+  tell_steep(graph, plates.z_m, report);
+  tell_dug(graph, lines_m, plates.z_m, report);
+  tell_loose_ends(graph, report);
+  return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
+}
+
+}  // namespace citykiln::ground

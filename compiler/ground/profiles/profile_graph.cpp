@@ -1,0 +1,349 @@
+#include "compiler/ground/profiles/profile_graph.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/profiles/approach_paths.h"
+#include "compiler/ground/profiles/grade_rules.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::Passage;
+using map::Track;
+
+std::vector<double> distances_along(const Polyline& axis) {
+  std::vector<double> along = {0};
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
+  return along;
+}
+
+// A way passes a place. The ground before what leaves it: who shares its node joins it.
+struct Passing {
+  Vec2 at;
+  std::int64_t node_id;
+  std::uint32_t way, vertex;
+  bool is_off;
+};
+
+// A place on a way that gets a station.
+struct Stop {
+  double at_m = 0;
+  std::uint32_t vertex = kNone, junction = kNone;
+};
+
+struct Draft {
+  std::vector<double> along;
+  std::vector<std::uint32_t> node_at;   // of each vertex, kNone where it is nobody's
+  std::vector<std::uint32_t> junction;  // of each vertex
+  std::vector<Stop> stops;
+};
+
+struct Builder {
+  const map::Features& features;
+  std::span<const roads::Road> roads;
+  Lines lines;
+  std::vector<bool> is_approach;  // by track
+  ProfileGraph graph;
+  std::vector<Draft> drafts;
+  std::vector<std::uint32_t> way_of_road;
+  std::vector<std::int64_t> foreign;  // nodes of lines that are in another graph with heights of their own, sorted
+
+  bool is_member(std::size_t t) const;
+
+  void add_ways();
+  std::vector<Passing> passings() const;
+  void join_places();
+  void join_place(std::span<const Passing> here);
+  void stop_at_junctions(std::span<const roads::Junction> junctions);
+  void stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places, std::uint32_t junction);
+  void put_stations();
+  void link();
+  bool goes_on(std::uint32_t node) const;
+  void pin();
+  void pin_loose_ends();
+};
+
+bool Builder::is_member(std::size_t t) const {
+  const Track& track = features.tracks[t];
+  const bool is_path = is_approach[t] || (leaves_ground(track) && !is_graded(track.surface));
+  const bool is_line = leaves_ground(track) || is_graded(track.surface);
+  return lines == Lines::kAll ? is_path || is_line : lines == Lines::kPaths ? is_path : is_line;
+}
+
+void Builder::add_ways() {
+  way_of_road.assign(roads.size(), kNone);
+  std::vector<std::pair<ObjectId, std::uint32_t>> road_ids;
+  for (std::uint32_t r = 0; r < roads.size(); ++r) road_ids.emplace_back(roads[r].id, r);
+  std::ranges::sort(road_ids);
+  std::uint32_t off = 0;
+  for (std::size_t t = 0; t < features.tracks.size(); ++t) {
+    const Track& track = features.tracks[t];
+    GradedWay way{&track, kNone, kNone, 0, 0};
+    if (leaves_ground(track)) way.off_ground = off++;
+    if (!is_member(t)) {
+      if (leaves_ground(track) || is_graded(track.surface))
+        foreign.insert(foreign.end(), track.node_ids.begin(), track.node_ids.end());
+      continue;
+    }
+    if (!leaves_ground(track)) {
+      const auto found = std::ranges::lower_bound(road_ids, track.id, {}, &std::pair<ObjectId, std::uint32_t>::first);
+      if (found == road_ids.end() || found->first != track.id) continue;
+      way.road = found->second;
+    }
+    graph.ways.push_back(way);
+  }
+  std::ranges::sort(foreign);
+  std::ranges::sort(graph.ways, {}, [](const GradedWay& way) { return way.track->id; });
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    if (graph.ways[w].road != kNone) way_of_road[graph.ways[w].road] = w;
+    const Polyline& axis = graph.ways[w].track->axis;
+    drafts.push_back({distances_along(axis),
+                      std::vector<std::uint32_t>(axis.size(), kNone),
+                      std::vector<std::uint32_t>(axis.size(), kNone),
+                      {}});
+  }
+}
+
+std::vector<Passing> Builder::passings() const {
+  std::vector<Passing> passings;
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    const Track& track = *graph.ways[w].track;
+    for (std::uint32_t v = 0; v < track.axis.size(); ++v)
+      passings.push_back({track.axis[v], track.node_ids[v], w, v, leaves_ground(track)});
+  }
+  std::ranges::sort(passings, {},
+                    [](const Passing& p) { return std::tuple(p.at.x, p.at.y, p.is_off, p.node_id, p.way, p.vertex); });
+  return passings;
+}
+
+// All passings of one place: the ground's are one node, the others one a node of the map.
+void Builder::join_place(std::span<const Passing> here) {
+  const auto is_stop = [&](const Passing& p) {
+    return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size() ||
+           std::ranges::binary_search(foreign, p.node_id);
+  };
+  const auto join = [&](std::span<const Passing> members) {
+    const bool matters =
+        members.size() > 1 || std::ranges::any_of(members, is_stop) ||
+        std::ranges::any_of(members, [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; });
+    if (members.empty() || !matters) return;
+    const auto node = static_cast<std::uint32_t>(graph.nodes.size());
+    graph.nodes.push_back({members.front().at, !members.front().is_off, false, false, kNone, 0, 0});
+    for (const Passing& p : members) drafts[p.way].node_at[p.vertex] = node;
+  };
+  std::vector<Passing> ground, rest;
+  const auto first_off = std::ranges::find(here, true, &Passing::is_off);
+  ground.assign(here.begin(), first_off);
+  for (auto p = first_off; p != here.end(); ++p) {
+    const bool is_shared =
+        std::any_of(here.begin(), first_off, [&](const Passing& g) { return g.node_id == p->node_id; });
+    (is_shared ? ground : rest).push_back(*p);
+  }
+  join(ground);
+  for (std::size_t i = 0; i < rest.size();) {
+    std::size_t j = i;
+    while (j < rest.size() && rest[j].node_id == rest[i].node_id) ++j;
+    join(std::span(rest).subspan(i, j - i));
+    i = j;
+  }
+}
+
+void Builder::join_places() {
+  const std::vector<Passing> all = passings();
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t j = i;
+    while (j < all.size() && all[j].at == all[i].at) ++j;
+    join_place(std::span(all).subspan(i, j - i));
+    i = j;
+  }
+}
+
+// How far an arm is its junction's: to its cut, or where a link is inside to the place at its other end.
+void Builder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places,
+                          std::uint32_t junction) {
+  const std::uint32_t w = way_of_road[arm.road];
+  if (w == kNone) return;
+  Draft& draft = drafts[w];
+  const double from_m = draft.along[arm.vertex];
+  draft.junction[arm.vertex] = std::min(draft.junction[arm.vertex], junction);
+  auto v = static_cast<std::int64_t>(arm.vertex) + arm.step;
+  for (; v >= 0 && v < static_cast<std::int64_t>(draft.along.size()); v += arm.step) {
+    const auto vertex = static_cast<std::size_t>(v);
+    if (cut.length_m != roads::kWhole_m && std::abs(draft.along[vertex] - from_m) > cut.length_m) break;
+    draft.junction[vertex] = std::min(draft.junction[vertex], junction);
+    if (std::ranges::binary_search(places, graph.ways[w].track->axis[vertex])) return;
+  }
+  if (cut.length_m == roads::kWhole_m) return;
+  const double cut_m = from_m + arm.step * cut.length_m, eased_m = cut_m + arm.step * kEase_m;
+  const double end_m = draft.along.back();
+  if (cut_m > 0 && cut_m < end_m) draft.stops.push_back({cut_m, kNone, junction});
+  if (eased_m > 0 && eased_m < end_m) draft.stops.push_back({eased_m, kNone, kNone});
+}
+
+void Builder::stop_at_junctions(std::span<const roads::Junction> junctions) {
+  const std::vector<std::vector<roads::Arm>> arms = roads::arms_of(junctions, roads);
+  for (std::uint32_t j = 0; j < junctions.size(); ++j)
+    for (std::size_t a = 0; a < arms[j].size(); ++a)
+      stop_at_arm(arms[j][a], junctions[j].cuts[a], junctions[j].places, j);
+}
+
+// Stops apart: a vertex's stays, of others those that keep off it.
+std::vector<Stop> apart(std::vector<Stop> stops) {
+  constexpr double kApart_m = 0.5;
+  std::ranges::sort(stops, {}, [](const Stop& s) { return std::tuple(s.at_m, s.vertex, s.junction); });
+  std::vector<Stop> kept;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const Stop& s = stops[i];
+    if (s.vertex != kNone) {
+      while (!kept.empty() && kept.back().vertex == kNone && s.at_m - kept.back().at_m < kApart_m) kept.pop_back();
+      kept.push_back(s);
+    } else if (kept.empty() || s.at_m - kept.back().at_m >= kApart_m) {
+      kept.push_back(s);
+    } else if (kept.back().vertex == kNone) {
+      kept.back().junction = std::min(kept.back().junction, s.junction);
+    }
+  }
+  return kept;
+}
+
+Vec2 point_at(const Polyline& axis, std::span<const double> along, double at_m) {
+  const auto after = std::ranges::upper_bound(along, at_m);
+  if (after == along.end()) return axis.back();
+  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - along.begin(), 1));
+  return axis[i - 1] + (axis[i] - axis[i - 1]) * ((at_m - along[i - 1]) / (along[i] - along[i - 1]));
+}
+
+void Builder::put_stations() {
+  const double station_m = lines == Lines::kPaths ? kPathStation_m : kStation_m;
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    GradedWay& way = graph.ways[w];
+    Draft& draft = drafts[w];
+    for (std::uint32_t v = 0; v < draft.along.size(); ++v)
+      if (draft.node_at[v] != kNone) draft.stops.push_back({draft.along[v], v, draft.junction[v]});
+    const std::vector<Stop> stops = apart(std::move(draft.stops));
+    way.first = static_cast<std::uint32_t>(graph.stations.size());
+    const auto put = [&](double at_m, std::uint32_t junction) {
+      graph.stations.push_back({at_m, static_cast<std::uint32_t>(graph.nodes.size())});
+      const Vec2 at = point_at(way.track->axis, draft.along, at_m);
+      graph.nodes.push_back({at, way.road != kNone, false, false, junction, 0, 0});
+    };
+    for (std::size_t s = 0; s < stops.size(); ++s) {
+      if (s > 0) {
+        const double from_m = stops[s - 1].at_m, run_m = stops[s].at_m - from_m;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(run_m / station_m)));
+        for (int i = 1; i < pieces; ++i) put(from_m + run_m * i / pieces, kNone);
+      }
+      if (stops[s].vertex == kNone) {
+        put(stops[s].at_m, stops[s].junction);
+      } else {
+        const std::uint32_t node = draft.node_at[stops[s].vertex];
+        graph.stations.push_back({stops[s].at_m, node});
+        graph.nodes[node].junction = std::min(graph.nodes[node].junction, stops[s].junction);
+      }
+    }
+    way.count = static_cast<std::uint32_t>(graph.stations.size()) - way.first;
+  }
+}
+
+void Builder::link() {
+  const auto each = [&](auto visit) {
+    for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+      const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
+      for (std::size_t s = 1; s < stations.size(); ++s) visit(w, stations[s - 1], stations[s]);
+    }
+  };
+  each([&](std::uint32_t, const Station& a, const Station& b) {
+    ++graph.nodes[a.node].legs, ++graph.nodes[b.node].legs;
+  });
+  std::uint32_t first = 0;
+  for (GraphNode& node : graph.nodes) {
+    node.first_leg = first;
+    first += node.legs;
+    node.legs = 0;
+  }
+  graph.legs.resize(first);
+  each([&](std::uint32_t w, const Station& a, const Station& b) {
+    const double length_m = b.at_m - a.at_m;
+    graph.legs[graph.nodes[a.node].first_leg + graph.nodes[a.node].legs++] = {b.node, w, length_m};
+    graph.legs[graph.nodes[b.node].first_leg + graph.nodes[b.node].legs++] = {a.node, w, length_m};
+  });
+}
+
+// Where a bridge or tunnel goes on through a node, steps that lead to it hold nothing.
+bool Builder::goes_on(std::uint32_t node) const {
+  return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; }) >
+         1;
+}
+
+// What leaves the ground comes down on a path of another graph, or a bridge's end on nothing.
+void Builder::pin() {
+  std::vector<std::pair<std::int64_t, std::uint32_t>> off;
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    for (std::size_t v = 0; v < drafts[w].along.size(); ++v) {
+      const std::uint32_t node = drafts[w].node_at[v];
+      if (node == kNone) continue;
+      if (graph.ways[w].road == kNone) off.emplace_back(graph.ways[w].track->node_ids[v], node);
+      if (std::ranges::binary_search(foreign, graph.ways[w].track->node_ids[v])) graph.nodes[node].is_pinned = true;
+    }
+  }
+  std::ranges::sort(off);
+  for (std::size_t t = 0; t < features.tracks.size(); ++t) {
+    const Track& track = features.tracks[t];
+    if (leaves_ground(track) || is_graded(track.surface) || off.empty()) continue;
+    if (is_approach[t] && lines != Lines::kGraded) continue;
+    for (const std::int64_t id : track.node_ids) {
+      auto found = std::ranges::lower_bound(off, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
+      for (; found != off.end() && found->first == id; ++found)
+        if (!graph.nodes[found->second].is_on_ground && !goes_on(found->second))
+          graph.nodes[found->second].is_pinned = true;
+    }
+  }
+  pin_loose_ends();
+}
+
+void Builder::pin_loose_ends() {
+  for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
+    const GradedWay& way = graph.ways[w];
+    if (way.track->passage != Passage::kBridge) continue;
+    for (const std::uint32_t end : {drafts[w].node_at.front(), drafts[w].node_at.back()}) {
+      GraphNode& node = graph.nodes[end];
+      if (!node.is_on_ground && !node.is_pinned && node.legs == 1) node.is_loose = node.is_pinned = true;
+    }
+  }
+}
+
+}  // namespace
+
+bool leaves_ground(const Track& track) { return track.passage != Passage::kGround; }
+
+ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road> roads,
+                      std::span<const roads::Junction> junctions, Lines lines) {
+  Builder builder{features, roads, lines, approach_paths(features), {}, {}, {}, {}};
+  builder.graph.lines = lines;
+  builder.add_ways();
+  builder.stop_at_junctions(junctions);
+  builder.join_places();
+  builder.put_stations();
+  builder.link();
+  builder.pin();
+  return std::move(builder.graph);
+}
+
+std::uint32_t station_before(const ProfileGraph& graph, const GradedWay& way, double at_m) {
+  const std::span<const Station> stations = graph.stations_of(way);
+  const auto after = std::ranges::upper_bound(stations, at_m, {}, &Station::at_m);
+  const auto i = static_cast<std::uint32_t>(after - stations.begin());
+  return std::clamp(i, 1u, way.count - 1) - 1;
+}
+
+double height_along(const ProfileGraph& graph, const GradedWay& way, std::span<const double> z_m, double at_m) {
+  const std::uint32_t i = station_before(graph, way, at_m);
+  const Station &a = graph.stations[way.first + i], &b = graph.stations[way.first + i + 1];
+  const double t = std::clamp((at_m - a.at_m) / (b.at_m - a.at_m), 0.0, 1.0);
+  return z_m[a.node] + (z_m[b.node] - z_m[a.node]) * t;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,137 @@
+#include "compiler/ground/water/river_areas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/ground/cover/inside_rings.h"
+#include "compiler/ground/cover/shared_borders.h"
+
+namespace citykiln::ground {
+namespace {
+
+// Axes and banks are looked at so far apart.
+constexpr double kApart_m = 32;
+
+struct AxisPlace {
+  Vec2 at;
+  std::uint32_t stream;
+  auto operator<=>(const AxisPlace&) const = default;
+};
+
+// The points of a line and more between them; `visit` takes each.
+template <typename Visit>
+void walk(Vec2 a, Vec2 b, Visit visit) {
+  const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kApart_m)));
+  for (int i = 0; i < n; ++i) visit(a + (b - a) * (static_cast<double>(i) / n));
+}
+
+std::vector<AxisPlace> places_of(std::span<const roads::Strip> streams, std::uint32_t s) {
+  std::vector<AxisPlace> places;
+  const Polyline& axis = streams[s].axis;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    walk(axis[i], axis[i + 1], [&](Vec2 p) { places.push_back({p, s}); });
+  places.push_back({axis.back(), s});
+  return places;
+}
+
+// Areas that share borders, and the places of the axes that run through any of them, from west to east.
+struct RiverGroup {
+  std::vector<std::uint32_t> surfaces;
+  std::vector<BandedRings> rings;
+  std::vector<AxisPlace> places;
+};
+
+std::vector<RiverGroup> group_areas(std::span<const Surface> surfaces) {
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].surface == map::SurfaceClass::kRiver) members.push_back(i);
+  const std::vector<std::uint32_t> group = groups_of(members.size(), shared_borders(surfaces, members));
+  std::vector<RiverGroup> groups(members.size());
+  for (std::uint32_t m = 0; m < members.size(); ++m) {
+    groups[group[m]].surfaces.push_back(members[m]);
+    groups[group[m]].rings.push_back(band_rings(surfaces[members[m]]));
+  }
+  std::erase_if(groups, [](const RiverGroup& g) { return g.surfaces.empty(); });
+  return groups;
+}
+
+void add_axes(RiverGroup& group, std::span<const roads::Strip> streams, std::span<const Box2> boxes) {
+  for (std::uint32_t s = 0; s < streams.size(); ++s) {
+    const auto is_near = [&](const BandedRings& rings) { return rings.box.touches(boxes[s]); };
+    if (std::ranges::none_of(group.rings, is_near)) continue;
+    const std::vector<AxisPlace> places = places_of(streams, s);
+    const bool runs_through = std::ranges::any_of(places, [&](const AxisPlace& place) {
+      return std::ranges::any_of(group.rings, [&](const BandedRings& rings) { return is_inside(rings, place.at); });
+    });
+    if (runs_through) group.places.insert(group.places.end(), places.begin(), places.end());
+  }
+  std::sort(group.places.begin(), group.places.end());
+}
+
+struct Nearest {
+  std::uint32_t stream = 0;
+  double distance_m = INFINITY;
+};
+
+// From p outward, west and east, until no place can be nearer.
+Nearest nearest_place(const std::vector<AxisPlace>& places, Vec2 p) {
+  Nearest nearest;
+  const auto look = [&](const AxisPlace& place) {
+    const double d = distance(place.at, p);
+    if (d < nearest.distance_m || (d == nearest.distance_m && place.stream < nearest.stream))
+      nearest = {place.stream, d};
+    return std::abs(place.at.x - p.x) <= nearest.distance_m;
+  };
+  const auto middle = std::lower_bound(places.begin(), places.end(), AxisPlace{p, 0});
+  for (auto east = middle; east != places.end() && look(*east);) ++east;
+  for (auto west = middle; west != places.begin() && look(*--west);) continue;
+  return nearest;
+}
+
+// The farthest bank of one area from each stream that is the nearest to it.
+std::vector<Nearest> farthest_banks(const Surface& surface, const RiverGroup& group, const Box2& box) {
+  std::vector<Nearest> farthest;
+  const auto look = [&](Vec2 p) {
+    if (!box.contains(p)) return;
+    const Nearest nearest = nearest_place(group.places, p);
+    const auto known = std::ranges::find(farthest, nearest.stream, &Nearest::stream);
+    if (known == farthest.end())
+      farthest.push_back(nearest);
+    else
+      known->distance_m = std::max(known->distance_m, nearest.distance_m);
+  };
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) walk(ring[j], ring[i], look);
+  return farthest;
+}
+
+double reach_for(double distance_m) {
+  return std::ceil((distance_m + kApart_m / 2) * 1.25 / kReachStep_m) * kReachStep_m;
+}
+
+void set_reaches(std::span<const Surface> surfaces, const RiverGroup& group, const Box2& box, RiverAreas& areas) {
+  for (const std::uint32_t s : group.surfaces) {
+    const std::vector<Nearest> banks =
+        group.places.empty() ? std::vector<Nearest>{} : farthest_banks(surfaces[s], group, box);
+    const auto is_too_far = [](const Nearest& n) { return reach_for(n.distance_m) > kMostReach_m; };
+    areas.lacks_axis[s] = group.places.empty() || std::ranges::any_of(banks, is_too_far);
+    if (areas.lacks_axis[s]) continue;
+    for (const Nearest& bank : banks)
+      areas.reach_m[bank.stream] = std::max(areas.reach_m[bank.stream], reach_for(bank.distance_m));
+  }
+}
+
+}  // namespace
+
+RiverAreas find_river_axes(std::span<const Surface> surfaces, std::span<const roads::Strip> streams, const Box2& box) {
+  RiverAreas areas{std::vector<double>(streams.size(), 0), std::vector<bool>(surfaces.size(), false)};
+  std::vector<Box2> boxes;
+  for (const roads::Strip& stream : streams) boxes.push_back(box_of(stream.axis));
+  for (RiverGroup& group : group_areas(surfaces)) {
+    add_axes(group, streams, boxes);
+    set_reaches(surfaces, group, box, areas);
+  }
+  return areas;
+}
+
+}  // namespace citykiln::ground

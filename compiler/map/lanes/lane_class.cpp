@@ -1,0 +1,57 @@
+#include "compiler/map/lanes/lane_class.h"
+
+#include <algorithm>
+
+#include "compiler/map/surface_class.h"
+#include "compiler/map/tag_values.h"
+#include "compiler/map/track_rules.h"
+
+namespace citykiln::map {
+namespace {
+
+struct KindRow {
+  std::string_view key, value;
+  LaneKind kind;
+};
+constexpr KindRow kKinds[] = {
+#define LANE_CLASS(key, value, kind) {key, value, LaneKind::kind},
+#include "compiler/map/lanes/lane_rules.inc"
+#undef LANE_CLASS
+};
+
+LaneKind kind_of(const TrackRow& track) {
+  for (const KindRow& row : kKinds)
+    if (row.key == track.key && row.value == track.value) return row.kind;
+  return LaneKind::kDriving;
+}
+
+// Closed to all but buses.
+bool is_for_buses(const LaneTags& tags) {
+  const std::string_view bus = tags("bus"), psv = tags("psv");
+  const bool is_closed = tags("access") == "no" || tags("vehicle") == "no" || tags("motor_vehicle") == "no";
+  return is_closed && (says_yes(bus) || says_yes(psv));
+}
+
+LaneClass class_of(const LaneTags& tags, const TrackRow& row) {
+  LaneClass result{kind_of(row), row.width_m, row.lanes, row.surface == SurfaceClass::kMotorwayRoad, false, false};
+  result.is_road = row.key == "highway" && (result.kind == LaneKind::kDriving || result.kind == LaneKind::kBus);
+  result.is_both_ways = !result.is_road && result.kind != LaneKind::kCycle;
+  if (result.is_road && is_for_buses(tags)) result.kind = LaneKind::kBus;
+  return result;
+}
+
+}  // namespace
+
+double LaneClass::width_m_of(double counted) const {
+  if (lanes > 0) return std::max(counted * width_m, kLeastCarriageway_m);
+  return counted < 2 ? width_m : std::max(width_m, counted * kUncountedLane_m);
+}
+
+LaneClass lane_class_of(const LaneTags& tags) {
+  if (const TrackRow* row = track_row(tags)) return class_of(tags, *row);
+  LaneClass unknown;
+  unknown.is_both_ways = true;
+  return unknown;
+}
+
+}  // namespace citykiln::map

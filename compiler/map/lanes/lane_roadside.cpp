@@ -1,0 +1,168 @@
+#include "compiler/map/lanes/lane_roadside.h"
+
+#include <algorithm>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+namespace {
+
+struct CyclewayRow {
+  std::string_view value;
+  bool is_raised, is_contraflow;
+};
+constexpr CyclewayRow kCycleways[] = {
+#define CYCLEWAY(value, is_raised, is_contraflow) {value, is_raised, is_contraflow},
+#include "compiler/map/lanes/lane_rules.inc"
+#undef CYCLEWAY
+};
+
+struct MeasureRow {
+  std::string_view value;
+  double measure;
+};
+constexpr MeasureRow kParkings_m[] = {
+#define PARKING(value, metres) {value, metres},
+#include "compiler/map/lanes/lane_rules.inc"
+#undef PARKING
+};
+constexpr MeasureRow kParkingPlaces[] = {
+#define PARKING_PLACE(value, share_inside) {value, share_inside},
+#include "compiler/map/lanes/lane_rules.inc"
+#undef PARKING_PLACE
+};
+
+template <typename Row, std::size_t n>
+const Row* row_of(const Row (&rows)[n], std::string_view value) {
+  for (const Row& row : rows)
+    if (row.value == value) return &row;
+  return nullptr;
+}
+
+// cycleway=* alone is on both sides of a two-way road; of a one-way road on the side of its traffic, and a lane against
+// the traffic on the other side.
+const CyclewayRow* cycleway_beside(const LaneTags& tags, Flow flow) {
+  if (const std::string_view beside = tags.beside(flow, "cycleway"); !beside.empty()) return row_of(kCycleways, beside);
+  const CyclewayRow* row = row_of(kCycleways, tags("cycleway"));
+  if (row == nullptr || !tags.is_one_way()) return row;
+  return row->is_contraflow == (flow == tags.only_flow()) ? nullptr : row;
+}
+
+LaneWay cycling_way(const LaneTags& tags, Flow flow, const CyclewayRow& row) {
+  const std::string_view oneway = tags.beside(flow, "cycleway", ":oneway");
+  if (oneway == "-1") return LaneWay::kBackward;
+  if (oneway == "no") return LaneWay::kBoth;
+  if (!tags.is_one_way()) return way_of(flow);
+  // cyclists who may ride against a one-way road do so on its other side
+  const bool rides_against =
+      row.is_contraflow || (flow != tags.only_flow() && oneway.empty() && tags("oneway:bicycle") == "no");
+  return way_of(rides_against ? opposite(tags.only_flow()) : tags.only_flow());
+}
+
+double buffer_m(const LaneTags& tags, Flow flow) {
+  std::string_view text = tags.beside(flow, "cycleway", ":buffer");
+  if (text.empty()) text = tags("cycleway:buffer");
+  if (!says_yes(text) || text == "none") return 0;
+  const auto length = length_m_of(text);
+  return length && *length > 0 ? std::clamp(*length, 0.1, 5.0) : kBuffer_m;
+}
+
+void add_cycleway(const LaneTags& tags, Flow flow, bool is_raised, std::vector<RoadsideLane>& lanes) {
+  const CyclewayRow* row = cycleway_beside(tags, flow);
+  if (row == nullptr || row->is_raised != is_raised) return;
+  const LaneWay way = cycling_way(tags, flow, *row);
+  const double usual_m = way == LaneWay::kBoth ? kTwoWayCycling_m : is_raised ? kCycleTrack_m : kCycleLane_m;
+  const double width_m = snapped(tags.width_beside(flow, "cycleway").value_or(usual_m));
+  if (const double buffer = snapped(buffer_m(tags, flow)); buffer > 0)
+    lanes.push_back({{LaneKind::kBuffer, LaneWay::kBoth, buffer, 0, is_raised}, is_raised ? 0 : buffer});
+  lanes.push_back({{LaneKind::kCycle, way, width_m, 0, is_raised}, is_raised ? 0 : width_m});
+}
+
+// Cars stand in the direction of the traffic beside them.
+LaneWay parking_way(const LaneTags& tags, Flow flow) {
+  if (tags.traffic == Traffic::kInTurns) return LaneWay::kBoth;
+  return way_of(tags.is_one_way() ? tags.only_flow() : flow);
+}
+
+struct Parking {
+  double width_m, share_inside;
+};
+
+// parking:<side>=place, parking:<side>:orientation=how.
+std::optional<Parking> parking_by_place(const LaneTags& tags, Flow flow, std::string_view place) {
+  const MeasureRow* where = row_of(kParkingPlaces, place);
+  // an orientation in the wrong key
+  if (const MeasureRow* how = row_of(kParkings_m, place)) return Parking{how->measure, 1};
+  if (where == nullptr) return std::nullopt;
+  const MeasureRow* how = row_of(kParkings_m, tags.beside(flow, "parking", ":orientation"));
+  const double usual_m = how != nullptr ? how->measure : kParkings_m[0].measure;
+  return Parking{tags.width_beside(flow, "parking").value_or(usual_m), where->measure};
+}
+
+// parking:lane:<side>=how, parking:lane:<side>:how=place.
+std::optional<Parking> parking_by_lane(const LaneTags& tags, Flow flow) {
+  const std::string_view value = tags.beside(flow, "parking:lane");
+  const MeasureRow* how = row_of(kParkings_m, value);
+  if (how == nullptr) return std::nullopt;
+  const MeasureRow* where = row_of(kParkingPlaces, tags.beside(flow, "parking:lane", std::string(":").append(value)));
+  return Parking{how->measure, where != nullptr ? where->measure : 1};
+}
+
+void add_parking(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
+  const std::string_view place = tags.beside(flow, "parking");
+  const auto parking = place.empty() ? parking_by_lane(tags, flow) : parking_by_place(tags, flow, place);
+  if (!parking) return;
+  const double width_m = snapped(parking->width_m);
+  lanes.push_back(
+      {{LaneKind::kParking, parking_way(tags, flow), width_m, 0, false}, snapped(width_m * parking->share_inside)});
+}
+
+// "both", "yes", "left;right" on the side they name; `yes_is_both`: yes on a one-way road is on both sides of it.
+bool names_side(const LaneTags& tags, Flow flow, std::string_view value, bool yes_is_both) {
+  value = value.substr(0, value.find(';'));
+  if (value == "both" || value == tags.roadside(flow)) return true;
+  return value == "yes" && (yes_is_both || !tags.is_one_way() || flow == tags.only_flow());
+}
+
+bool has_shoulder(const LaneTags& tags, Flow flow) {
+  const std::string_view beside = tags.beside(flow, "shoulder");
+  if (!beside.empty()) return says_yes(beside) && beside != "none";
+  return names_side(tags, flow, tags("shoulder"), false) || tags.beside(flow, "cycleway") == "shoulder";
+}
+
+// Of pavements and verges, which a one-way road has on both sides.
+bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
+  const std::string_view beside = tags.beside(flow, key);
+  if (!beside.empty()) return beside == "yes" || beside == "both" || beside == tags.roadside(flow);
+  return names_side(tags, flow, tags(key), true);
+}
+
+void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
+  if (!is_beside(tags, flow, "verge")) return;
+  const double width_m = snapped(tags.width_beside(flow, "verge").value_or(kVerge_m));
+  lanes.push_back({{LaneKind::kVerge, LaneWay::kBoth, width_m, 0, true}, 0});
+}
+
+}  // namespace
+
+std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lane_class, Flow flow,
+                                      bool has_cycle_lane) {
+  std::vector<RoadsideLane> lanes;
+  if (!has_cycle_lane) add_cycleway(tags, flow, false, lanes);
+  add_parking(tags, flow, lanes);
+  if (has_shoulder(tags, flow)) {
+    const double usual_m = lane_class.is_motorway ? kMotorwayShoulder_m : kShoulder_m;
+    const double width_m = snapped(tags.width_beside(flow, "shoulder").value_or(usual_m));
+    lanes.push_back({{LaneKind::kShoulder, parking_way(tags, flow), width_m, 0, false}, 0});
+  }
+  add_verge(tags, flow, lanes);
+  add_cycleway(tags, flow, true, lanes);
+  if (is_beside(tags, flow, "sidewalk")) {
+    const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
+    lanes.push_back({{LaneKind::kSidewalk, LaneWay::kBoth, width_m, 0, true}, 0});
+  }
+  return lanes;
+}
+
+}  // namespace citykiln::map

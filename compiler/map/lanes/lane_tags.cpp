@@ -1,0 +1,115 @@
+#include "compiler/map/lanes/lane_tags.h"
+
+#include <algorithm>
+
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+namespace {
+
+std::optional<double> readable_width_m(std::string_view text) {
+  const auto length = length_m_of(text);
+  return length && *length >= 0.1 && *length <= 20 ? length : std::nullopt;
+}
+
+// "left", "right" or "both" after a key, before the last word of the tag's key.
+bool is_side(std::string_view text) { return text == "left" || text == "right" || text == "both"; }
+
+// "sidewalk:left:width", "verge:width".
+bool is_width_beside(std::string_view key) {
+  if (key == "verge:width") return true;
+  const std::size_t first = key.find(':'), last = key.rfind(':');
+  if (first == last || key.substr(last) != ":width" || !is_side(key.substr(first + 1, last - first - 1))) return false;
+  const std::string_view what = key.substr(0, first);
+  return what == "cycleway" || what == "parking" || what == "shoulder" || what == "sidewalk" || what == "verge";
+}
+
+// "cycleway:buffer", "cycleway:both:buffer".
+bool is_buffer(std::string_view key) {
+  const std::size_t first = key.find(':'), last = key.rfind(':');
+  if (first == std::string_view::npos || key.substr(0, first) != "cycleway" || key.substr(last) != ":buffer")
+    return false;
+  return first == last || is_side(key.substr(first + 1, last - first - 1));
+}
+
+bool is_readable_buffer(std::string_view value) {
+  return value == "yes" || value == "no" || value == "none" || length_m_of(value).value_or(-1) >= 0;
+}
+
+}  // namespace
+
+std::string_view LaneTags::roadside(Flow flow) const {
+  return (flow == Flow::kForward) == (side == DrivingSide::kRight) ? "right" : "left";
+}
+
+std::string_view LaneTags::beside(Flow flow, std::string_view key, std::string_view suffix) const {
+  for (const std::string_view where : {roadside(flow), std::string_view("both")}) {
+    std::string full(key);
+    full.append(":").append(where).append(suffix);
+    if (const std::string_view value = (*this)(full); !value.empty()) return value;
+  }
+  return {};
+}
+
+std::string_view LaneTags::along(Flow flow, const std::string& key) const {
+  const std::string_view directed = (*this)(key + std::string(suffix(flow)));
+  if (!directed.empty() || !is_one_way() || flow != only_flow()) return directed;
+  return (*this)(key);
+}
+
+std::vector<std::string_view> LaneTags::list_along(Flow flow, const std::string& key) const {
+  std::string_view text = along(flow, key);
+  if (text.empty()) return {};
+  std::vector<std::string_view> entries;
+  for (std::size_t bar = text.find('|'); bar != std::string_view::npos; bar = text.find('|')) {
+    entries.push_back(text.substr(0, bar));
+    text.remove_prefix(bar + 1);
+  }
+  entries.push_back(text);
+  // written left to right as the driver sees them: who drives on the left has the road's middle on the right
+  if (side == DrivingSide::kLeft) std::reverse(entries.begin(), entries.end());
+  return entries;
+}
+
+std::optional<double> LaneTags::count(const std::string& key, double least) const {
+  const std::string_view text = (*this)(key);
+  if (text.empty()) return std::nullopt;
+  const auto number = number_of(text);
+  if (number && *number >= least && *number <= kMostLanes) return number;
+  add_bad_value();
+  return std::nullopt;
+}
+
+std::optional<double> LaneTags::width_beside(Flow flow, std::string_view key) const {
+  const std::string_view text = beside(flow, key, ":width");
+  return readable_width_m(text.empty() && key == "verge" ? (*this)("verge:width") : text);
+}
+
+std::optional<Traffic> told_traffic(std::string_view oneway) {
+  if (oneway == "yes" || oneway == "1" || oneway == "true") return Traffic::kForward;
+  if (oneway == "no" || oneway == "0" || oneway == "false") return Traffic::kTwoWay;
+  if (oneway == "-1" || oneway == "reverse") return Traffic::kBackward;
+  if (oneway == "reversible" || oneway == "alternating") return Traffic::kInTurns;
+  return std::nullopt;
+}
+
+Traffic traffic_of(const LaneTags& tags) {
+  const std::string_view oneway = tags("oneway"), junction = tags("junction"), highway = tags("highway");
+  if (const auto told = told_traffic(oneway)) return *told;
+  if (!oneway.empty()) tags.add_bad_value();
+  const bool is_implied =
+      junction == "roundabout" || junction == "circular" || highway == "motorway" || highway == "motorway_link";
+  return is_implied ? Traffic::kForward : Traffic::kTwoWay;
+}
+
+void diagnose_widths_beside(const LaneTags& tags) {
+  const source::OsmData& osm = tags.reading.osm;
+  for (const source::Tag& tag : osm.tags_of(tags.tags)) {
+    const std::string_view key = osm.strings[tag.key], value = osm.strings[tag.value];
+    const bool is_bad_width = is_width_beside(key) && !readable_width_m(value);
+    const bool is_bad_buffer = is_buffer(key) && !is_readable_buffer(value);
+    if (!value.empty() && (is_bad_width || is_bad_buffer)) tags.add_bad_value();
+  }
+}
+
+}  // namespace citykiln::map

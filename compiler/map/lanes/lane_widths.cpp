@@ -1,0 +1,81 @@
+#include "compiler/map/lanes/lane_widths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::map {
+namespace {
+
+constexpr double kLeastWidth_m = 0.3, kMostWidth_m = 80;
+
+double inside_m(const PerFlow<std::vector<RoadsideLane>>& roadsides) {
+  double sum = 0;
+  for (const Flow flow : kFlows)
+    for (const RoadsideLane& lane : roadsides[flow]) sum += lane.inside_m;
+  return sum;
+}
+
+// In whole quanta, the first lanes taking one more each where it does not come out even.
+void share(double width_m, std::span<Lane* const> lanes) {
+  const auto quanta = static_cast<std::int64_t>(std::llround(width_m / kQuantum_m));
+  const auto n = static_cast<std::int64_t>(lanes.size());
+  for (std::int64_t i = 0; i < n; ++i)
+    lanes[static_cast<std::size_t>(i)]->width_m =
+        static_cast<double>(quanta / n + (i < quanta % n ? 1 : 0)) * kQuantum_m;
+}
+
+// Two lanes that no tag has counted become one: of its flow, or of both.
+void merge_two_lanes(MovingLanes& moving) {
+  const std::vector<Lane*> lanes = moving.all();
+  if (moving.is_tagged || lanes.size() != 2 || lanes[0]->kind != lanes[1]->kind) return;
+  Lane one = *lanes[0];
+  std::vector<Lane>& place = one.way == lanes[1]->way && one.way != LaneWay::kBoth
+                                 ? moving.flows[one.way == LaneWay::kForward ? Flow::kForward : Flow::kBackward]
+                                 : moving.middle;
+  if (one.way != lanes[1]->way) one.way = LaneWay::kBoth;
+  for (const Flow flow : kFlows) moving.flows[flow].clear();
+  place = {one};
+}
+
+}  // namespace
+
+std::optional<double> tagged_width_m(const LaneTags& tags) {
+  for (const char* key : {"width", "est_width"})
+    if (const auto tagged = tagged_length_m(tags.reading, tags.id, tags.tags, key, kLeastWidth_m, kMostWidth_m))
+      return std::max(kQuantum_m, snapped(*tagged));
+  return std::nullopt;
+}
+
+void share_widths(const LaneTags& tags, const LaneClass& lane_class,
+                  const PerFlow<std::vector<RoadsideLane>>& roadsides, MovingLanes& moving) {
+  const auto tagged_m = tagged_width_m(tags);
+  const double inside = inside_m(roadsides);
+  if (tagged_m && *tagged_m - inside < kNarrowestMeeting_m) merge_two_lanes(moving);
+
+  // width:lanes has told some already
+  double told_m = 0, driven = 0;
+  std::vector<Lane*> open;
+  for (Lane* lane : moving.all()) {
+    told_m += lane->width_m;
+    driven += lane->kind == LaneKind::kCycle ? 0 : 1;
+    if (lane->width_m == 0) open.push_back(lane);
+  }
+  if (open.empty()) return;
+  const auto n = static_cast<double>(open.size());
+  double rest_m = snapped(lane_class.width_m_of(moving.counted));
+  // the others are as wide as if none were told
+  if (told_m > 0) rest_m = snapped(lane_class.width_m_of(driven) * n / driven);
+  if (tagged_m) {
+    rest_m = *tagged_m - inside - told_m;
+    const bool is_alone = open.size() == 1 && inside + told_m == 0;
+    if (!is_alone && rest_m < n * kNarrowestLane_m) {
+      tags.add_bad_value();
+      rest_m = n * kNarrowestLane_m;
+    }
+  }
+  share(rest_m, open);
+}
+
+}  // namespace citykiln::map

@@ -1,0 +1,217 @@
+#include "compiler/plants/placing/blue_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/contract/draw.h"
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::plants {
+namespace {
+
+// Fine enough for the densest seats on the steepest ground.
+constexpr double kLattice_m = 2;
+
+// Candidates in a spacing's square of ground. More stand denser, but are not decided in the rounds that there are.
+constexpr double kCandidates = 2.5;
+
+// What becomes of them: sites in a spacing's square of ground, and how many more where so many a hectare are asked for,
+// as there the lattice itself keeps candidates apart. Measured (blue_noise_test.cpp).
+constexpr double kSites = 0.4925, kMoreSites = 6.5e-5;
+
+// A block of cells is looked at, or left out, as one.
+constexpr int kBlock = 16;
+
+// Buckets of candidates are at least as wide as any spacing.
+constexpr double kBucket_m = 8;
+
+enum class State : std::uint8_t { kUndecided, kAccepted, kRejected };
+
+struct Candidate {
+  Site site;
+  std::uint64_t priority = 0;
+  float kept = 0;  // its draw for the seat's share
+};
+
+struct Throw {
+  Vec2 at;
+  double keep, share;
+  std::uint64_t priority;
+};
+
+// The dice of a lattice cell.
+Throw throw_for(std::uint64_t seed, std::int64_t column, std::int64_t row) {
+  constexpr std::uint32_t kPurpose = 0x517e;
+  const std::array<std::uint32_t, 2> key = {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
+  const auto dice =
+      philox4x32_10({static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), kPurpose, 0}, key);
+  const auto unit = [](std::uint32_t bits) { return bits * 0x1p-32; };
+  // the low half of the dice for the place across is not felt there
+  return {snapped(Vec2{(static_cast<double>(column) + unit(dice[0])) * kLattice_m,
+                       (static_cast<double>(row) + unit(dice[1])) * kLattice_m}),
+          unit(dice[2]), (dice[0] & 0xffffu) * 0x1p-16, std::uint64_t{dice[3]} << 32 | dice[1]};
+}
+
+// How many of a lattice cell's candidates are wanted, where the ground is so upright.
+double chance_of(double spacing_m, double upright) {
+  return kCandidates * kLattice_m * kLattice_m / (spacing_m * spacing_m * upright);
+}
+
+StableId id_of(std::int64_t column, std::int64_t row) {
+  const auto number = static_cast<std::uint64_t>(column) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
+  return stable_id(StableId{number}, "site", 0);
+}
+
+struct Cells {
+  std::int64_t first_column, first_row, last_column, last_row;
+};
+
+Cells cells_in(const Box2& box) {
+  const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v / kLattice_m)); };
+  return {cell(box.min.x), cell(box.min.y), cell(box.max.x), cell(box.max.y)};
+}
+
+// Of one block.
+void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& reach, double most, const SeatAt& seat_at,
+                     std::vector<Candidate>& candidates) {
+  for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row)
+    for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
+      const Throw thrown = throw_for(seed, column, row);
+      if (thrown.keep >= most || !reach.contains(thrown.at)) continue;
+      const Seat seat = seat_at(thrown.at);
+      if (seat.spacing_m <= 0 || seat.upright < kLeastUpright) continue;
+      if (thrown.keep >= chance_of(seat.spacing_m, seat.upright)) continue;
+      candidates.push_back({{thrown.at, id_of(column, row), seat}, thrown.priority, static_cast<float>(thrown.share)});
+    }
+}
+
+std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& reach, const LeastSpacing& least_spacing,
+                                     const SeatAt& seat_at) {
+  std::vector<Candidate> candidates;
+  const Cells all = cells_in(reach);
+  for (std::int64_t row = all.first_row; row <= all.last_row; row += kBlock)
+    for (std::int64_t column = all.first_column; column <= all.last_column; column += kBlock) {
+      const Cells block{column, row, std::min(column + kBlock - 1, all.last_column),
+                        std::min(row + kBlock - 1, all.last_row)};
+      const auto metres = [](std::int64_t cell) { return static_cast<double>(cell) * kLattice_m; };
+      const Box2 box{{metres(block.first_column), metres(block.first_row)},
+                     {metres(block.last_column + 1), metres(block.last_row + 1)}};
+      const double spacing_m = least_spacing(box);
+      if (spacing_m > 0) find_candidates(seed, block, reach, chance_of(spacing_m, kLeastUpright), seat_at, candidates);
+    }
+  return candidates;
+}
+
+bool are_close(const Site& a, const Site& b) {
+  const Vec3 apart = at_height(b.at - a.at, b.seat.height_m - a.seat.height_m);
+  const double spacing_m = (a.seat.spacing_m + b.seat.spacing_m) / 2;
+  return dot(apart, apart) < spacing_m * spacing_m;
+}
+
+// Candidates by square bucket.
+struct Buckets {
+  Vec2 corner;
+  int columns, rows;
+  std::vector<std::uint32_t> starts, members;
+
+  int column(double x) const { return static_cast<int>((x - corner.x) / kBucket_m); }
+  int row(double y) const { return static_cast<int>((y - corner.y) / kBucket_m); }
+  std::size_t index(int c, int r) const { return static_cast<std::size_t>(r) * columns + c; }
+};
+
+Buckets bucket_all(std::span<const Candidate> candidates, const Box2& box) {
+  Buckets buckets{
+      box.min, static_cast<int>(box.width() / kBucket_m) + 1, static_cast<int>(box.height() / kBucket_m) + 1, {}, {}};
+  const auto bucket_of = [&](const Candidate& c) {
+    return buckets.index(buckets.column(c.site.at.x), buckets.row(c.site.at.y));
+  };
+  buckets.starts.assign(buckets.index(0, buckets.rows) + 1, 0);
+  for (const Candidate& c : candidates) ++buckets.starts[bucket_of(c) + 1];
+  for (std::size_t i = 1; i < buckets.starts.size(); ++i) buckets.starts[i] += buckets.starts[i - 1];
+  buckets.members.resize(candidates.size());
+  std::vector<std::uint32_t> next(buckets.starts.begin(), buckets.starts.end() - 1);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) buckets.members[next[bucket_of(candidates[i])]++] = i;
+  return buckets;
+}
+
+// The candidates that each may not stand beside.
+struct Rivals {
+  std::vector<std::uint32_t> starts, members;
+
+  std::span<const std::uint32_t> of(std::size_t i) const {
+    return std::span(members).subspan(starts[i], starts[i + 1] - starts[i]);
+  }
+};
+
+Rivals rivals_of(std::span<const Candidate> candidates, const Box2& box) {
+  const Buckets buckets = bucket_all(candidates, box);
+  Rivals rivals{{0}, {}};
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const Vec2 p = candidates[i].site.at;
+    const int c = buckets.column(p.x), r = buckets.row(p.y);
+    const int first = std::max(c - 1, 0), last = std::min(c + 1, buckets.columns - 1);
+    for (int y = std::max(r - 1, 0); y <= std::min(r + 1, buckets.rows - 1); ++y)
+      for (std::uint32_t k = buckets.starts[buckets.index(first, y)]; k < buckets.starts[buckets.index(last, y) + 1];
+           ++k) {
+        const std::uint32_t j = buckets.members[k];
+        if (j != i && are_close(candidates[i].site, candidates[j].site)) rivals.members.push_back(j);
+      }
+    rivals.starts.push_back(static_cast<std::uint32_t>(rivals.members.size()));
+  }
+  return rivals;
+}
+
+// What a candidate becomes in this round, from what all were before it.
+State decide(std::span<const Candidate> candidates, const Rivals& rivals, std::span<const State> states,
+             std::uint32_t i) {
+  State state = State::kAccepted;
+  for (const std::uint32_t j : rivals.of(i)) {
+    if (states[j] == State::kAccepted) return State::kRejected;
+    if (states[j] == State::kUndecided && candidates[j].priority > candidates[i].priority) state = State::kUndecided;
+  }
+  return state;
+}
+
+std::vector<State> decide_all(std::span<const Candidate> candidates, const Rivals& rivals) {
+  std::vector<State> states(candidates.size(), State::kUndecided), next;
+  std::vector<std::uint32_t> undecided(candidates.size());
+  for (std::uint32_t i = 0; i < undecided.size(); ++i) undecided[i] = i;
+  for (int round = 0; round < kRounds; ++round) {
+    next.clear();
+    for (const std::uint32_t i : undecided) next.push_back(decide(candidates, rivals, states, i));
+    std::vector<std::uint32_t> left;
+    for (std::size_t k = 0; k < undecided.size(); ++k) {
+      states[undecided[k]] = next[k];
+      if (next[k] == State::kUndecided) left.push_back(undecided[k]);
+    }
+    undecided = std::move(left);
+  }
+  return states;
+}
+
+}  // namespace
+
+Seat seat_for(double per_ha) {
+  constexpr double kHectare_m2 = 10000;
+  const double wanted = std::clamp(per_ha, kLeastPerHa, kMostPerHa);
+  const double spacing_m = std::sqrt((kSites + kMoreSites * wanted) * kHectare_m2 / wanted);
+  if (spacing_m <= kWidest_m) return {spacing_m};
+  return {kWidest_m, (kWidest_m / spacing_m) * (kWidest_m / spacing_m)};
+}
+
+std::vector<Site> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,
+                             const SeatAt& seat_at) {
+  const Box2 reach = box.widened(kSiteReach_m);
+  const std::vector<Candidate> candidates = candidates_in(seed, reach, least_spacing, seat_at);
+  const std::vector<State> states = decide_all(candidates, rivals_of(candidates, reach));
+  std::vector<Site> sites;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const Vec2 p = c.site.at;
+    const bool is_here = p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
+    if (is_here && states[i] == State::kAccepted && c.kept < c.site.seat.share) sites.push_back(c.site);
+  }
+  return sites;
+}
+
+}  // namespace citykiln::plants

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/plants/habit.h"
+#include "compiler/plants/placing/standing.h"
+
+namespace citykiln::plants {
+namespace {
+
+// Trees of one row were planted together.
+constexpr double kSpread = 0.08;
+
+// Crowns of a row touch each other.
+constexpr double kCrownShare = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
+
+// Of all rows' trees those so near to the box are asked for: as far as they keep woods off.
+constexpr double kAbout_m = 8;
+
+/// The species of a row is one: that of its middle.
+Species species_of_row(const Row& row, const Land& land, const Draw& draw) {
+  return draw_species(row.stock, habitat_of(land, row.axis[row.axis.size() / 2]), land.seed, draw.unit(kSpeciesDice));
+}
+
+double spacing_m_of(const Row& row, Species species, double height_m) {
+  if (row.spacing_m > 0) return row.spacing_m;
+  return std::clamp(kCrownShare * crown_share(species) * height_m, kLeastSpacing_m, kMostSpacing_m);
+}
+
+/// Calls visit(place, number) at equal distances, at both ends too.
+template <typename Visit>
+void for_each_along(const Polyline& axis, double spacing_m, Visit visit) {
+  const double length = length_m(axis);
+  const auto gaps = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(std::ceil(length / spacing_m)));
+  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
+  double passed_m = 0;
+  std::size_t segment = 0;
+  for (std::uint32_t i = 0; i < gaps + (is_closed ? 0 : 1); ++i) {
+    const double at_m = length * i / gaps;
+    while (segment + 2 < axis.size() && passed_m + distance(axis[segment], axis[segment + 1]) < at_m)
+      passed_m += distance(axis[segment], axis[segment + 1]), ++segment;
+    const Vec2 a = axis[segment], b = axis[segment + 1];
+    visit(snapped(a + (b - a) * std::min((at_m - passed_m) / distance(a, b), 1.0)), i);
+  }
+}
+
+void place_row(Placed& placed, const Row& row, const Obstacles& mapped, const Land& land,
+               std::vector<Obstacle>& trees) {
+  const Draw of_row(land.seed, stable_id(row.id), "row");
+  const Species species = species_of_row(row, land, of_row);
+  const double mean_m = row.height_m > 0 ? row.height_m : usual_height_m(species);
+  const double spacing_m = spacing_m_of(row, species, mean_m);
+  const Box2 about = land.box.widened(kAbout_m);
+  for_each_along(row.axis, spacing_m, [&](Vec2 at, std::uint32_t number) {
+    if (!about.contains(at) || is_covered(land.surfaces, at)) return;
+    const bool is_mapped = std::ranges::any_of(boxes_about(mapped.grid, at), [&](std::uint32_t i) {
+      return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].reach_m);
+    });
+    if (is_mapped) return;
+    const Draw draw(land.seed, stable_id(stable_id(row.id), "tree", number), "tree");
+    const double height_m = mean_m * draw.between(1 - kSpread, 1 + kSpread, kHeightDice);
+    trees.push_back({at, reach_of_crown_m(species, height_m)});
+    if (stands_in(land.box, at)) stand(placed, land, species, at, height_m, draw, row.id.osm);
+  });
+}
+
+}  // namespace
+
+std::vector<Obstacle> place_rows(Placed& placed, std::span<const Row> rows, std::vector<Obstacle> trees,
+                                 const Land& land) {
+  const std::vector<Obstacle> single = trees;
+  const Obstacles mapped = sort_obstacles(single);
+  for (const Row& row : rows) place_row(placed, row, mapped, land, trees);
+  return trees;
+}
+
+void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed) {
+  const double length = length_m(hedge.axis);
+  if (length <= 0 || hedge.height_m <= 0) return;
+  std::uint32_t piece = 0;
+  Vec2 before;
+  for_each_along(hedge.axis, hedge.height_m, [&](Vec2 at, std::uint32_t number) {
+    const Vec2 middle = snapped((before + at) * 0.5);
+    if (number > 0 && before != at && stands_in(land.box, middle)) {
+      const Draw draw(land.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
+      stand_along(placed, land, Species::kHedge, middle, hedge.height_m, unit(at - before), draw, hedge.feature);
+    }
+    before = at, ++piece;
+  });
+}
+
+}  // namespace citykiln::plants

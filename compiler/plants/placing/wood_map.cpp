@@ -1,0 +1,100 @@
+#include "compiler/plants/placing/wood_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace citykiln::plants {
+namespace {
+
+// Water, pitches and squares, paths, rails, roads and buildings, by their classes' priorities (surface_classes.inc).
+constexpr int kLeastBarePriority = 50;
+
+// Trees of one wood differ by this share of their mean height.
+constexpr double kHeightSpread = 0.3;
+
+// Heights of woods are told for trees that grow so tall; bushes among them stay low.
+constexpr double kTall_m = 22;
+
+// Towards the tree line trees get few: as many as asked for up to the first, so few from the second on.
+constexpr double kDenseUpTo_m = 2100, kSparseFrom_m = 2500, kSparse = 0.15;
+
+/// Surfaces are sorted by id; a building may bear the id of a wood.
+std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods, std::span<const ground::Surface> surfaces) {
+  std::vector<std::uint32_t> of_surface(surfaces.size(), ground::kNoSurface);
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (map::values_of(surfaces[s].surface).group == map::SurfaceGroup::kBuilding) continue;
+    const auto found = std::ranges::lower_bound(woods, surfaces[s].id, {}, &Wood::surface);
+    if (found != woods.end() && found->surface == surfaces[s].id)
+      of_surface[s] = static_cast<std::uint32_t>(found - woods.begin());
+  }
+  return of_surface;
+}
+
+double share_at(double belt_m) {
+  const double up = (belt_m - kDenseUpTo_m) / (kSparseFrom_m - kDenseUpTo_m);
+  return 1 - (1 - kSparse) * std::clamp(up, 0.0, 1.0);
+}
+
+double distance_to(const Lanes::Segment& s, Vec2 p) {
+  const Vec2 along = s.b - s.a;
+  const double t = std::clamp(dot(p - s.a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+  return distance(p, s.a + along * t);
+}
+
+}  // namespace
+
+WoodMap map_woods(std::span<const Wood> woods, const Land& land) {
+  WoodMap map{woods, land, woods_by_surface(woods, land.surfaces.surfaces), {}};
+  for (const Wood& wood : woods) map.seats.push_back(seat_for(wood.per_ha));
+  return map;
+}
+
+std::uint32_t wood_at(const WoodMap& map, Vec2 p) {
+  const std::uint32_t surface = ground::surface_at(map.land.surfaces, p);
+  return surface == ground::kNoSurface ? ground::kNoSurface : map.of_surface[surface];
+}
+
+Seat seat_at(const WoodMap& woods, Vec2 p) {
+  const Land& land = woods.land;
+  if (!land.surfaces.box.contains(p)) return {};
+  const std::uint32_t wood = wood_at(woods, p);
+  if (wood == ground::kNoSurface) return {};
+  if (clearance_m(land.surfaces, p, kLeastBarePriority, kTrunkClearance_m) < kTrunkClearance_m) return {};
+  Seat seat = woods.seats[wood];
+  seat.owner = wood;
+  seat.height_m = height_m_at(land.ground.terrain, p);
+  const Vec3 normal = normal_at(land.ground.terrain, p);
+  seat.upright = normal.z;
+  seat.share *= share_at(habitat_at(land.latitude_deg, p, seat.height_m, normal, false).belt_m);
+  return seat;
+}
+
+double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw) {
+  return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * vigour(habitat) *
+         draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice);
+}
+
+Lanes sort_lanes(std::span<const Lane> lanes, const Box2& box) {
+  constexpr double kBucket_m = 32;
+  Lanes sorted;
+  std::vector<Box2> boxes;
+  for (const Lane& lane : lanes)
+    for (std::size_t i = 0; i + 1 < lane.axis.size(); ++i) {
+      const Box2 about = box_of(std::array{lane.axis[i], lane.axis[i + 1]}).widened(lane.width_m / 2);
+      if (!about.touches(box)) continue;
+      sorted.segments.push_back({lane.axis[i], lane.axis[i + 1], lane.width_m / 2});
+      boxes.push_back(about);
+    }
+  // a long span's box holds much that is far from it
+  sorted.grid = grid_of(boxes, kBucket_m);
+  return sorted;
+}
+
+bool is_in_lane(const Lanes& lanes, Vec2 p) {
+  return std::ranges::any_of(boxes_about(lanes.grid, p), [&](std::uint32_t i) {
+    return distance_to(lanes.segments[i], p) < lanes.segments[i].half_m;
+  });
+}
+
+}  // namespace citykiln::plants

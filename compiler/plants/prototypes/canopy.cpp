@@ -1,0 +1,224 @@
+#include "compiler/plants/prototypes/canopy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/plants/prototypes/crown_mix.h"
+
+namespace citykiln::plants {
+namespace {
+
+using materials::DressedMesh;
+using materials::Material;
+
+// A cell is asked at so many places each way, and at so many of all something else may be: a path.
+constexpr int kSamples = 4, kElse = 4;
+
+// Seats that want fewer trees than stand closed have a share of them.
+constexpr double kClosedShare = 0.7;
+
+// What is lower than this share of the tolerance is the ground's texture.
+constexpr double kLeastHeight = 0.4;
+
+// Between the tops of trees and the gaps between crowns.
+constexpr double kLowest = 0.5, kHighest = 1;
+
+// Where it ends, below the ground.
+constexpr double kRimDepth_m = 1;
+
+// Cells from one outside the box on, and the corners of those: what a corner in the box depends on.
+struct Lattice {
+  const WoodMap& woods;
+  const Box2& box;
+  double tolerance_m;
+  int columns, rows;  // of cells in the box
+  std::vector<CrownMix> mixes{};
+  std::vector<bool> closed{};
+
+  Vec2 at(int column, int row) const { return box.min + Vec2{double(column), double(row)} * kCanopyCell_m; }
+  std::size_t cell(int column, int row) const {
+    return static_cast<std::size_t>(row + 1) * (columns + 2) + static_cast<std::size_t>(column + 1);
+  }
+  std::size_t corner(int column, int row) const {
+    return static_cast<std::size_t>(row + 1) * (columns + 3) + static_cast<std::size_t>(column + 1);
+  }
+  bool is_closed(int column, int row) const { return closed[cell(column, row)]; }
+  const CrownMix& mix(int column, int row) const { return mixes[corner(column, row)]; }
+};
+
+bool is_closed_cell(const Lattice& lattice, const Lanes& lanes, int column, int row) {
+  for (const int c : {column, column + 1})
+    for (const int r : {row, row + 1})
+      if (lattice.mix(c, r).height_m < kLeastHeight * lattice.tolerance_m) return false;
+  int others = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const Vec2 share{(i % kSamples + 0.5) / kSamples, (i / kSamples + 0.5) / kSamples};
+    const Vec2 p = lattice.at(column, row) + share * kCanopyCell_m;
+    if (is_in_lane(lanes, p)) return false;
+    const Seat seat = seat_at(lattice.woods, p);
+    if (seat.share >= kClosedShare && seat.spacing_m > 0 && seat.upright >= kLeastUpright) continue;
+    if (++others > kElse || is_covered(lattice.woods.land.surfaces, p)) return false;
+  }
+  return true;
+}
+
+Lattice lattice_of(const WoodMap& woods, const Lanes& lanes, const Box2& box, double tolerance_m, Month month) {
+  const auto cells = [](double side_m) { return static_cast<int>(side_m / kCanopyCell_m); };
+  Lattice lattice{woods, box, tolerance_m, cells(box.width()), cells(box.height())};
+  for (int row = -1; row <= lattice.rows + 1; ++row)
+    for (int column = -1; column <= lattice.columns + 1; ++column)
+      lattice.mixes.push_back(crown_mix_at(woods, lattice.at(column, row), month));
+  for (int row = -1; row <= lattice.rows; ++row)
+    for (int column = -1; column <= lattice.columns; ++column)
+      lattice.closed.push_back(is_closed_cell(lattice, lanes, column, row));
+  return lattice;
+}
+
+// Of a corner in the box: all about it is closed.
+bool is_in_air(const Lattice& lattice, int column, int row) {
+  return lattice.is_closed(column, row) && lattice.is_closed(column - 1, row) && lattice.is_closed(column, row - 1) &&
+         lattice.is_closed(column - 1, row - 1);
+}
+
+bool is_whole(const Lattice& lattice, int column, int row) {
+  return is_in_air(lattice, column, row) && is_in_air(lattice, column + 1, row) &&
+         is_in_air(lattice, column, row + 1) && is_in_air(lattice, column + 1, row + 1);
+}
+
+// Above the ground, if it is in the air.
+double height_m_of(const CrownMix& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
+
+// The terrain's slope and the crowns', whichever of these are in the air.
+Vec3 normal_of(const Lattice& lattice, int column, int row) {
+  const Vec3 land = normal_at(lattice.woods.land.ground.terrain, lattice.at(column, row));
+  const double own_m = height_m_of(lattice.mix(column, row));
+  const auto height_m = [&](int c, int r) {
+    const CrownMix& mix = lattice.mix(c, r);
+    return mix.wood == ground::kNoSurface ? own_m : height_m_of(mix);
+  };
+  constexpr double kAcross = 1 / (2 * kCanopyCell_m);
+  return unit(Vec3{land.x / land.z - (height_m(column + 1, row) - height_m(column - 1, row)) * kAcross,
+                   land.y / land.z - (height_m(column, row + 1) - height_m(column, row - 1)) * kAcross, 1});
+}
+
+Vec3 place_of(const Lattice& lattice, int column, int row) {
+  const Vec2 p = lattice.at(column, row);
+  const double land = land_m(lattice.woods.land.ground, p);
+  const bool is_up = is_in_air(lattice, column, row);
+  return snapped(at_height(p, is_up ? land + height_m_of(lattice.mix(column, row)) : land - kRimDepth_m));
+}
+
+materials::Tint tint_of(const CrownMix& mix) {
+  const auto& base = values_of(Material::kBroadLeaf).base_colour;
+  materials::Tint tint = materials::kNoTint;
+  for (std::size_t c = 0; c < 3; ++c)
+    tint[c] =
+        static_cast<std::uint8_t>(std::clamp(mix.colour[c] / static_cast<double>(base[c]) * 255, 0.0, 255.0) + 0.5);
+  return tint;
+}
+
+// What one wood's part of the canopy is made of.
+struct Part {
+  DressedMesh dressed{};
+  std::map<std::size_t, std::uint32_t> vertices{};  // by corner
+
+  std::uint32_t vertex(const Lattice& lattice, int column, int row) {
+    const auto next = static_cast<std::uint32_t>(dressed.mesh.positions.size());
+    const auto [at, is_new] = vertices.try_emplace(lattice.corner(column, row), next);
+    if (!is_new) return at->second;
+    dressed.mesh.positions.push_back(place_of(lattice, column, row));
+    dressed.mesh.normals.push_back(normal_of(lattice, column, row));
+    dressed.tints.push_back(tint_of(lattice.mix(column, row)));
+    return next;
+  }
+};
+
+void add_cell(Part& part, const Lattice& lattice, int column, int row) {
+  const std::uint32_t a = part.vertex(lattice, column, row), b = part.vertex(lattice, column + 1, row),
+                      c = part.vertex(lattice, column + 1, row + 1), d = part.vertex(lattice, column, row + 1);
+  part.dressed.mesh.triangles.push_back({a, b, c});
+  part.dressed.mesh.triangles.push_back({a, c, d});
+}
+
+bool is_any_corner_in_air(const Lattice& lattice, int column, int row) {
+  return is_in_air(lattice, column, row) || is_in_air(lattice, column + 1, row) ||
+         is_in_air(lattice, column, row + 1) || is_in_air(lattice, column + 1, row + 1);
+}
+
+std::vector<DressedMesh> mesh_of(const Lattice& lattice) {
+  std::map<std::uint32_t, Part> parts;
+  for (int row = 0; row < lattice.rows; ++row)
+    for (int column = 0; column < lattice.columns; ++column)
+      if (is_any_corner_in_air(lattice, column, row))
+        add_cell(parts[lattice.mix(column, row).wood], lattice, column, row);
+  std::vector<DressedMesh> meshes;
+  for (auto& [wood, part] : parts) {
+    part.dressed.material = Material::kBroadLeaf, part.dressed.feature = lattice.woods.woods[wood].surface.osm;
+    meshes.push_back(std::move(part.dressed));
+  }
+  return meshes;
+}
+
+// A place in its cell.
+struct InCell {
+  int column, row;
+  double u, v;
+};
+
+InCell in_cell(const Canopy& canopy, Vec2 p) {
+  const Vec2 steps = (p - canopy.box.min) * (1 / kCanopyCell_m);
+  const double column = std::floor(steps.x), row = std::floor(steps.y);
+  return {static_cast<int>(column), static_cast<int>(row), steps.x - column, steps.y - row};
+}
+
+bool is_below(const Canopy& canopy, Vec2 p) {
+  const InCell in = in_cell(canopy, p);
+  return stands_in(canopy.box, p) &&
+         canopy.is_whole[static_cast<std::size_t>(in.row) * canopy.columns + static_cast<std::size_t>(in.column)];
+}
+
+// As add_cell's triangles lie.
+double top_m_at(const Canopy& canopy, Vec2 p) {
+  const auto [column, row, u, v] = in_cell(canopy, p);
+  const double* const low = &canopy.tops_m[static_cast<std::size_t>(row) * (canopy.columns + 1) + column];
+  const double* const high = low + canopy.columns + 1;
+  return u >= v ? low[0] + u * (low[1] - low[0]) + v * (high[1] - low[1])
+                : low[0] + v * (high[0] - low[0]) + u * (high[1] - high[0]);
+}
+
+}  // namespace
+
+Canopy canopy_over(std::span<const Wood> woods, std::span<const Lane> lanes, const Land& land, double tolerance_m,
+                   Month month) {
+  Canopy canopy;
+  if (woods.empty() || tolerance_m < kCanopyFrom_m) return canopy;
+  const WoodMap map = map_woods(woods, land);
+  const Lattice lattice =
+      lattice_of(map, sort_lanes(lanes, land.box.widened(kCanopyCell_m)), land.box, tolerance_m, month);
+  canopy.meshes = mesh_of(lattice);
+  canopy.box = land.box, canopy.columns = lattice.columns;
+  for (int row = 0; row < lattice.rows; ++row)
+    for (int column = 0; column < lattice.columns; ++column) canopy.is_whole.push_back(is_whole(lattice, column, row));
+  for (int row = 0; row <= lattice.rows; ++row)
+    for (int column = 0; column <= lattice.columns; ++column)
+      canopy.tops_m.push_back(is_in_air(lattice, column, row) ? place_of(lattice, column, row).z : 0);
+  return canopy;
+}
+
+void gather(Canopy& canopy, std::span<const Wood> woods, Placed& placed) {
+  if (canopy.meshes.empty()) return;
+  std::set<OsmId> ids;
+  for (const Wood& wood : woods) ids.insert(wood.surface.osm);
+  for (auto& [prototype, placements] : placed)
+    std::erase_if(placements, [&](const Placement& tree) {
+      if (!ids.contains(tree.feature) || !is_below(canopy, in_plan(tree.at))) return false;
+      const double off_m = std::abs(tree.at.z + tree.scale - top_m_at(canopy, in_plan(tree.at)));
+      canopy.error_m = std::max({canopy.error_m, off_m, tree.scale / 2});
+      return true;
+    });
+}
+
+}  // namespace citykiln::plants

@@ -1,0 +1,146 @@
+#include "compiler/plants/prototypes/foliage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "compiler/plants/prototypes/sprays.h"
+
+namespace citykiln::plants {
+namespace {
+
+using lsystems::FlatPolygon;
+using lsystems::Instance;
+using materials::Tint;
+
+// How much a card's light follows the crown as a whole.
+constexpr double kHeartShare = 0.6;
+// The heart's place between a crown's lowest and highest leaf.
+constexpr double kHeartHeight = 0.4;
+
+// Of leaves whose file tells them apart by colours.
+Tint shaded(Tint tint, std::int32_t colour) {
+  constexpr std::array kShares = {0.84, 0.92, 1.0};
+  const double share = kShares[static_cast<std::size_t>(std::clamp(colour, 0, 2))];
+  for (std::size_t c = 0; c < 3; ++c) tint[c] = static_cast<std::uint8_t>(tint[c] * share + 0.5);
+  return tint;
+}
+
+std::uint8_t spray_number(Foliage& foliage, const std::string& name) {
+  const auto known = std::ranges::find(foliage.sprays, name);
+  if (known != foliage.sprays.end()) return static_cast<std::uint8_t>(known - foliage.sprays.begin());
+  foliage.sprays.push_back(name);
+  return static_cast<std::uint8_t>(foliage.sprays.size() - 1);
+}
+
+// "~oak_leaf" is "oak_leaf".
+std::string name_of(const lsystems::ModuleKind& kind) { return kind.name.substr(kind.name.find_first_not_of('~')); }
+
+Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spray) {
+  const lsystems::Frame& f = instance.frame;
+  const Vec3 along = f.heading * -instance.size, across = f.left * (instance.size * width);
+  return {f.at - along - across * 0.5, across, along, f.up, shaded(tint, instance.colour), spray};
+}
+
+// A rectangle of an area about an axis, which ends in its middle.
+Card about_axis(Vec3 stalk, Vec3 tip, Vec3 area) {
+  const Vec3 along = stalk - tip;
+  const double long_m = length(along);
+  if (!(long_m > 0)) return {stalk, {}, {}, {0, 0, 1}, {}, 0};
+  const Vec3 across = unit(cross(along, area)) * (length(area) / long_m);
+  return {tip - across * 0.5, across, along, unit(area), {}, 0};
+}
+
+double farthest_corner_m(const Card& card, std::span<const Vec3> corners) {
+  double farthest = 0;
+  for (const Vec3 corner : corners) farthest = std::max(farthest, distance(card, corner));
+  return farthest;
+}
+
+// The polygon's area, about that of its diagonals and middles of sides which comes nearest to all corners: of a kite
+// the long diagonal, of a piece of a blade the line between its ends.
+Card card_of(const FlatPolygon& polygon, std::span<const Vec3> corners, Tint tint, std::uint8_t spray) {
+  Vec3 area;
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    area = area + cross(corners[i - 1] - corners[0], corners[i] - corners[0]) * 0.5;
+  std::vector<Vec3> ends(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    ends.push_back((corners[i] + corners[(i + 1) % corners.size()]) * 0.5);
+  Card best = about_axis(corners[0], corners[0], area);
+  double least = 1e300;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Card card = about_axis(ends[j], ends[i], area);
+      const double off = farthest_corner_m(card, corners);
+      if (area_of(card) > 0 && off < least) best = card, least = off;
+    }
+  best.tint = shaded(tint, polygon.colour), best.spray = spray;
+  return best;
+}
+
+struct Crown {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+};
+
+Crown crown_of(std::span<const Card> cards) {
+  Crown crown;
+  for (const Card& card : cards) {
+    const Vec3 p = card.centre();
+    crown.low = {std::min(crown.low.x, p.x), std::min(crown.low.y, p.y), std::min(crown.low.z, p.z)};
+    crown.high = {std::max(crown.high.x, p.x), std::max(crown.high.y, p.y), std::max(crown.high.z, p.z)};
+  }
+  return crown;
+}
+
+// The normal of an ellipsoid about the heart, through a place.
+Vec3 out_of(const Crown& crown, Vec3 heart, Vec3 place) {
+  const auto part = [](double off, double extent) { return extent > 0 ? off / (extent * extent) : 0; };
+  return unit(Vec3{part(place.x - heart.x, crown.high.x - crown.low.x),
+                   part(place.y - heart.y, crown.high.y - crown.low.y),
+                   part(place.z - heart.z, crown.high.z - crown.low.z)});
+}
+
+// Its front outwards, and its light with it.
+void face_outwards(Card& card, Vec3 out) {
+  Vec3 own = unit(cross(card.along, card.across));
+  if (dot(own, out) < 0) card.corner = card.corner + card.across, card.across = card.across * -1, own = own * -1;
+  card.normal = unit(own * (1 - kHeartShare) + out * kHeartShare);
+}
+
+}  // namespace
+
+double area_of(const Card& card) { return length(card.across) * length(card.along); }
+
+double distance(const Card& card, Vec3 place) {
+  const Vec3 off = place - card.corner;
+  const auto nearest = [&](Vec3 side) {
+    const double square = dot(side, side);
+    return square > 0 ? std::clamp(dot(off, side) / square, 0.0, 1.0) : 0;
+  };
+  return length(off - card.across * nearest(card.across) - card.along * nearest(card.along));
+}
+
+std::array<Vec3, 4> corners_of(const Card& card) {
+  return {card.corner, card.corner + card.along, card.corner + card.along + card.across, card.corner + card.across};
+}
+
+Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& skeleton, Tint tint) {
+  Foliage foliage;
+  for (const Instance& instance : skeleton.instances) {
+    const std::string name = name_of(system.kinds[instance.kind]);
+    foliage.cards.push_back(card_of(instance, width_of_spray(name), tint, spray_number(foliage, name)));
+  }
+  for (const FlatPolygon& polygon : skeleton.polygons)
+    foliage.cards.push_back(card_of(polygon, std::span(skeleton.vertices).subspan(polygon.first, polygon.count), tint,
+                                    spray_number(foliage, "")));
+  std::erase_if(foliage.cards, [](const Card& card) { return !(area_of(card) > 0); });
+  if (foliage.cards.empty()) return foliage;
+  const Crown crown = crown_of(foliage.cards);
+  foliage.heart = (crown.low + crown.high) * 0.5;
+  foliage.heart.z = crown.low.z + kHeartHeight * (crown.high.z - crown.low.z);
+  for (Card& card : foliage.cards) face_outwards(card, out_of(crown, foliage.heart, card.centre()));
+  return foliage;
+}
+
+}  // namespace citykiln::plants

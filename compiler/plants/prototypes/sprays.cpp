@@ -1,0 +1,116 @@
+#include "compiler/plants/prototypes/sprays.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "compiler/contract/draw.h"
+#include "compiler/geometry/trig.h"
+#include "compiler/imprint/imprint.h"
+
+namespace citykiln::plants {
+namespace {
+
+using materials::DressedMesh;
+
+struct Spray {
+  std::string_view name;
+  int leaves;
+  double length, width, lean, spread;
+};
+
+constexpr Spray kSprays[] = {
+#define SPRAY(name, leaves, length, width, lean, spread) {name, leaves, length, width, lean, spread},
+#include "compiler/plants/prototypes/sprays.inc"
+#undef SPRAY
+};
+
+// Shades of leaves that differ as those of one twig do.
+constexpr std::array<std::uint8_t, 3> kShades = {196, 226, 255};
+
+// How thick a twig is, as a share of the spray's length.
+constexpr double kTwig = 0.02;
+
+const Spray* spray_called(std::string_view name) {
+  const auto found = std::ranges::find(kSprays, name, &Spray::name);
+  return found == std::end(kSprays) ? nullptr : &*found;
+}
+
+void add_triangle(Mesh& mesh, Vec2 a, Vec2 b, Vec2 c, double z) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec2 p : {a, b, c}) mesh.positions.push_back(at_height(p, z));
+  // seen from above, whichever way round it was told
+  const bool is_left = cross(b - a, c - a) > 0;
+  mesh.triangles.push_back({first, first + (is_left ? 1 : 2), first + (is_left ? 2 : 1)});
+}
+
+// From its stalk to its tip, widest below the middle.
+void add_leaf(Mesh& mesh, Vec2 stalk, Vec2 along, double width, double z) {
+  const Vec2 out = left_of(along) * (width / length(along) / 2);
+  const Vec2 tip = stalk + along;
+  const Vec2 low = stalk + along * 0.3, high = stalk + along * 0.68;
+  add_triangle(mesh, stalk, low + out, low - out, z);
+  add_triangle(mesh, low + out, low - out, high + out * 0.75, z);
+  add_triangle(mesh, low - out, high + out * 0.75, high - out * 0.75, z);
+  add_triangle(mesh, high + out * 0.75, high - out * 0.75, tip, z);
+}
+
+struct Shaded {
+  std::array<Mesh, kShades.size()> by_shade;
+};
+
+void add_leaves(Shaded& shaded, const Spray& spray, double leafage) {
+  const Draw draw(1, StableId{}, "spray");
+  for (int i = 0; i < spray.leaves; ++i) {
+    const auto dice = static_cast<std::uint32_t>(8 * i);
+    const bool is_tip = i + 1 == spray.leaves;
+    const double place = static_cast<double>(i) / spray.leaves;
+    const double side = is_tip ? 0 : i % 2 == 0 ? 1 : -1;
+    const double turn = 0.25 + side * spray.lean * draw.between(0.8, 1.25, dice);
+    const double size = spray.length * draw.between(0.85, 1.1, dice + 1) * (is_tip ? 1 : 1 - 0.25 * place);
+    const Vec2 stalk{0, is_tip ? 1 - size : place * (1 - 0.5 * spray.length)};
+    const auto shade = draw.below(kShades.size(), dice + 2);
+    const double width = draw.unit(dice + 4) < leafage ? spray.width : kTwig;
+    add_leaf(shaded.by_shade[shade], stalk, direction_of(turn) * size, width, 0.01 * draw.unit(dice + 3));
+  }
+  add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - 0.6 * spray.length}, kTwig, 0);
+}
+
+void add_disc(Shaded& shaded) {
+  constexpr int kSides = 16;
+  for (int i = 0; i < kSides; ++i)
+    add_triangle(shaded.by_shade[1], {0, 0.5}, Vec2{0, 0.5} + direction_of(i / double{kSides}) * 0.5,
+                 Vec2{0, 0.5} + direction_of((i + 1) / double{kSides}) * 0.5, 0);
+}
+
+void add_card(Shaded& shaded) {
+  add_triangle(shaded.by_shade[2], {-0.5, 0}, {0.5, 0}, {0.5, 1}, 0);
+  add_triangle(shaded.by_shade[2], {-0.5, 0}, {0.5, 1}, {-0.5, 1}, 0);
+}
+
+}  // namespace
+
+double width_of_spray(std::string_view name) {
+  const Spray* spray = spray_called(name);
+  return spray == nullptr ? 1 : spray->spread;
+}
+
+bool is_fruit(std::string_view name) { return !name.empty() && spray_called(name) == nullptr; }
+
+imprint::Picture picture_of_spray(std::string_view name, materials::Material material, double leafage) {
+  Shaded shaded;
+  const Spray* spray = spray_called(name);
+  if (spray != nullptr) add_leaves(shaded, *spray, leafage);
+  if (spray == nullptr) name.empty() ? add_card(shaded) : add_disc(shaded);
+  std::vector<DressedMesh> meshes;
+  for (std::size_t s = 0; s < kShades.size(); ++s)
+    meshes.push_back({std::move(shaded.by_shade[s]), material, {kShades[s], kShades[s], kShades[s], 255}, {}});
+  const double width = width_of_spray(name);
+  imprint::View view{{-width / 2, 1, 0.5}, {1, 0, 0}, {0, -1, 0}, kSprayTexel, kSprayTexels, kSprayTexels, 1, 1};
+  view.columns = static_cast<std::uint32_t>(width * kSprayTexels + 0.5);
+  // plain blades need no more than a few texels
+  if (name.empty()) view.texel_m = 0.25, view.columns = view.rows = 4;
+  return imprint::imprint(imprint::shape_of(meshes), view).picture;
+}
+
+}  // namespace citykiln::plants

@@ -1,0 +1,114 @@
+#include "compiler/plants/prototypes/stems.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/geometry/trig.h"
+#include "lsystems/tubes.h"
+
+namespace citykiln::plants {
+namespace {
+
+using lsystems::Segment;
+using lsystems::Skeleton;
+
+// Of the thickest stem; thinner ones may go.
+constexpr double kTrunkStays = 0.3;
+// Radii, in tolerances, up to which three sides are enough.
+constexpr double kThin = 2.5;
+// The radius of a prism that is, seen from all around, as wide as the stem on the mean, in the stem's radii (Cauchy:
+// its girth over π); and how far its sides lie within the stem.
+constexpr double kPrismRadius = 1.2092, kPrismOff = 1 - kPrismRadius / 2;
+
+double radius_of(const Segment& segment) { return std::max(segment.start_radius, segment.end_radius); }
+
+double thickest_m(const Skeleton& skeleton) {
+  double thickest = 0;
+  for (const Segment& segment : skeleton.segments) thickest = std::max(thickest, 2 * radius_of(segment));
+  return thickest;
+}
+
+// Segments that are, and those that bear them.
+std::vector<bool> thicker_than(const Skeleton& skeleton, double radius_m) {
+  const std::vector<Segment>& all = skeleton.segments;
+  std::vector<bool> stays(all.size());
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (radius_of(all[i]) > radius_m) stays[i] = true;
+    if (stays[i] && all[i].parent != lsystems::kNoParent) stays[static_cast<std::size_t>(all[i].parent)] = true;
+  }
+  return stays;
+}
+
+// With every segment its parent.
+Skeleton only(const Skeleton& skeleton, const std::vector<bool>& stays) {
+  Skeleton stems;
+  std::vector<std::int32_t> number(stays.size(), lsystems::kNoParent);
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (!stays[i]) continue;
+    number[i] = static_cast<std::int32_t>(stems.segments.size());
+    Segment& segment = stems.segments.emplace_back(skeleton.segments[i]);
+    if (segment.parent != lsystems::kNoParent) segment.parent = number[static_cast<std::size_t>(segment.parent)];
+  }
+  return stems;
+}
+
+using Turns = std::array<Vec2, 3>;
+
+void add_prism(Mesh& mesh, const Segment& segment, const Turns& turns) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const Vec3 end = segment.end().at;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Vec3 out = segment.start.left * turns[i].x + segment.start.up * turns[i].y;
+    mesh.positions.push_back(segment.start.at + out * (segment.start_radius * kPrismRadius));
+    mesh.positions.push_back(end + out * (segment.end_radius * kPrismRadius));
+    mesh.normals.insert(mesh.normals.end(), 2, out);
+    const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % 3);
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+  }
+}
+
+// From each segment's root to its start.
+std::vector<double> along_m(const Skeleton& skeleton) {
+  std::vector<double> along;
+  for (const Segment& segment : skeleton.segments) {
+    const auto parent = static_cast<std::size_t>(segment.parent);
+    const bool is_root = segment.parent == lsystems::kNoParent;
+    along.push_back(is_root ? 0 : along[parent] + std::abs(skeleton.segments[parent].length));
+  }
+  return along;
+}
+
+// One picture around it, of which the last third comes back to where the first began.
+void lay_on_prism(std::vector<Vec2>& uvs, const Segment& segment, double along_m, double bark_m) {
+  for (int i = 0; i < 3; ++i) {
+    uvs.push_back({i * bark_m / 3, along_m});
+    uvs.push_back({i * bark_m / 3, along_m + std::abs(segment.length)});
+  }
+}
+
+}  // namespace
+
+StemMesh mesh_stems(const Skeleton& skeleton, double tolerance_m, double bark_m) {
+  lsystems::TubeOptions options;
+  options.tolerance_m = std::min(tolerance_m, kTrunkStays * thickest_m(skeleton)), options.instances = false;
+  options.bark_m = bark_m;
+  const std::vector<bool> thick = thicker_than(skeleton, kThin * options.tolerance_m),
+                          stays = thicker_than(skeleton, options.tolerance_m);
+  lsystems::PlantMesh tubes = lsystems::mesh_plant(only(skeleton, thick), options);
+  StemMesh stems{{std::move(tubes.bark.positions), std::move(tubes.bark.normals), std::move(tubes.bark.triangles)},
+                 std::move(tubes.bark.uvs),
+                 tubes.error_m};
+  if (!(bark_m > 0)) stems.uvs.clear();
+  const std::vector<double> along = along_m(skeleton);
+  const Turns turns = {direction_of(0), direction_of(1 / 3.0), direction_of(2 / 3.0)};
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (!stays[i] || thick[i]) continue;
+    add_prism(stems.mesh, skeleton.segments[i], turns);
+    if (bark_m > 0) lay_on_prism(stems.uvs, skeleton.segments[i], along[i], bark_m);
+    stems.error_m = std::max(stems.error_m, kPrismOff * radius_of(skeleton.segments[i]));
+  }
+  return stems;
+}
+
+}  // namespace citykiln::plants

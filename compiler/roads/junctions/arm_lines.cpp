@@ -1,0 +1,70 @@
+#include "compiler/roads/junctions/arm_lines.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "compiler/geometry/snap.h"
+
+namespace citykiln::roads {
+namespace {
+
+constexpr double kLookAhead_m = 8;
+
+// Arms less than some 1.8 degrees apart never meet within reach.
+constexpr double kParallelSine = 0x1p-5;
+
+// Nor do edges meet in a corner that one would see beyond 160 degrees.
+constexpr double kStraightCosine = -0.94;
+
+// 0: from east to just below west; 1: from west on.
+int half_turn(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
+
+}  // namespace
+
+ArmLine line_of(std::span<const Road> roads, const Arm& arm) {
+  const Polyline path = walk(roads, arm, kLookAhead_m);
+  Vec2 along = path.back() - path.front();
+  // a loop may be back where it began
+  if (along == Vec2{}) along = path[1] - path[0];
+  return {path.front(), unit(along), left_of(roads, arm), right_of(roads, arm)};
+}
+
+std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre) {
+  std::vector<std::uint32_t> order(lines.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  // on the grid, where products are exact and the order is one
+  const auto bearing = [&](std::uint32_t i) { return snapped(lines[i].from + lines[i].along * kLookAhead_m - centre); };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Vec2 u = bearing(a), v = bearing(b);
+    if (half_turn(u) != half_turn(v)) return half_turn(u) < half_turn(v);
+    const double turn = cross(u, v);
+    return turn != 0 ? turn > 0 : a < b;
+  });
+  return order;
+}
+
+std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines) {
+  std::vector<std::uint32_t> next(lines.size());
+  for (std::uint32_t from = 0, to = 0; from < lines.size(); from = to) {
+    while (to < lines.size() && lines[to].from == lines[from].from) ++to;
+    const std::vector<std::uint32_t> order = counter_clockwise(lines.subspan(from, to - from), lines[from].from);
+    for (std::size_t i = 0; i < order.size(); ++i) next[from + order[i]] = from + order[(i + 1) % order.size()];
+  }
+  return next;
+}
+
+std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
+  const double sine = cross(arm.along, next.along), cosine = dot(arm.along, next.along);
+  if (cosine < kStraightCosine || (sine <= 0 && cosine < 1 - kParallelSine * kParallelSine)) return std::nullopt;
+  const Vec2 gap = (next.from - left_of(next.along) * next.right_m) - (arm.from + left_of(arm.along) * arm.left_m);
+  if (sine < kParallelSine) {
+    // side by side, with something between them from the start
+    if (dot(gap, left_of(arm.along)) > 0) return std::nullopt;
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    return Corner{kNever, kNever, kParallelSine, 1};
+  }
+  return Corner{std::max(0.0, cross(gap, next.along) / sine), std::max(0.0, cross(gap, arm.along) / sine), sine,
+                cosine};
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,199 @@
+#include "compiler/roads/junctions/consolidate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/geometry/box.h"
+#include "compiler/roads/junctions/arm_lines.h"
+#include "compiler/roads/junctions/junction.h"
+#include "compiler/roads/junctions/round_places.h"
+
+namespace citykiln::roads {
+namespace {
+
+constexpr int kRounds = 3;
+
+// Corners sharper than this lie far out without making two junctions one.
+constexpr double kBluntSine = 0.5;
+
+// Shorter links are mappers' precision, not roads.
+constexpr double kShortLink_m = 2;
+
+// Between two junctions a car has room to stop.
+constexpr double kCar_m = 5;
+
+// Between the farthest places of what is no junction of streets.
+constexpr double kNearReach_m = kReach_m / 2;
+
+// Wider medians, in carriageways, make two junctions of a dual carriageway's crossing.
+constexpr double kWidestMedian = 1.5;
+
+// How much of each arm of a node its corners take.
+std::vector<double> taken_by_corners(std::span<const Road> roads, const Node& node) {
+  std::vector<ArmLine> lines;
+  for (const Arm& arm : node.arms) lines.push_back(line_of(roads, arm));
+  const std::vector<std::uint32_t> order = counter_clockwise(lines, node.at);
+  std::vector<double> taken(lines.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t arm = order[i], next = order[(i + 1) % order.size()];
+    const auto corner = arm == next ? std::nullopt : corner_between(lines[arm], lines[next]);
+    if (!corner || corner->sine < kBluntSine) continue;
+    taken[arm] = std::max(taken[arm], corner->along_arm_m);
+    taken[next] = std::max(taken[next], corner->along_next_m);
+  }
+  return taken;
+}
+
+// A short link between two nodes.
+struct ShortLink {
+  double length_m = std::numeric_limits<double>::infinity();
+  std::uint32_t from = kNoNode, to = kNoNode;
+  ObjectId road;
+  double reach_m = 0;  // between the farthest places of what it makes one
+  // the shortest first; equal ones by their ends, whichever end they are seen from
+  bool is_before(const ShortLink& o) const {
+    return std::tuple(length_m, std::min(from, to), std::max(from, to)) <
+           std::tuple(o.length_m, std::min(o.from, o.to), std::max(o.from, o.to));
+  }
+};
+
+bool is_street(const Road& road) {
+  return family_of(road.surface) == Family::kStreet &&
+         map::values_of(road.surface).priority >= map::values_of(map::SurfaceClass::kResidentialRoad).priority;
+}
+
+// Three streets meet, and no island is in their middle.
+bool is_street_junction(std::span<const Road> roads, const Node& node) {
+  const auto streets = std::ranges::count_if(node.arms, [&](const Arm& arm) { return is_street(roads[arm.road]); });
+  return streets >= 3 && disk_radius_m(roads, node.arms) == 0;
+}
+
+// 1 where all drive along the arm as it leaves, -1 where all come along it, else 0.
+int oneway(std::span<const Road> roads, const Arm& arm) {
+  bool has_along = false, has_against = false;
+  for (const map::Lane& lane : roads[arm.road].section.lanes) {
+    if (lane.kind != map::LaneKind::kDriving) continue;
+    has_along |= lane.way != map::LaneWay::kBackward;
+    has_against |= lane.way != map::LaneWay::kForward;
+  }
+  return has_along == has_against ? 0 : has_along ? arm.step : -arm.step;
+}
+
+// A carriageway of one direction that begins or ends at a node.
+struct Carriageway {
+  Vec2 along;  // which way it is driven
+  double width_m = 0;
+};
+
+std::vector<Carriageway> carriageways_across(std::span<const Road> roads, const Node& node, const Arm& link) {
+  constexpr double kAcross = 0.5;
+  const Vec2 along_link = line_of(roads, link).along;
+  std::vector<Carriageway> across;
+  for (const Arm& arm : node.arms) {
+    const int way = oneway(roads, arm);
+    const Vec2 along = line_of(roads, arm).along;
+    if (way != 0 && std::abs(cross(along, along_link)) > kAcross)
+      across.push_back({along * way, width_m(roads[arm.road])});
+  }
+  return across;
+}
+
+// One at this end of the link, and the one of the other direction at that end.
+bool joins_dual_carriageway(std::span<const Carriageway> here, std::span<const Carriageway> there, double between_m) {
+  constexpr double kOpposite = -0.8;
+  for (const Carriageway& a : here)
+    for (const Carriageway& b : there)
+      if (dot(a.along, b.along) < kOpposite && between_m <= kWidestMedian * std::max(a.width_m, b.width_m)) return true;
+  return false;
+}
+
+// A link seen from one of its ends, before it is known whether it joins two junctions into one.
+struct Candidate {
+  ShortLink link;
+  Arm there, back;
+  double between_m = 0;  // what its corners leave of it
+};
+
+// Among the candidates from one node.
+bool goes_round_island(std::span<const Candidate> from_here, const ShortLink& link) {
+  return std::ranges::count_if(from_here, [&](const Candidate& c) { return c.link.to == link.to; }) > 1;
+}
+
+bool joins_streets(std::span<const Road> roads, std::span<const Node> nodes, std::span<const Candidate> from_here,
+                   const Candidate& c) {
+  const Road& road = roads[c.there.road];
+  if (!is_street(road) || road.is_roundabout) return false;
+  if (!is_street_junction(roads, nodes[c.link.from]) || !is_street_junction(roads, nodes[c.link.to])) return false;
+  if (c.between_m < kCar_m || goes_round_island(from_here, c.link)) return true;
+  return joins_dual_carriageway(carriageways_across(roads, nodes[c.link.from], c.there),
+                                carriageways_across(roads, nodes[c.link.to], c.back), c.between_m);
+}
+
+std::vector<ShortLink> short_links(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index) {
+  std::vector<std::vector<double>> taken;
+  for (const Node& node : nodes) taken.push_back(taken_by_corners(roads, node));
+  std::vector<ShortLink> links;
+  std::vector<Candidate> from_here;
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    from_here.clear();
+    for (std::size_t a = 0; a < nodes[n].arms.size(); ++a) {
+      const Arm& arm = nodes[n].arms[a];
+      const Link link = index.link_of(arm, kReach_m);
+      if (link.node == kNoNode || link.node == n || nodes[link.node].family != nodes[n].family) continue;
+      if (link.length_m > kReach_m) continue;
+      from_here.push_back({{link.length_m, n, link.node, roads[arm.road].id, kNearReach_m},
+                           arm,
+                           nodes[link.node].arms[link.arm],
+                           link.length_m - taken[n][a] - taken[link.node][link.arm]});
+    }
+    for (Candidate c : from_here) {
+      const bool is_nothing = c.link.length_m <= kShortLink_m || c.between_m <= 0;
+      if (joins_streets(roads, nodes, from_here, c)) c.link.reach_m = kReach_m;
+      if (is_nothing || c.link.reach_m == kReach_m) links.push_back(c.link);
+    }
+  }
+  return links;
+}
+
+bool fits(const Box2& box, const ShortLink& link) { return std::max(box.width(), box.height()) <= link.reach_m; }
+
+// One round: groups that are each other's nearest become one.
+void merge_nearest(std::span<const ShortLink> links, std::vector<std::uint32_t>& group, std::vector<Box2>& boxes,
+                   Report& report) {
+  std::vector<ShortLink> nearest(group.size());
+  for (ShortLink link : links) {
+    link.from = group[link.from], link.to = group[link.to];
+    if (link.from == link.to) continue;
+    Box2 both = boxes[link.from];
+    both.grow(boxes[link.to].min), both.grow(boxes[link.to].max);
+    if (fits(both, link) && link.is_before(nearest[link.from])) nearest[link.from] = link;
+  }
+  std::vector<std::uint32_t> into(group.size());
+  for (std::uint32_t g = 0; g < into.size(); ++g) into[g] = g;
+  for (std::uint32_t g = 0; g < nearest.size(); ++g) {
+    const std::uint32_t other = nearest[g].to;
+    if (other == kNoNode || other < g || nearest[other].to != g) continue;
+    into[other] = g;
+    boxes[g].grow(boxes[other].min), boxes[g].grow(boxes[other].max);
+    report.add(Code::kJunctionsMerged, nearest[g].road.osm, nearest[g].length_m);
+  }
+  for (std::uint32_t& g : group) g = into[g];
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> consolidate(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
+                                       Report& report) {
+  std::vector<std::uint32_t> group(nodes.size());
+  std::vector<Box2> boxes(nodes.size());
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    group[n] = n;
+    boxes[n].grow(nodes[n].at);
+  }
+  const std::vector<ShortLink> links = short_links(roads, nodes, index);
+  for (int round = 0; round < kRounds; ++round) merge_nearest(links, group, boxes, report);
+  return group;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,60 @@
+#include "compiler/roads/junctions/corner_pavements.h"
+
+#include <algorithm>
+
+#include "compiler/roads/junctions/arm_lines.h"
+#include "compiler/roads/junctions/junction_ring.h"
+
+namespace citykiln::roads {
+namespace {
+
+// Verges outside of pavements do not go round corners.
+double paved_left_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? paved_left_m(roads[arm.road]) : paved_right_m(roads[arm.road]);
+}
+
+double paved_right_of(std::span<const Road> roads, const Arm& arm) {
+  return arm.step > 0 ? paved_right_m(roads[arm.road]) : paved_left_m(roads[arm.road]);
+}
+
+// An arm, and how far along it its pavement may go round a corner.
+struct RaisedArm {
+  ArmPath path;
+  double raised_m = 0, limit_m = 0;
+};
+
+RaisedArm raised_arm(std::span<const Road> roads, const Arm& arm, double raised_m, const Cut& cut) {
+  constexpr double kWidest_m = 6;
+  const double width_m = std::min(raised_m, kWidest_m);
+  return {path_of(roads, arm), width_m, std::min(cut.length_m, kReach_m) + width_m};
+}
+
+std::optional<Ring> stroke_corner(RaisedArm arm, RaisedArm next, double radius_m) {
+  if (arm.raised_m == 0 || next.raised_m == 0) return std::nullopt;
+  arm.path.left_m += arm.raised_m, next.path.right_m += next.raised_m;
+  const auto fillet =
+      fillet_between(arm.path, next.path, std::max(0.0, radius_m - std::min(arm.raised_m, next.raised_m)));
+  if (!fillet || fillet->arm.along_m > arm.limit_m || fillet->next.along_m > next.limit_m) return std::nullopt;
+  return corner_ring(arm.path, next.path, *fillet);
+}
+
+}  // namespace
+
+std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
+                                          std::span<const Arm> arms) {
+  std::vector<ArmLine> lines;
+  for (const Arm& arm : arms) lines.push_back(line_of(roads, arm));
+  const std::vector<std::uint32_t> next = next_at_place(lines);
+  std::vector<Ring> rings;
+  for (std::uint32_t a = 0; a < arms.size(); ++a) {
+    if (next[a] == a) continue;
+    const Arm &arm = arms[a], &other = arms[next[a]];
+    if (auto ring = stroke_corner(raised_arm(roads, arm, paved_left_of(roads, arm), junction.cuts[a]),
+                                  raised_arm(roads, other, paved_right_of(roads, other), junction.cuts[next[a]]),
+                                  junction.cuts[a].radius_m))
+      rings.push_back(std::move(*ring));
+  }
+  return rings;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,131 @@
+#include "compiler/roads/junctions/fillet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/roads/junctions/junction.h"
+
+namespace citykiln::roads {
+namespace {
+
+// A stretch of an axis, moved sideways.
+struct Moved {
+  Vec2 from, to;
+  Vec2 axis_from, along;  // where the stretch begins on the axis, and its unit direction
+  double before_m = 0;    // of the axis, up to axis_from
+  double length_m = 0;
+  std::size_t segment = 0;
+};
+
+// The axis moved left by `off_m` (right where it is below 0), bends mitred, as far as the first bend of more than a
+// right angle. Stretches that the inside of a bend has turned round are left out.
+std::vector<Moved> moved(const Polyline& axis, double off_m) {
+  std::vector<Moved> stretches;
+  double before_m = 0;
+  Vec2 from = axis[0] + left_of(unit(axis[1] - axis[0])) * off_m;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const Vec2 along = unit(axis[i + 1] - axis[i]);
+    const Vec2 after = i + 2 < axis.size() ? unit(axis[i + 2] - axis[i + 1]) : along;
+    const double cosine = dot(along, after), length_m = distance(axis[i], axis[i + 1]);
+    const bool is_last = cosine <= 0;
+    const Vec2 off = is_last ? left_of(along) : (left_of(along) + left_of(after)) * (1 / (1 + cosine));
+    const Vec2 to = axis[i + 1] + off * off_m;
+    if (dot(to - from, along) > 0) stretches.push_back({from, to, axis[i], along, before_m, length_m, i});
+    if (is_last) break;
+    from = to;
+    before_m += length_m;
+  }
+  return stretches;
+}
+
+double distance_to(const Polyline& axis, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const Vec2 step = axis[i + 1] - axis[i];
+    const double t = std::clamp(dot(p - axis[i], step) / dot(step, step), 0.0, 1.0);
+    least = std::min(least, distance(p, axis[i] + step * t));
+  }
+  return least;
+}
+
+Touch touch_at(const Moved& stretch, Vec2 centre, double off_m) {
+  const double along_m = std::min(dot(centre - stretch.axis_from, stretch.along), stretch.length_m);
+  return {stretch.axis_from + stretch.along * along_m + left_of(stretch.along) * off_m, stretch.before_m + along_m,
+          stretch.segment};
+}
+
+std::optional<Vec2> meeting(const Moved& a, const Moved& b) {
+  const Vec2 u = a.to - a.from, v = b.to - b.from, gap = b.from - a.from;
+  const double det = cross(u, v);
+  // kerbs that cross the other way come together again, behind an island
+  if (det <= 0) return std::nullopt;
+  const double s = cross(gap, v) / det, t = cross(gap, u) / det;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
+  return a.from + u * s;
+}
+
+// A kerb may begin a little behind its place: where a wide road ends on a narrow one, at an obtuse angle.
+void begin_earlier(std::vector<Moved>& stretches, double by_m) {
+  if (stretches.empty() || stretches.front().segment != 0) return;
+  stretches.front().from = stretches.front().from - stretches.front().along * by_m;
+}
+
+bool is_obtuse(const ArmPath& arm, const ArmPath& next) {
+  constexpr double kStraightCosine = -0.94;
+  const Vec2 a = unit(arm.axis[1] - arm.axis[0]), b = unit(next.axis[1] - next.axis[0]);
+  return cross(a, b) > 0 && dot(a, b) < 0 && dot(a, b) > kStraightCosine;
+}
+
+}  // namespace
+
+ArmPath path_of(std::span<const Road> roads, const Arm& arm) {
+  Polyline axis = walk(roads, arm, kReach_m);
+  // a vertex just there is walked to and interpolated
+  if (axis.size() > 2 && axis.back() == axis[axis.size() - 2]) axis.pop_back();
+  return {std::move(axis), left_of(roads, arm), right_of(roads, arm)};
+}
+
+std::optional<Fillet> fillet_between(const ArmPath& arm, const ArmPath& next, double radius_m) {
+  constexpr double kClear_m = 0.02;
+  const double off = arm.left_m + radius_m, off_next = next.right_m + radius_m;
+  std::vector<Moved> left = moved(arm.axis, off), right = moved(next.axis, -off_next);
+  if (is_obtuse(arm, next)) begin_earlier(left, arm.left_m), begin_earlier(right, next.right_m);
+  std::optional<Fillet> nearest;
+  for (const Moved& a : left)
+    for (const Moved& b : right) {
+      const auto centre = meeting(a, b);
+      if (!centre) continue;
+      const Fillet found{*centre, radius_m, touch_at(a, *centre, arm.left_m), touch_at(b, *centre, -next.right_m)};
+      if (nearest && found.arm.along_m + found.next.along_m >= nearest->arm.along_m + nearest->next.along_m) continue;
+      if (distance_to(arm.axis, *centre) < off - kClear_m || distance_to(next.axis, *centre) < off_next - kClear_m)
+        continue;
+      nearest = found;
+    }
+  return nearest;
+}
+
+std::optional<Fillet> largest_fillet(const ArmPath& arm, const ArmPath& next, double wanted_radius_m,
+                                     const FilletLimits& limits) {
+  const auto fitting = [&](double radius_m) {
+    auto fillet = fillet_between(arm, next, radius_m);
+    if (fillet && (fillet->arm.along_m > limits.along_arm_m || fillet->next.along_m > limits.along_next_m))
+      fillet.reset();
+    return fillet;
+  };
+  if (auto wanted = fitting(wanted_radius_m)) return wanted;
+  std::optional<Fillet> best = fitting(0);
+  constexpr double kSteps = 2;  // a metre
+  double low = 0, high = std::ceil(wanted_radius_m * kSteps);
+  while (low + 1 < high) {
+    const double middle = std::floor((low + high) / 2);
+    if (auto fillet = fitting(middle / kSteps)) {
+      best = fillet, low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return best;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,273 @@
+// Cuts and corners of all junctions.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/geometry/box.h"
+#include "compiler/roads/junctions/arm_lines.h"
+#include "compiler/roads/junctions/consolidate.h"
+#include "compiler/roads/junctions/fillet.h"
+#include "compiler/roads/junctions/junction.h"
+#include "compiler/roads/junctions/round_places.h"
+#include "compiler/roads/junctions/taper.h"
+
+namespace citykiln::roads {
+namespace {
+
+double cut_steps(double length_m) { return std::floor(length_m * 4) / 4; }
+
+constexpr double kLeastCut_m = 0.5;
+
+// Kerbs' radii: what a car of the narrower road's class turns in.
+double radius_m(map::SurfaceClass surface) {
+  using map::SurfaceClass;
+  switch (surface) {
+    case SurfaceClass::kMotorwayRoad:
+      return 15;
+    case SurfaceClass::kPrimaryRoad:
+      return 8;
+    case SurfaceClass::kSecondaryRoad:
+      return 7;
+    case SurfaceClass::kTertiaryRoad:
+      return 6;
+    case SurfaceClass::kResidentialRoad:
+      return 5;
+    case SurfaceClass::kServiceRoad:
+    case SurfaceClass::kUnpavedRoad:
+    case SurfaceClass::kPedestrianStreet:
+      return 3;
+    default:
+      return 1.5;
+  }
+}
+
+// How far from their places two neighbouring arms are one surface.
+struct Meeting {
+  std::uint32_t arm = 0, next = 0;
+  double along_arm_m = 0, along_next_m = 0;
+};
+
+// One junction while it is being decided. Arms of all its nodes, in the order of arms_at().
+struct Draft {
+  std::vector<std::uint32_t> nodes;
+  Vec2 centre;
+  std::vector<Arm> arms;
+  std::vector<Link> links;
+  std::vector<ArmLine> lines;
+  std::vector<ArmPath> paths;
+  std::vector<std::uint32_t> next;   // of the same place, links inside among them
+  std::vector<std::uint32_t> order;  // counter-clockwise about all places, without links inside
+  std::vector<Meeting> meetings;
+  std::vector<Cut> cuts;
+};
+
+Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
+               std::vector<std::uint32_t> members) {
+  Draft draft;
+  Box2 box;
+  draft.nodes = std::move(members);
+  for (const std::uint32_t n : draft.nodes) {
+    box.grow(nodes[n].at);
+    draft.arms.insert(draft.arms.end(), nodes[n].arms.begin(), nodes[n].arms.end());
+  }
+  draft.centre = box.centre();
+  for (const Arm& arm : draft.arms) {
+    draft.links.push_back(index.link_of(arm, 2 * kReach_m));
+    draft.lines.push_back(line_of(roads, arm));
+    draft.paths.push_back(path_of(roads, arm));
+  }
+  draft.cuts.resize(draft.arms.size());
+  return draft;
+}
+
+// Links inside the junction belong to it whole; a long loop does not.
+void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
+  for (std::size_t a = 0; a < draft.arms.size(); ++a) {
+    const Link& link = draft.links[a];
+    const bool is_inside = draft.nodes.size() > 1 && link.node != kNoNode && group[link.node] == draft.nodes.front();
+    if (is_inside && link.length_m <= kReach_m) draft.cuts[a].length_m = kWhole_m;
+  }
+}
+
+// How far an arm may be the junction's.
+double reach_m(const Draft& draft, std::uint32_t arm) {
+  if (draft.cuts[arm].length_m == kWhole_m) return draft.links[arm].length_m;
+  return kReach_m - distance(draft.lines[arm].from, draft.centre);
+}
+
+// A kerb's radius, where it is to be rounded at all: a road's own bend, as a roundabout's ring has at every place, is
+// not; and an arc does not begin more than two radii before a corner, however acute that is.
+std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& draft, std::uint32_t arm,
+                                    std::uint32_t next) {
+  const Road &road = roads[draft.arms[arm].road], &next_road = roads[draft.arms[next].road];
+  const FilletLimits reach{reach_m(draft, arm), reach_m(draft, next)};
+  const auto corner = largest_fillet(draft.paths[arm], draft.paths[next], 0, reach);
+  if (&road == &next_road) return corner;
+  const double wanted = std::min(radius_m(road.surface), radius_m(next_road.surface));
+  const double kerb_m = 2 * wanted;
+  const FilletLimits limits = !corner ? reach
+                                      : FilletLimits{std::min(reach.along_arm_m, corner->arm.along_m + kerb_m),
+                                                     std::min(reach.along_next_m, corner->next.along_m + kerb_m)};
+  return largest_fillet(draft.paths[arm], draft.paths[next], wanted, limits);
+}
+
+void find_order(Draft& draft) {
+  draft.next = next_at_place(draft.lines);
+  for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
+    if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
+}
+
+// Neighbours at one place meet in a corner.
+void find_corners(std::span<const Road> roads, Draft& draft) {
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
+    const std::uint32_t next = draft.next[arm];
+    if (arm == next) continue;
+    if (const auto fillet = wanted_fillet(roads, draft, arm, next)) {
+      draft.meetings.push_back({arm, next, fillet->arm.along_m, fillet->next.along_m});
+      draft.cuts[arm].radius_m = fillet->radius_m;
+    } else if (const auto corner = corner_between(draft.lines[arm], draft.lines[next])) {
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
+    }
+  }
+}
+
+// Neighbours of two places may run into each other farther out.
+void find_overlaps(Draft& draft) {
+  for (std::size_t i = 0; i < draft.order.size(); ++i) {
+    const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
+    if (draft.lines[arm].from == draft.lines[next].from) continue;
+    if (const auto corner = corner_between(draft.lines[arm], draft.lines[next]))
+      draft.meetings.push_back({arm, next, corner->along_arm_m, corner->along_next_m});
+  }
+}
+
+// Where a place is round, its arms begin outside of the disk.
+void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft& draft) {
+  std::size_t arm = 0;
+  for (const std::uint32_t n : draft.nodes) {
+    const double radius_m = disk_radius_m(roads, nodes[n].arms);
+    for (std::size_t i = 0; i < nodes[n].arms.size(); ++i, ++arm)
+      if (draft.cuts[arm].length_m != kWhole_m) draft.cuts[arm].length_m = radius_m;
+  }
+}
+
+bool is_taper(Family family, const Draft& draft) {
+  const auto is_whole = [](const Cut& cut) { return cut.length_m == kWhole_m; };
+  const auto is_round = [](const Cut& cut) { return cut.length_m > 0; };
+  return draft.nodes.size() == 1 && roads::is_taper(family, draft.lines) &&
+         std::ranges::none_of(draft.cuts, is_whole) && std::ranges::none_of(draft.cuts, is_round);
+}
+
+// A taper leaves half of a link to whatever is at its other end.
+void want_taper(Draft& draft) {
+  for (const std::uint32_t arm : {0u, 1u}) {
+    const double length_m = taper_length_m(draft.paths[arm], draft.paths[1 - arm]);
+    draft.cuts[arm].length_m = std::max(kLeastCut_m, std::min(length_m, draft.links[arm].length_m / 2));
+  }
+}
+
+void want(Cut& cut, double length_m) {
+  if (cut.length_m != kWhole_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kReach_m));
+}
+
+// As far as the farther of an arm's two corners, within reach.
+void want_cuts(Draft& draft) {
+  for (const Meeting& meeting : draft.meetings) {
+    want(draft.cuts[meeting.arm], meeting.along_arm_m);
+    want(draft.cuts[meeting.next], meeting.along_next_m);
+  }
+  for (const std::uint32_t arm : draft.order) {
+    // a cut that nothing asks for still shows where the junction is
+    draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
+    // half metres, of which a manifest has fewer than of quarters
+    const double cut_m = std::ceil(draft.cuts[arm].length_m * 2) / 2;
+    draft.cuts[arm].length_m = std::min(cut_m, std::ceil(reach_m(draft, arm) * 4) / 4);
+  }
+}
+
+// Two junctions at the ends of one link share it by what they want; nobody wants more than there is.
+void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
+                Report& report) {
+  if (cut.length_m == kWhole_m) return;
+  const double wanted_there = other && other->length_m != kWhole_m ? other->length_m : 0;
+  if (cut.length_m + wanted_there <= link.length_m) return;
+  report.add(Code::kArmSwallowed, roads[arm.road].id.osm, link.length_m);
+  cut.length_m = cut_steps(link.length_m * cut.length_m / (cut.length_m + wanted_there));
+}
+
+// Rounds corners only as far as their arms are the junction's.
+void shrink_radii(Draft& draft) {
+  const auto length_m = [&](std::uint32_t arm) {
+    return draft.cuts[arm].length_m == kWhole_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
+  };
+  for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
+    double& radius = draft.cuts[arm].radius_m;
+    if (radius == 0) continue;
+    const std::uint32_t next = draft.next[arm];
+    const auto fillet = largest_fillet(draft.paths[arm], draft.paths[next], radius, {length_m(arm), length_m(next)});
+    radius = fillet ? fillet->radius_m : 0;
+  }
+}
+
+Junction finished(std::span<const Node> nodes, const Draft& draft) {
+  Junction junction{nodes[draft.nodes.front()].family, {}, draft.cuts};
+  for (const std::uint32_t n : draft.nodes) junction.places.push_back(nodes[n].at);
+  return junction;
+}
+
+std::vector<Draft> drafts_of(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
+                             std::span<const std::uint32_t> group) {
+  std::vector<std::vector<std::uint32_t>> members(nodes.size());
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) members[group[n]].push_back(n);
+  std::vector<Draft> drafts(nodes.size());
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    if (members[n].empty()) continue;
+    Draft& draft = drafts[n] = draft_of(roads, nodes, index, std::move(members[n]));
+    keep_links_inside(group, draft);
+    find_order(draft);
+    want_disks(roads, nodes, draft);
+    if (is_taper(nodes[n].family, draft)) {
+      want_taper(draft);
+    } else {
+      find_corners(roads, draft);
+      find_overlaps(draft);
+    }
+    want_cuts(draft);
+  }
+  return drafts;
+}
+
+}  // namespace
+
+std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report) {
+  const std::vector<Node> nodes = find_nodes(roads);
+  const NodeIndex index(roads, nodes);
+  const std::vector<std::uint32_t> group = consolidate(roads, nodes, index, report);
+  const std::vector<Draft> wanted = drafts_of(roads, nodes, index, group);
+
+  // where each node's arms begin among its group's
+  std::vector<std::uint32_t> first(nodes.size());
+  for (const Draft& draft : wanted) {
+    std::uint32_t count = 0;
+    for (const std::uint32_t n : draft.nodes)
+      first[n] = count, count += static_cast<std::uint32_t>(nodes[n].arms.size());
+  }
+  std::vector<std::pair<Arm, Junction>> junctions;
+  for (const Draft& draft : wanted) {
+    if (draft.nodes.empty()) continue;
+    Draft shared = draft;
+    for (std::size_t a = 0; a < shared.arms.size(); ++a) {
+      const Link& link = shared.links[a];
+      const Cut* other = link.node == kNoNode ? nullptr : &wanted[group[link.node]].cuts[first[link.node] + link.arm];
+      share_link(roads, shared.cuts[a], shared.arms[a], link, other, report);
+    }
+    shrink_radii(shared);
+    junctions.emplace_back(std::ranges::min(shared.arms), finished(nodes, shared));
+  }
+  // along the roads: neighbours in the list share points, which makes manifests smaller
+  std::ranges::sort(junctions, {}, &std::pair<Arm, Junction>::first);
+  std::vector<Junction> sorted;
+  for (auto& [first_arm, junction] : junctions) sorted.push_back(std::move(junction));
+  return sorted;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,66 @@
+#include "compiler/roads/markings/mark.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/roads/markings/pattern.h"
+
+namespace citykiln::roads {
+namespace {
+
+// Where two sides of a stroke meet: from the line's point to its left outline.
+Vec2 mitre(Vec2 before, Vec2 after, double half_width) {
+  const Vec2 left_before = left_of(unit(before)), left_after = left_of(unit(after));
+  const Vec2 middle = unit(left_before + left_after);
+  return middle * (half_width / dot(middle, left_after));
+}
+
+}  // namespace
+
+Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+
+void add_line(double u_m, double width_m, Rhythm rhythm, Marks& marks) {
+  const double left_m = u_m - width_m / 2, right_m = u_m + width_m / 2;
+  if (rhythm.dash_m == rhythm.period_m) {
+    marks.push_back({rectangle({left_m, 0}, {right_m, kPatternLength_m}), kWhite});
+    return;
+  }
+  for (double period_m = 0; period_m < kPatternLength_m; period_m += rhythm.period_m) {
+    const double low_m = period_m + (rhythm.period_m - rhythm.dash_m) / 2;
+    marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + rhythm.dash_m}), kWhite});
+  }
+}
+
+void add_dashes_across(double left_m, double right_m, double low_m, double high_m, Rhythm rhythm, Marks& marks) {
+  const double gap_m = rhythm.period_m - rhythm.dash_m, width_m = right_m - left_m;
+  const double count = std::max(1.0, std::floor((width_m + gap_m) / rhythm.period_m + 0.5));
+  // dashes and gaps together fill the width
+  const double scale = width_m / (count * rhythm.period_m - gap_m);
+  for (double i = 0; i < count; ++i) {
+    const double at_m = left_m + i * rhythm.period_m * scale;
+    marks.push_back({rectangle({at_m, low_m}, {at_m + rhythm.dash_m * scale, high_m}), kWhite});
+  }
+}
+
+Ring stroke(std::span<const Vec2> line, double width) {
+  const std::size_t last = line.size() - 1;
+  const bool is_closed = line.front() == line.back();
+  const auto offset = [&](std::size_t i) {
+    const Vec2 after = i < last ? line[i + 1] - line[i] : is_closed ? line[1] - line[0] : line[i] - line[i - 1];
+    const Vec2 before = i > 0 ? line[i] - line[i - 1] : is_closed ? line[last] - line[last - 1] : after;
+    return mitre(before, after, width / 2);
+  };
+  Ring ring;
+  for (std::size_t i = 0; i <= last; ++i) ring.push_back(line[i] - offset(i));
+  for (std::size_t i = last + 1; i-- > 0;) ring.push_back(line[i] + offset(i));
+  return ring;
+}
+
+Marks turned_round(const Marks& marks, double width_m, double length_m) {
+  Marks turned = marks;
+  for (Mark& mark : turned)
+    for (Vec2& p : mark.ring) p = Vec2{width_m, length_m} - p;
+  return turned;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,70 @@
+// Source: Richtlinien für die Markierung von Straßen RMS-1 (1993): narrow lines 0.12 m and broad ones 0.25 m, 0.15 and
+// 0.30 m on motorways; dashes to gaps 1:2 between lanes, 1:1 in broad lines. VwV-StVO zu § 41 holds the same widths.
+// RMS dashes are 3, 4 and 6 m; of 3:6 and 6:12 the period does not divide a pattern: in towns the gap is the 9 m of
+// MUTCD 3A (10 ft, 30 ft), on motorways lines are broken as on country roads. Who has edge lines: MUTCD 3B and RMS-2
+// agree on motorways and on busy roads without kerbs.
+#include "compiler/roads/markings/marking_rules.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::SurfaceClass;
+
+constexpr LineMeasures kMotorwayLines = {0.15, 0.30, {4, 12}, {6, 12}, true, true};
+constexpr LineMeasures kCountryLines = {0.12, 0.25, {4, 12}, {3, 6}, true, false};
+constexpr LineMeasures kTownLines = {0.12, 0.25, {3, 12}, {1.5, 3}, true, false};
+
+// Two bicycles pass in a track, two cars in a lane: then each direction keeps to its side.
+constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;
+
+}  // namespace
+
+LineMeasures measures_of(const Pattern& pattern) {
+  if (pattern.surface == SurfaceClass::kMotorwayRoad) return kMotorwayLines;
+  const bool is_in_town = pattern.has_kerb_left || pattern.has_kerb_right;
+  LineMeasures measures = is_in_town ? kTownLines : kCountryLines;
+  measures.has_lane_lines = !is_quiet(pattern);
+  measures.has_edge_lines =
+      pattern.surface == SurfaceClass::kPrimaryRoad || pattern.surface == SurfaceClass::kSecondaryRoad;
+  return measures;
+}
+
+bool is_quiet(const Pattern& pattern) {
+  switch (pattern.surface) {
+    case SurfaceClass::kMotorwayRoad:
+    case SurfaceClass::kPrimaryRoad:
+    case SurfaceClass::kSecondaryRoad:
+    case SurfaceClass::kTertiaryRoad:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool takes_paint(const Pattern& pattern) {
+  switch (map::values_of(pattern.surface).material) {
+    case materials::Material::kAsphalt:
+    case materials::Material::kOldAsphalt:
+    case materials::Material::kPaving:
+    case materials::Material::kConcrete:
+      return true;
+    default:
+      return false;
+  }
+}
+
+LaneSpan arriving_span(const Pattern& pattern, std::size_t index) {
+  const map::Lane& lane = pattern.lanes[index];
+  const double low_m = lane_sides_m(pattern)[index], high_m = low_m + lane.width_m, middle_m = (low_m + high_m) / 2;
+  if (lane.way == map::LaneWay::kBackward) return {0, 0};
+  const double pass_m = lane.kind == map::LaneKind::kCycle ? kCyclesPass_m : kCarsPass_m;
+  const bool is_shared = lane.way == map::LaneWay::kBoth && lane.kind != map::LaneKind::kTurn && lane.width_m >= pass_m;
+  if (!is_shared) return {low_m, high_m};
+  return pattern.side == map::DrivingSide::kRight ? LaneSpan{middle_m, high_m} : LaneSpan{low_m, middle_m};
+}
+
+bool is_driven(const map::Lane& lane) {
+  return lane.kind == map::LaneKind::kDriving || lane.kind == map::LaneKind::kBus || lane.kind == map::LaneKind::kTurn;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,69 @@
+// Bays: by how deep the row is, cars stand along the kerb, slanting or square to it.
+#include "compiler/roads/markings/marking_rules.h"
+#include "compiler/roads/markings/markings.h"
+#include "compiler/roads/markings/markings_parts.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::Lane;
+using map::LaneWay;
+
+// A car needs 5.5, 2.9 and 2.4 m of kerb (RAST 06); periods divide the pattern.
+struct Bays {
+  double period_m;
+  double rise_m;  // of the line between two bays, from the strip's left to its right
+};
+
+bool is_along(const Lane& lane) { return lane.width_m < 3; }
+
+Bays bays_of(const Lane& lane, map::DrivingSide side) {
+  constexpr double kSquare_m = 4.75, kSlant = 0.577;  // 60 degrees from the kerb
+  if (is_along(lane)) return {6, 0};
+  if (lane.width_m >= kSquare_m) return {2.4, 0};
+  // drivers turn half into them: both kerbs' bays lean the same way
+  return {3, side == map::DrivingSide::kRight ? lane.width_m * kSlant : -lane.width_m * kSlant};
+}
+
+// Cars along the kerb of a quiet street stand where they like, unless they have a strip of their own.
+bool has_bays(const Pattern& pattern, const Lane& lane) {
+  if (lane.kind != map::LaneKind::kParking) return false;
+  return !is_along(lane) || !is_quiet(pattern) || pattern.surface == map::SurfaceClass::kParking;
+}
+
+void add_bays_of(double left_m, double right_m, const Bays& bays, double line_m, Marks& marks) {
+  for (double v_m = 0; v_m < kPatternLength_m - bays.period_m / 2; v_m += bays.period_m) {
+    const double low_m = v_m - (line_m + bays.rise_m) / 2, high_m = low_m + line_m;
+    marks.push_back(
+        {{{left_m, low_m}, {right_m, low_m + bays.rise_m}, {right_m, high_m + bays.rise_m}, {left_m, high_m}}, kWhite});
+  }
+}
+
+// On the side of the traffic, where it is known which that is.
+void add_bays_edge(const Lane& lane, double left_m, double right_m, map::DrivingSide side, double line_m,
+                   Marks& marks) {
+  if (lane.way == LaneWay::kBoth) return;
+  const bool is_left = (lane.way == LaneWay::kForward) == (side == map::DrivingSide::kRight);
+  add_line(is_left ? left_m + line_m / 2 : right_m - line_m / 2, line_m, kUnbroken, marks);
+}
+
+}  // namespace
+
+void add_bays(const Pattern& pattern, Marks& marks) {
+  constexpr double kLastBayEnds_m = 6;  // StVO § 12: no parking within 5 m of a junction
+  const double line_m = measures_of(pattern).narrow_m;
+  const std::vector<double> sides_m = lane_sides_m(pattern);
+  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
+    const Lane& lane = pattern.lanes[i];
+    if (!has_bays(pattern, lane)) continue;
+    const Bays bays = bays_of(lane, pattern.side);
+    add_bays_of(sides_m[i], sides_m[i + 1], bays, line_m, marks);
+    add_bays_edge(lane, sides_m[i], sides_m[i + 1], pattern.side, line_m, marks);
+    if (pattern.stretch != Stretch::kEnd) continue;
+    const double rise_m = bays.rise_m < 0 ? -bays.rise_m : bays.rise_m;
+    const Vec2 low = {sides_m[i], kLastBayEnds_m + (line_m + rise_m) / 2}, high = {sides_m[i + 1], kPatternLength_m};
+    marks.push_back({rectangle(low, high), base_colour_of(pattern)});
+  }
+}
+
+}  // namespace citykiln::roads

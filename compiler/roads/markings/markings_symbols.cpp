@@ -1,0 +1,137 @@
+// What tells whose lane it is: a bicycle, or BUS, upright for who drives there. Drawn with even strokes and stretched
+// lengthwise, after the drawings of RMS-1 and MUTCD figures 3B-23 and 9C-3.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "compiler/geometry/trig.h"
+#include "compiler/roads/markings/marking_rules.h"
+#include "compiler/roads/markings/markings_parts.h"
+
+namespace citykiln::roads {
+namespace {
+
+using Drawing = std::vector<Ring>;
+
+struct Symbol {
+  Drawing rings;  // middle of the foot at (0, 0)
+  double width;
+  double stretch;
+};
+
+Ring circle_line(Vec2 middle, double radius) {
+  constexpr int kSides = 20;
+  Ring line;
+  for (int i = 0; i <= kSides; ++i)
+    line.push_back(middle + direction_of(i == kSides ? 0 : static_cast<double>(i) / kSides) * radius);
+  return line;
+}
+
+Symbol bicycle() {
+  constexpr double kStroke = 0.075, kWheel = 0.25;
+  constexpr Vec2 kRearHub = {-0.31, 0.29}, kFrontHub = {0.31, 0.29}, kCrank = {-0.04, 0.27}, kSeat = {-0.14, 0.7},
+                 kHead = {0.19, 0.68};
+  constexpr std::array<Vec2, 2> kStrokes[] = {
+      {{kRearHub, kCrank}},
+      {{kRearHub, {-0.12, 0.62}}},
+      {{kCrank, kSeat}},
+      {{kCrank, kHead}},
+      {{{-0.12, 0.62}, kHead}},
+      {{{0.16, 0.82}, kFrontHub}},
+      {{{0.16, 0.82}, {0.32, 0.86}}},
+      {{{-0.27, 0.73}, {-0.03, 0.73}}},
+  };
+  Symbol symbol{{}, 2 * (kFrontHub.x + kWheel) + kStroke, 1.8};
+  for (const Vec2 hub : {kRearHub, kFrontHub}) symbol.rings.push_back(stroke(circle_line(hub, kWheel), kStroke));
+  for (const auto& line : kStrokes) symbol.rings.push_back(stroke(line, kStroke));
+  return symbol;
+}
+
+constexpr double kLetterStroke = 0.12, kLetterWidth = 0.4, kLetterStep = 0.66;
+
+// Letters as lines kLetterWidth broad and 0.76 high.
+std::vector<Ring> letter_lines(char letter) {
+  switch (letter) {
+    case 'B':
+      return {{{0, 0},
+               {0, 0.76},
+               {0.3, 0.76},
+               {0.4, 0.67},
+               {0.4, 0.47},
+               {0.32, 0.39},
+               {0.4, 0.31},
+               {0.4, 0.09},
+               {0.3, 0},
+               {0, 0}},
+              {{0.06, 0.39}, {0.3, 0.39}}};
+    case 'U':
+      return {{{0, 0.82}, {0, 0.12}, {0.1, 0}, {0.3, 0}, {0.4, 0.12}, {0.4, 0.82}}};
+    case 'S':
+      return {{{0.4, 0.6},
+               {0.4, 0.66},
+               {0.3, 0.76},
+               {0.1, 0.76},
+               {0, 0.66},
+               {0, 0.5},
+               {0.08, 0.42},
+               {0.32, 0.34},
+               {0.4, 0.26},
+               {0.4, 0.1},
+               {0.3, 0},
+               {0.1, 0},
+               {0, 0.1},
+               {0, 0.16}}};
+    default:
+      return {};
+  }
+}
+
+Symbol bus() {
+  Symbol symbol{{}, 2 * kLetterStep + kLetterWidth + kLetterStroke, 3.2};
+  double left = -kLetterStep - kLetterWidth / 2;
+  for (const char letter : {'B', 'U', 'S'}) {
+    for (Ring line : letter_lines(letter)) {
+      for (Vec2& p : line) p = p + Vec2{left, kLetterStroke / 2};
+      symbol.rings.push_back(stroke(line, kLetterStroke));
+    }
+    left += kLetterStep;
+  }
+  return symbol;
+}
+
+void add_symbol(const Symbol& symbol, LaneSpan lane, double foot_m, Marks& marks) {
+  constexpr double kLargestShare = 0.8;  // of the lane's width
+  const double scale = std::min(1.0, kLargestShare * (lane.high_m - lane.low_m) / symbol.width);
+  const Vec2 origin = {(lane.low_m + lane.high_m) / 2, foot_m};
+  for (const Ring& ring : symbol.rings) {
+    Mark mark{{}, kWhite};
+    for (const Vec2& p : ring) mark.ring.push_back(origin + Vec2{p.x * scale, p.y * scale * symbol.stretch});
+    marks.push_back(std::move(mark));
+  }
+}
+
+bool has_symbol(const map::Lane& lane) {
+  return lane.kind == map::LaneKind::kCycle || lane.kind == map::LaneKind::kBus;
+}
+
+// For who comes to the end of the pattern, before any arrow.
+void add_arriving_symbols(const Pattern& pattern, double foot_m, Marks& marks) {
+  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
+    const LaneSpan lane = arriving_span(pattern, i);
+    if (!has_symbol(pattern.lanes[i]) || !(lane.low_m < lane.high_m)) continue;
+    add_symbol(pattern.lanes[i].kind == map::LaneKind::kBus ? bus() : bicycle(), lane, foot_m, marks);
+  }
+}
+
+}  // namespace
+
+void add_symbols(const Pattern& pattern, Marks& marks) {
+  constexpr double kArrivingFoot_m = 1, kLeavingFoot_m = 2.5;
+  add_arriving_symbols(pattern, kArrivingFoot_m, marks);
+  // and for who leaves the junction
+  Marks leaving;
+  add_arriving_symbols(turned_round(pattern), kLeavingFoot_m, leaving);
+  for (Mark& mark : turned_round(leaving, width_m(pattern), kPatternLength_m)) marks.push_back(std::move(mark));
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,163 @@
+#include "compiler/roads/pieces/cross_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "compiler/roads/width_limits/squeeze.h"
+
+namespace citykiln::roads {
+namespace {
+
+// A road's end is joined to the next road's by a mitre where its last segment is no longer than this: then all tiles
+// that the segment touches know the next road. Longer ones end square, with a joint.
+constexpr double kLongestJoined_m = 40;
+
+// Two lines across a segment keep at least so far apart on either edge.
+constexpr double kLeastSide_m = 0.0625;
+
+struct Reaches {
+  double left_m, right_m;
+};
+
+// Along the mitre of a bend, a unit of offset from both segments; nothing where it is too sharp.
+std::optional<Vec2> mitre(Vec2 before, Vec2 after) {
+  const double cosine = dot(before, after);
+  if (cosine <= 0) return std::nullopt;
+  return (left_of(before) + left_of(after)) * (1 / (1 + cosine));
+}
+
+// How far a line reaches along a segment to either side of its point, at the edges.
+struct Lean {
+  double least_m, most_m;
+};
+Lean lean_of(Vec2 out, Vec2 along, Reaches reaches) {
+  const double a = dot(out, along) * reaches.left_m, b = -dot(out, along) * reaches.right_m;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// A road while it is cut.
+struct Cutting {
+  const Road& road;
+  const Ends& ends;
+  Reaches reaches;
+  double tile_m;
+  std::vector<double> along{};
+  std::vector<double> edge_bends{};         // where buildings narrow the road
+  std::vector<std::optional<Vec2>> outs{};  // of each point's mitre
+
+  Vec2 direction(std::size_t i) const { return unit(road.axis[i + 1] - road.axis[i]); }
+  double length(std::size_t i) const { return distance(road.axis[i], road.axis[i + 1]); }
+  std::size_t segments() const { return road.axis.size() - 1; }
+
+  bool is_long_end(std::size_t i) const {
+    return (i == 0 && length(0) > kLongestJoined_m) || (i == segments() && length(i - 1) > kLongestJoined_m);
+  }
+
+  std::optional<Vec2> mitre_at(std::size_t i) const {
+    if (is_long_end(i)) return std::nullopt;
+    const Vec2 before = i > 0 ? direction(i - 1) : ends.from ? unit(road.axis.front() - *ends.from) : direction(0);
+    const Vec2 after = i < segments() ? direction(i) : ends.to ? unit(*ends.to - road.axis.back()) : before;
+    return mitre(before, after);
+  }
+
+  // Each point's mitre may lean over no more than half of either segment: then no two of them cross.
+  void find_outs() {
+    for (std::size_t i = 0; i < road.axis.size(); ++i) {
+      outs.push_back(mitre_at(i));
+      for (const std::size_t s : {i - 1, i}) {
+        if (!outs[i] || s >= segments()) continue;
+        const Lean lean = lean_of(*outs[i], direction(s), reaches);
+        if (std::max(-lean.least_m, lean.most_m) > (length(s) - kLeastSide_m) / 2) outs[i].reset();
+      }
+    }
+  }
+
+  // The line at a point as a segment beside it sees it.
+  CrossLine line_at(std::size_t i, std::size_t segment) const {
+    return {road.axis[i], outs[i].value_or(left_of(direction(segment))), along[i]};
+  }
+};
+
+// Where the strip about a segment comes within a metre of a border, and where it leaves it, along one coordinate.
+void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis, std::vector<double>& lines) {
+  constexpr double kNear_m = 1;
+  const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1],
+             out = left_of(cutting.direction(segment));
+  const double per_metre = cutting.direction(segment).*axis;
+  if (std::abs(per_metre) < 0x1p-10) return;
+  const double left = out.*axis * cutting.reaches.left_m, right = -(out.*axis) * cutting.reaches.right_m;
+  const double low = std::min(left, right) - kNear_m, high = std::max(left, right) + kNear_m;
+  const double first = std::floor((std::min(a.*axis, b.*axis) + low) / cutting.tile_m) + 1;
+  for (double k = first; k * cutting.tile_m <= std::max(a.*axis, b.*axis) + high; ++k)
+    for (const double edge : {low, high})
+      lines.push_back(cutting.along[segment] + (k * cutting.tile_m - edge - a.*axis) / per_metre);
+}
+
+// Lines across a segment between its ends, not within the reach of those: borders first, for all tiles know them.
+std::vector<double> lines_within(const Cutting& cutting, std::span<const StretchRun> stretches, std::size_t segment) {
+  std::vector<double> wanted, lines;
+  add_borders(cutting, segment, &Vec2::x, wanted);
+  add_borders(cutting, segment, &Vec2::y, wanted);
+  std::sort(wanted.begin(), wanted.end());
+  for (const StretchRun& run : stretches) wanted.push_back(run.from_m);
+  wanted.insert(wanted.end(), cutting.edge_bends.begin(), cutting.edge_bends.end());
+  const Vec2 direction = cutting.direction(segment);
+  const double from = cutting.along[segment] + kLeastSide_m +
+                      lean_of(cutting.line_at(segment, segment).out, direction, cutting.reaches).most_m;
+  const double to = cutting.along[segment + 1] - kLeastSide_m +
+                    lean_of(cutting.line_at(segment + 1, segment).out, direction, cutting.reaches).least_m;
+  for (std::size_t w = 0; w < wanted.size(); ++w) {
+    const auto is_close = [&](double line) { return std::abs(line - wanted[w]) < kLeastSide_m; };
+    if (wanted[w] > from && wanted[w] < to && std::ranges::none_of(lines, is_close)) lines.push_back(wanted[w]);
+  }
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+// The stretch that a distance lies in.
+std::uint32_t stretch_at(std::span<const StretchRun> stretches, double along_m) {
+  const auto after = std::ranges::upper_bound(stretches, along_m, {}, &StretchRun::from_m);
+  return after == stretches.begin() ? 0 : static_cast<std::uint32_t>(after - stretches.begin()) - 1;
+}
+
+CrossLine line_between(const Cutting& cutting, std::size_t segment, double along_m) {
+  const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1];
+  const double share = (along_m - cutting.along[segment]) / (cutting.along[segment + 1] - cutting.along[segment]);
+  return {a + (b - a) * share, left_of(cutting.direction(segment)), along_m};
+}
+
+void slice_segment(const Cutting& cutting, std::span<const StretchRun> stretches, std::size_t segment,
+                   std::vector<Slice>& slices) {
+  CrossLine start = cutting.line_at(segment, segment);
+  const auto push = [&](const CrossLine& end) {
+    const double middle = (start.along_m + end.along_m) / 2;
+    slices.push_back({cutting.direction(segment), start, end, stretch_at(stretches, middle)});
+    start = end;
+  };
+  for (const double along_m : lines_within(cutting, stretches, segment)) push(line_between(cutting, segment, along_m));
+  push(cutting.line_at(segment + 1, segment));
+}
+
+}  // namespace
+
+Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
+                 double right_m, double tile_m) {
+  Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
+  cutting.find_outs();
+  Slices all;
+  for (std::size_t s = 0; s < cutting.segments(); ++s) {
+    if (s == 0 && !cutting.outs[0] && ends.from)
+      all.bends.push_back({road.axis[0], unit(road.axis[0] - *ends.from), cutting.direction(0), 0});
+    slice_segment(cutting, stretches, s, all.slices);
+    if (cutting.outs[s + 1]) continue;
+    const auto last = static_cast<std::uint32_t>(all.slices.size()) - 1;
+    if (s + 1 < cutting.segments())
+      all.bends.push_back({road.axis[s + 1], cutting.direction(s), cutting.direction(s + 1), last});
+    else if (ends.to)
+      all.bends.push_back({road.axis.back(), cutting.direction(s), unit(*ends.to - road.axis.back()), last});
+  }
+  return all;
+}
+
+}  // namespace citykiln::roads

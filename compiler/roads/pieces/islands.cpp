@@ -1,0 +1,105 @@
+#include "compiler/roads/pieces/islands.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/geometry/box.h"
+#include "compiler/geometry/ring_crossing.h"
+#include "compiler/roads/network.h"
+
+namespace citykiln::roads {
+namespace {
+
+constexpr double kLargest_m2 = 300;
+constexpr double kLargestPaved_m2 = 80;
+constexpr std::size_t kMostSides = 96;
+
+// A segment of an axis, one way round.
+struct Side {
+  Vec2 from, to;
+  std::uint32_t road;
+  auto operator<=>(const Side&) const = default;
+};
+
+bool may_bound(const Road& road) {
+  return family_of(road.surface) == Family::kStreet &&
+         map::values_of(road.surface).priority >= map::values_of(map::SurfaceClass::kResidentialRoad).priority;
+}
+
+std::vector<Side> sides_of(std::span<const Road> roads) {
+  std::vector<Side> sides;
+  for (std::uint32_t r = 0; r < roads.size(); ++r) {
+    if (!may_bound(roads[r])) continue;
+    const Polyline& axis = roads[r].axis;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      sides.push_back({axis[i], axis[i + 1], r});
+      sides.push_back({axis[i + 1], axis[i], r});
+    }
+  }
+  std::ranges::sort(sides);
+  return sides;
+}
+
+// 0: clockwise of `back` by less than half a turn; 1: straight on; 2: by more; 3: back itself.
+int half_turn(Vec2 back, Vec2 v) {
+  const double turn = cross(back, v);
+  if (turn == 0) return dot(back, v) < 0 ? 1 : 3;
+  return turn < 0 ? 0 : 2;
+}
+
+// Of the sides that leave a place, the first clockwise of where one came from: so a face stays to the left.
+const Side* next_side(std::span<const Side> sides, const Side& side) {
+  const Vec2 back = side.from - side.to;
+  const Side* best = nullptr;
+  const auto comes_first = [&](const Side& a, const Side& b) {
+    const Vec2 u = a.to - a.from, v = b.to - b.from;
+    if (half_turn(back, u) != half_turn(back, v)) return half_turn(back, u) < half_turn(back, v);
+    return cross(u, v) < 0;
+  };
+  for (auto s = std::ranges::lower_bound(sides, side.to, {}, &Side::from); s != sides.end() && s->from == side.to; ++s)
+    if (!best || comes_first(*s, *best)) best = &*s;
+  return best;
+}
+
+// The face to the left of a side, if the side is the first of its sides and it is small; else nothing.
+std::vector<const Side*> face_from(std::span<const Side> sides, const Side& first) {
+  std::vector<const Side*> face;
+  Box2 box;
+  for (const Side* side = &first; side != nullptr; side = next_side(sides, *side)) {
+    if (side == &first && !face.empty()) return face;
+    face.push_back(side);
+    box.grow(side->from);
+    if (*side < first || face.size() > kMostSides) break;
+    if (std::max(box.width(), box.height()) > kWidestIsland_m) break;
+  }
+  return {};
+}
+
+// Nothing where the face is no island.
+std::vector<Island> island_in(std::span<const Road> roads, const std::vector<const Side*>& face) {
+  Ring ring;
+  bool is_roundabout = true;
+  ObjectId id = face.empty() ? ObjectId{} : roads[face.front()->road].id;
+  for (const Side* side : face) {
+    ring.push_back(side->from);
+    is_roundabout = is_roundabout && roads[side->road].is_roundabout;
+    id = std::min(id, roads[side->road].id);
+  }
+  const double area = ring.size() < 3 ? 0 : signed_area_m2(ring);
+  if (area <= 0 || (!is_roundabout && area > kLargest_m2) || !is_simple(ring)) return {};
+  const bool is_planted = is_roundabout && area > kLargestPaved_m2;
+  return {{id, is_planted ? map::SurfaceClass::kVerge : map::SurfaceClass::kIsland, std::move(ring)}};
+}
+
+}  // namespace
+
+std::vector<Island> islands_of(std::span<const Road> roads) {
+  const std::vector<Side> sides = sides_of(roads);
+  std::vector<Island> islands;
+  for (const Side& side : sides)
+    for (Island& island : island_in(roads, face_from(sides, side))) islands.push_back(std::move(island));
+  std::ranges::sort(islands, {}, [](const Island& i) { return std::tie(i.id, i.surface, i.ring); });
+  return islands;
+}
+
+}  // namespace citykiln::roads

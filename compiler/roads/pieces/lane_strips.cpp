@@ -1,0 +1,100 @@
+#include "compiler/roads/pieces/lane_strips.h"
+
+#include <algorithm>
+
+namespace citykiln::roads {
+namespace {
+
+using map::LaneKind;
+using map::SurfaceClass;
+
+SurfaceClass surface_of(const Road& road, const map::Lane& lane) {
+  if (!lane.is_raised) return lane.kind == LaneKind::kParking ? SurfaceClass::kParkingLane : road.surface;
+  switch (lane.kind) {
+    case LaneKind::kCycle:
+      return SurfaceClass::kCycleTrack;
+    case LaneKind::kParking:
+      return SurfaceClass::kParkingLane;
+    case LaneKind::kVerge:
+      return SurfaceClass::kVerge;
+    default:
+      // a raised buffer too: no tag tells of planted ones, and what is laid across the carriageway goes over it
+      return SurfaceClass::kPavement;
+  }
+}
+
+// Neighbouring lanes of one surface, edge to edge.
+std::vector<LaneStrip> runs_of(const Road& road) {
+  std::vector<LaneStrip> strips;
+  double edge_m = left_m(road) + raised_left_m(road);
+  for (const map::Lane& lane : road.section.lanes) {
+    const SurfaceClass surface = surface_of(road, lane);
+    const bool goes_on =
+        !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
+    if (!goes_on) strips.push_back({surface, {}, edge_m, edge_m});
+    strips.back().lanes.push_back(lane);
+    edge_m -= lane.width_m;
+    strips.back().right_m = edge_m;
+  }
+  return strips;
+}
+
+bool is_raised(const LaneStrip& strip) { return strip.lanes.front().is_raised; }
+
+// A kerb stands on the side of what is raised.
+std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
+  std::vector<LaneStrip> strips;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    LaneStrip& run = runs[i];
+    const bool raised = is_raised(run);
+    const bool kerb_left = raised && i > 0 && !is_raised(runs[i - 1]);
+    const bool kerb_right = raised && i + 1 < runs.size() && !is_raised(runs[i + 1]);
+    run.has_kerb_left = !raised && i > 0 && is_raised(runs[i - 1]);
+    run.has_kerb_right = !raised && i + 1 < runs.size() && is_raised(runs[i + 1]);
+    if (kerb_left) strips.push_back({SurfaceClass::kKerb, {}, run.left_m, run.left_m - kKerb_m});
+    strips.push_back(run);
+    if (kerb_left) strips.back().left_m -= kKerb_m;
+    if (!kerb_right) continue;
+    strips.back().right_m += kKerb_m;
+    strips.push_back({SurfaceClass::kKerb, {}, run.right_m + kKerb_m, run.right_m});
+  }
+  return strips;
+}
+
+double width_m(const LaneStrip& strip) { return strip.left_m - strip.right_m; }
+
+// Of the carriageway: the widest strip of the road's own surface.
+std::size_t middle_of(const Road& road, const std::vector<LaneStrip>& strips) {
+  std::size_t middle = 0;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const auto rank = [&](std::size_t k) { return std::pair(strips[k].surface == road.surface, width_m(strips[k])); };
+    if (rank(i) > rank(middle)) middle = i;
+  }
+  return middle;
+}
+
+// What is narrower than the tolerance becomes part of the next strip towards the middle.
+std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, double tolerance_m) {
+  for (std::size_t middle = middle_of(road, strips), i = 0; i < strips.size();) {
+    if (i == middle || width_m(strips[i]) >= tolerance_m) {
+      ++i;
+      continue;
+    }
+    if (i < middle)
+      strips[i + 1].left_m = strips[i].left_m, --middle;
+    else
+      strips[i - 1].right_m = strips[i].right_m;
+    strips.erase(strips.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return strips;
+}
+
+}  // namespace
+
+std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m) {
+  std::vector<LaneStrip> strips = yielded(road, with_kerbs(runs_of(road)), tolerance_m);
+  std::erase_if(strips, [](const LaneStrip& s) { return width_m(s) <= 0; });
+  return strips;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,163 @@
+#include "compiler/roads/pieces/pieces.h"
+
+#include <algorithm>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/roads/pieces/cross_lines.h"
+#include "compiler/roads/markings/markings.h"
+#include "compiler/roads/width_limits/squeeze.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::SurfaceClass;
+
+Vec2 point_on(const CrossLine& line, double offset_m) { return snapped(line.at + line.out * offset_m); }
+
+// A strip's edges from the axis, to the left positive.
+struct StripEdges {
+  double left_m, right_m;
+};
+
+// Where a line across the segment meets the strip's edges.
+FrameEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
+  const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
+  return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
+}
+
+Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
+  return {point_on(slice.start, start.right_m), point_on(slice.end, end.right_m), point_on(slice.end, end.left_m),
+          point_on(slice.start, start.left_m)};
+}
+
+bool is_crossing(Stretch stretch) { return stretch == Stretch::kZebra || stretch == Stretch::kCrossing; }
+
+// What a stretch makes of a strip: crossings lead over everything between the kerbs, and to them nobody walks on grass.
+SurfaceClass surface_of(const Road& road, const LaneStrip& strip, Stretch stretch) {
+  if (stretch == Stretch::kLevelCrossing) return SurfaceClass::kLevelCrossing;
+  if (is_crossing(stretch) && strip.surface == SurfaceClass::kVerge) return SurfaceClass::kPavement;
+  return is_crossing(stretch) && strip.surface == road.surface ? SurfaceClass::kCrossing : strip.surface;
+}
+
+Pattern pattern_of(const Road& road, const LaneStrip& strip, const StretchRun& run) {
+  Pattern pattern{strip.surface, strip.lanes, run.stretch, run.control, road.side};
+  pattern.has_kerb_left = strip.has_kerb_left, pattern.has_kerb_right = strip.has_kerb_right;
+  return pattern;
+}
+
+// All strips' edges where a building lets the road be no wider.
+std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips, double along_m) {
+  std::vector<StripEdges> edges;
+  if (road.narrowing.is_empty()) {
+    for (const LaneStrip& strip : strips) edges.push_back({strip.left_m, strip.right_m});
+    return edges;
+  }
+  const LaneEdges lanes = lane_edges_at(road, along_m);
+  for (const LaneStrip& strip : strips) edges.push_back({lanes.moved(strip.left_m), lanes.moved(strip.right_m)});
+  return edges;
+}
+
+// A road while its pieces are made.
+struct Making {
+  const Road& road;
+  std::span<const StretchRun> stretches;
+  std::vector<LaneStrip> strips;
+  RoadPieces made{};
+  std::vector<std::uint32_t> patterns{};  // one a strip and stretch
+
+  void find_patterns() {
+    for (const LaneStrip& strip : strips)
+      for (const StretchRun& run : stretches) {
+        patterns.push_back(kNoPattern);
+        Pattern pattern = pattern_of(road, strip, run);
+        // crossings are painted between the kerbs
+        const bool is_beside = strip.lanes.empty() || (is_crossing(run.stretch) && strip.lanes.front().is_raised);
+        if (is_beside || !is_marked(pattern)) continue;
+        patterns.back() = static_cast<std::uint32_t>(made.patterns.size());
+        made.patterns.push_back(std::move(pattern));
+      }
+  }
+
+  void add(std::size_t strip, const Slice& slice, StripEdges start, StripEdges end, Ring ring) {
+    ring = without_repeats(ring);
+    if (ring.size() < 3) return;
+    if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
+    if (signed_area_m2(ring) == 0) return;
+    const auto number = static_cast<std::uint32_t>(strip * stretches.size() + slice.stretch);
+    const StretchRun& run = stretches[slice.stretch];
+    const LaneStrip& whole = strips[strip];
+    const Frame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
+                      end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
+    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, patterns[number], number});
+  }
+};
+
+// The wedge outside of a bend, or what lies about it where it turns back: part of the slice beside it.
+Ring joint_of(const OpenBend& bend, StripEdges edges) {
+  const bool bends_left = cross(bend.before, bend.after) > 0;
+  // the outer edge and the inner one, as far as they lie on the outside of the bend
+  const double outer = bends_left ? std::min(0.0, edges.right_m) : std::max(0.0, edges.left_m);
+  const double inner = bends_left ? std::min(0.0, edges.left_m) : std::max(0.0, edges.right_m);
+  const auto corner = [&](Vec2 direction, double offset) { return snapped(bend.at + left_of(direction) * offset); };
+  const Vec2 middle = unit(left_of(bend.before) + left_of(bend.after));
+  Ring ring = {corner(bend.before, inner), corner(bend.before, outer), snapped(bend.at + middle * outer),
+               corner(bend.after, outer), corner(bend.after, inner)};
+  if (inner != 0) ring.push_back(snapped(bend.at + middle * inner));
+  return ring;
+}
+
+// All strips of a slice, and the joints of the bend beside it.
+void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& making) {
+  const auto start = edges_at(making.road, making.strips, slice.start.along_m);
+  const auto end = edges_at(making.road, making.strips, slice.end.along_m);
+  for (std::size_t s = 0; s < making.strips.size(); ++s)
+    making.add(s, slice, start[s], end[s], ring_of(slice, start[s], end[s]));
+  for (const OpenBend& bend : bends)
+    for (std::size_t s = 0; s < making.strips.size(); ++s)
+      making.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
+}
+
+// How far along its piece a place is, from 0 to 1, if the strip's edges there are known.
+double passed_at(const Frame& frame, StripEdges edges, Vec2 off) {
+  const double width = edges.left_m - edges.right_m, offset = dot(off, left_of(frame.along));
+  const double share = width > 0 ? (edges.left_m - offset) / width : 0;
+  const auto across = [&](const FrameEnd& e) { return e.left_along_m + (e.right_along_m - e.left_along_m) * share; };
+  const double start = across(frame.start), end = across(frame.end);
+  return end > start ? std::clamp((dot(off, frame.along) - start) / (end - start), 0.0, 1.0) : 0;
+}
+
+StripEdges edges_between(const Frame& frame, double passed) {
+  return {frame.start.left_m + (frame.end.left_m - frame.start.left_m) * passed,
+          frame.start.right_m + (frame.end.right_m - frame.start.right_m) * passed};
+}
+
+}  // namespace
+
+Vec2 uv_at(const Frame& frame, Vec2 p) {
+  const Vec2 off = p - frame.at;
+  // where the edges lie depends on how far along one is, and that, at a leaning end, on how far across
+  double passed = 0;
+  for (int round = 0; round < 3; ++round) passed = passed_at(frame, edges_between(frame, passed), off);
+  const StripEdges edges = edges_between(frame, passed);
+  const double width = edges.left_m - edges.right_m;
+  const double u = edges.left_m - dot(off, left_of(frame.along));
+  return {width > 0 ? u * (frame.width_m / width) : 0, frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
+}
+
+RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
+                     double tolerance_m) {
+  Making making{road, stretches, strips_of(road, tolerance_m)};
+  if (making.strips.empty() || stretches.empty()) return {};
+  making.find_patterns();
+  const double left = std::max(0.0, making.strips.front().left_m), right = std::max(0.0, -making.strips.back().right_m);
+  const Slices all = slices_of(road, ends, stretches, left, right, tile_m);
+  auto bend = all.bends.begin();
+  for (std::uint32_t i = 0; i < all.slices.size(); ++i) {
+    const auto first = bend;
+    while (bend != all.bends.end() && bend->slice == i) ++bend;
+    add_slice(all.slices[i], {first, bend}, making);
+  }
+  return std::move(making.made);
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,42 @@
+// One tile of a run against its recipes: every level's file, byte for byte, and its ground by its own triangles.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compiler/bake/grove.h"
+#include "compiler/verify/findings.h"
+#include "compiler/verify/measure_ground.h"
+#include "compiler/commands/run_report.h"
+#include "compiler/contract/result.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::verify {
+
+/// What a run left, in memory but for the tiles.
+struct Subject {
+  std::string folder;
+  RunRecord record;
+  scene::Scene scene;
+  Standing standing;
+  std::shared_ptr<const bake::Grove> grove;
+};
+
+/// The edges at each side of a tile at one level, waiting for the neighbour's.
+struct Borders {
+  BorderEdges west, east, south, north;
+};
+
+struct CheckedTile {
+  Findings findings;
+  std::vector<Borders> borders;  ///< One a level.
+};
+
+/// @param levels  The files of one tile.
+/// Errors: a file that cannot be read; a tile that the manifest does not have. On one thread. Memory: one level, and
+/// the ground of all.
+Result<CheckedTile> check_tile(const Subject& subject, std::span<const WrittenTile> levels);
+
+}  // namespace citykiln::verify

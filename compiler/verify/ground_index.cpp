@@ -1,0 +1,60 @@
+#include "compiler/verify/ground_index.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln::verify {
+namespace {
+
+/// Faces along roads are some metres long.
+constexpr double kBucket_m = 4;
+
+double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
+
+double plan_area_m2(const GroundFace& face) {
+  return twice_area_m2(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
+}
+
+/// Borders lie where the plane's grid lets them.
+constexpr double kBeside_m = 2 * kQuantum_m;
+
+/// Beyond an edge by no more than what borders are off by.
+bool is_inside(double twice_area, Vec3 a, Vec3 b) {
+  return twice_area >= -kBeside_m * distance(in_plan(a), in_plan(b));
+}
+
+std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
+  const auto& [a, b, c] = face.corners;
+  const double area = twice_area_m2(in_plan(a), in_plan(b), in_plan(c));
+  const double of_a = twice_area_m2(p, in_plan(b), in_plan(c)), of_b = twice_area_m2(in_plan(a), p, in_plan(c));
+  const double of_c = area - of_a - of_b;
+  if (!is_inside(of_a, b, c) || !is_inside(of_b, c, a) || !is_inside(of_c, a, b)) return std::nullopt;
+  const double z_m = (of_a * a.z + of_b * b.z + of_c * c.z) / area;
+  // beside a thin face its plane may be anywhere
+  return std::clamp(z_m, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
+}
+
+}  // namespace
+
+GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing) {
+  GroundIndex index{ground_faces(tile, standing), {}};
+  std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
+  std::vector<Box2> boxes;
+  for (const GroundFace& face : index.faces)
+    boxes.push_back(box_of(std::array{in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])})
+                        .widened(kBeside_m));
+  index.grid = grid_of(boxes, kBucket_m);
+  return index;
+}
+
+std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p) {
+  std::vector<GroundPlace> places;
+  for (const std::uint32_t i : boxes_about(index.grid, p))
+    if (const auto z_m = height_m_at(index.faces[i], p)) places.push_back({*z_m, index.faces[i].feature});
+  std::ranges::stable_sort(places, {}, &GroundPlace::z_m);
+  return places;
+}
+
+}  // namespace citykiln::verify

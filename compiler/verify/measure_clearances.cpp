@@ -1,0 +1,375 @@
+#include "compiler/verify/measure_clearances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "compiler/contract/erase_repeated.h"
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/geometry/box_grid.h"
+#include "compiler/ground/profiles/crossings.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln::verify {
+namespace {
+
+using map::SurfaceGroup;
+
+/// Of the carved ground: no kerbs.
+constexpr double kTolerance_m = scene::kPlainRoads_m;
+constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
+constexpr double kFar_m = std::numeric_limits<double>::infinity();
+
+enum class Kind { kBore, kGround, kDeck };
+
+SurfaceGroup group_of(map::SurfaceClass surface) { return map::values_of(surface).group; }
+
+/// A road of the ground as far as a chunk knows it, or a span.
+struct Line {
+  const roads::Road* road = nullptr;
+  Kind kind{};
+  int layer = 0;
+  bool passes = true;  ///< False for corridors in buildings.
+
+  std::pair<Kind, int> rank() const { return {kind, layer}; }
+  double half_m() const { return std::min(std::max(roads::left_m(*road), roads::right_m(*road)), kWidest_m); }
+};
+
+Line line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; }
+
+Line line_of(const structures::Span& span, Kind kind) {
+  const bool is_corridor = kind == Kind::kBore && group_of(span.surface) == SurfaceGroup::kPath && span.layer >= 0;
+  const int told = kind == Kind::kDeck ? 1 : -1;
+  return {&span, kind, span.layer == 0 ? told : span.layer, !is_corridor};
+}
+
+std::vector<Line> lines_of(const scene::Chunk& chunk) {
+  std::vector<Line> lines;
+  for (const roads::Road& road : chunk.roads) lines.push_back(line_of(road));
+  for (const structures::Span& span : chunk.bridges) lines.push_back(line_of(span, Kind::kDeck));
+  for (const structures::Span& span : chunk.tunnels) lines.push_back(line_of(span, Kind::kBore));
+  return lines;
+}
+
+/// Vertices in common join lines.
+struct Network {
+  struct Edge {
+    std::size_t from, to;
+    double length_m;  ///< As it counts towards being joined.
+    bool is_off = false;
+  };
+  std::vector<Vec2> places;  ///< Sorted.
+  std::vector<bool> is_on_ground;
+  std::vector<Edge> edges;  ///< Both ways, sorted by the first.
+
+  std::size_t of(Vec2 p) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(places, p) - places.begin());
+  }
+};
+
+double joining_m(map::SurfaceClass surface, double length_m) {
+  if (group_of(surface) == SurfaceGroup::kRail) return ground::kRailJoins * length_m;
+  return (ground::is_graded(surface) ? 1 : ground::kPathJoins) * length_m;
+}
+
+Network network_of(const scene::Scene& scene) {
+  Network network;
+  std::vector<Line> lines;
+  for (const scene::Chunk& chunk : scene.chunks)
+    for (const Line& line : lines_of(chunk)) lines.push_back(line);
+  for (const Line& line : lines)
+    network.places.insert(network.places.end(), line.road->axis.begin(), line.road->axis.end());
+  std::ranges::sort(network.places);
+  network.places.erase(std::unique(network.places.begin(), network.places.end()), network.places.end());
+  network.is_on_ground.assign(network.places.size(), false);
+  for (const Line& line : lines) {
+    const Polyline& axis = line.road->axis;
+    for (std::size_t i = 0; i < axis.size(); ++i) {
+      const std::size_t here = network.of(axis[i]);
+      if (line.kind == Kind::kGround) network.is_on_ground[here] = true;
+      if (i == 0) continue;
+      const std::size_t last = network.of(axis[i - 1]);
+      const double length_m = joining_m(line.road->surface, distance(axis[i - 1], axis[i]));
+      const bool is_off = line.kind != Kind::kGround;
+      network.edges.push_back({last, here, length_m, is_off}), network.edges.push_back({here, last, length_m, is_off});
+    }
+  }
+  const auto key = [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off); };
+  std::ranges::sort(network.edges, {},
+                    [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off, e.length_m); });
+  // what is in several chunks is one
+  erase_repeated(network.edges, key);
+  // what ends on nothing ends on the ground
+  for (std::size_t i = 0; i < network.edges.size(); ++i) {
+    const std::size_t place = network.edges[i].from;
+    const bool is_last = i + 1 == network.edges.size() || network.edges[i + 1].from != place;
+    if (is_last && (i == 0 || network.edges[i - 1].from != place)) network.is_on_ground[place] = true;
+  }
+  return network;
+}
+
+/// A place on a segment of a line.
+struct Place {
+  const Line* line = nullptr;
+  std::size_t segment = 0;
+  Vec2 at;
+
+  Vec2 from() const { return line->road->axis[segment]; }
+  Vec2 to() const { return line->road->axis[segment + 1]; }
+};
+
+/// From a place along all that is joined, nearest first, until visit(place, run) says false; off the ground alone if so
+/// asked.
+void walk(const Network& network, const Place& start, bool off_ground_only,
+          const std::function<bool(std::size_t, double)>& visit) {
+  std::map<std::size_t, double> runs;
+  std::vector<std::pair<double, std::size_t>> queue;
+  const auto reach = [&](std::size_t place, double run_m) {
+    const auto known = runs.find(place);
+    if (run_m > ground::kJoined_m || (known != runs.end() && known->second <= run_m)) return;
+    runs[place] = run_m;
+    queue.emplace_back(run_m, place);
+    std::ranges::push_heap(queue, std::greater<>());
+  };
+  for (const Vec2 end : {start.from(), start.to()})
+    reach(network.of(end), joining_m(start.line->road->surface, distance(start.at, end)));
+  while (!queue.empty()) {
+    std::ranges::pop_heap(queue, std::greater<>());
+    const auto [run_m, place] = queue.back();
+    queue.pop_back();
+    if (run_m > runs[place]) continue;
+    if (!visit(place, run_m)) return;
+    auto edge = std::ranges::lower_bound(network.edges, place, {}, &Network::Edge::from);
+    for (; edge != network.edges.end() && edge->from == place; ++edge)
+      if (edge->is_off || !off_ground_only) reach(edge->to, run_m + edge->length_m);
+  }
+}
+
+bool are_joined(const Network& network, const Place& a, const Place& b) {
+  bool joined = false;
+  walk(network, a, false, [&](std::size_t place, double run_m) {
+    for (const Vec2 end : {b.from(), b.to()})
+      joined |= network.places[place] == end &&
+                run_m + joining_m(b.line->road->surface, distance(end, b.at)) <= ground::kJoined_m;
+    return !joined;
+  });
+  return joined;
+}
+
+Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) {
+  return a + (b - a) * std::clamp(dot(p - a, b - a) / std::max(dot(b - a, b - a), 1e-9), 0.0, 1.0);
+}
+
+double distance_to(const Polyline& axis, Vec2 p) {
+  double least_m = kFar_m;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    least_m = std::min(least_m, distance(p, nearest_on(axis[i], axis[i + 1], p)));
+  return least_m;
+}
+
+/// Whether a span ends on the ground beside another line, close by.
+bool lands_on(const Network& network, const Place& on, const Line& other) {
+  if (on.line->kind == Kind::kGround) return false;
+  const double reach_m = on.line->half_m() + other.half_m();
+  bool lands = false;
+  walk(network, on, true, [&](std::size_t place, double) {
+    lands |= network.is_on_ground[place] && distance_to(other.road->axis, network.places[place]) < reach_m;
+    return !lands;
+  });
+  return lands;
+}
+
+std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double area = cross(b - a, d - c);
+  if (area == 0) return std::nullopt;
+  const double s = cross(c - a, d - c) / area, t = cross(c - a, b - a) / area;
+  if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
+  return a + (b - a) * s;
+}
+
+/// Of pairs of names, where most is missing.
+struct Worst {
+  double lack_m = 0;
+  Vec2 at;
+};
+using Pairs = std::map<std::pair<OsmId, OsmId>, Worst>;
+
+class Measurer {
+ public:
+  Measurer(const scene::Header& header, const scene::Chunk& chunk, const Network& network)
+      : header_(header),
+        chunk_(chunk),
+        network_(network),
+        box_(scene::box_of(header, chunk.tile)),
+        lines_(lines_of(chunk)) {
+    std::vector<Box2> boxes;
+    for (const Line& line : lines_) {
+      for (std::size_t i = 0; i + 1 < line.road->axis.size(); ++i) {
+        segments_.push_back({&line, i, {}});
+        boxes.push_back(box_of(std::span(line.road->axis).subspan(i, 2)));
+      }
+    }
+    grid_ = grid_of(boxes, kBucket_m);
+  }
+
+  Pairs run() {
+    for (const Line& line : lines_) {
+      if (line.kind == Kind::kGround || !line.passes) continue;
+      cross_lines(line);
+      run_along(line);
+      if (line.kind == Kind::kDeck) cross_water(line);
+    }
+    return std::move(pairs_);
+  }
+
+ private:
+  bool is_here(Vec2 p) const { return box_.min.x <= p.x && p.x < box_.max.x && box_.min.y <= p.y && p.y < box_.max.y; }
+
+  double ground_m(Vec2 p) {
+    if (!carving_) carving_.emplace(scene::carving_of(header_, chunk_, kTolerance_m));
+    return ground::land_m(*carving_, p);
+  }
+
+  double height_m(const Place& place) {
+    const roads::Road& road = *place.line->road;
+    if (road.profile.empty()) return place.line->kind == Kind::kGround ? ground_m(place.at) : 0;
+    return knot_at(road.profile, roads::distances_along(road)[place.segment] + distance(place.from(), place.at)).z_m;
+  }
+
+  void add(OsmId upper, OsmId lower, double lack_m, Vec2 at) {
+    const auto [pair, is_new] = pairs_.try_emplace({upper, lower}, Worst{lack_m, at});
+    if (lack_m > pair->second.lack_m) pair->second = {lack_m, at};
+  }
+
+  void add(const Place& a, const Place& b) {
+    if (a.line->rank() == b.line->rank() || !b.line->passes) return;
+    const bool is_above = a.line->rank() > b.line->rank();
+    const Place &upper = is_above ? a : b, &lower = is_above ? b : a;
+    if (are_joined(network_, upper, lower) || passes_a_mouth(upper, lower)) return;
+    const double wanted_m = ground::wanted_room_m(upper.line->road->surface, lower.line->road->surface);
+    add(upper.line->road->id.osm, lower.line->road->id.osm, height_m(lower) + wanted_m - height_m(upper), upper.at);
+  }
+
+  void cross_lines(const Line& line) {
+    const Polyline& axis = line.road->axis;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      for (const std::uint32_t s : boxes_about(grid_, box_of(std::span(axis).subspan(i, 2)))) {
+        const Place& other = segments_[s];
+        if (other.line == &line) continue;
+        const auto at = intersection(axis[i], axis[i + 1], other.from(), other.to());
+        if (at && is_here(*at)) add({&line, i, *at}, {other.line, other.segment, *at});
+      }
+    }
+  }
+
+  void run_along(const Line& line) {
+    const Polyline& axis = line.road->axis;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      const int pieces = std::max(1, static_cast<int>(std::ceil(distance(axis[i], axis[i + 1]) / kEvery_m)));
+      for (int k = 0; k <= pieces; ++k) {
+        const Place here{&line, i, axis[i] + (axis[i + 1] - axis[i]) * (static_cast<double>(k) / pieces)};
+        if (is_here(here.at)) look_about(here);
+      }
+    }
+  }
+
+  void look_about(const Place& here) {
+    Box2 box;
+    box.grow(here.at);
+    for (const std::uint32_t s : boxes_about(grid_, box.widened(here.line->half_m() + kWidest_m))) {
+      const Place& other = segments_[s];
+      if (other.line == here.line || is_a_path_of_ground(*other.line)) continue;
+      const Place foot{other.line, other.segment, nearest_on(other.from(), other.to(), here.at)};
+      if (distance(here.at, foot.at) >= here.line->half_m() + other.line->half_m()) continue;
+      if (!lands_on(network_, here, *other.line) && !lands_on(network_, foot, *here.line)) add(here, foot);
+    }
+  }
+
+  static bool passes_a_mouth(const Place& upper, const Place& lower) {
+    const Polyline& axis = lower.line->road->axis;
+    return lower.line->kind == Kind::kBore && is_a_path_of_ground(*upper.line) &&
+           std::min(distance(axis.front(), lower.at), distance(axis.back(), lower.at)) < ground::kMouth_m;
+  }
+
+  static bool is_a_path_of_ground(const Line& line) {
+    return line.kind == Kind::kGround && !ground::is_graded(line.road->surface);
+  }
+
+  void cross_water(const Line& line) {
+    const Polyline& axis = line.road->axis;
+    for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+      for (const roads::Strip& stream : chunk_.streams) cross_stream({&line, i, {}}, stream);
+      for (const ground::Surface& water : chunk_.surfaces)
+        if (water.level_m) cross_standing({&line, i, {}}, water);
+    }
+  }
+
+  void cross_stream(Place place, const roads::Strip& stream) {
+    const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
+    for (std::size_t i = 0; i + 1 < stream.axis.size(); ++i) {
+      const auto at = intersection(place.from(), place.to(), stream.axis[i], stream.axis[i + 1]);
+      if (!at || !is_here(*at)) continue;
+      place.at = *at;
+      const double water_m = stream.profile.empty()
+                                 ? height_m_at(chunk_.heights, *at)
+                                 : knot_at(stream.profile, along[i] + distance(stream.axis[i], *at)).z_m;
+      const double wanted_m = ground::wanted_over_water_m(stream.left_m + stream.right_m);
+      add(place.line->road->id.osm, stream.id.osm, water_m + wanted_m - height_m(place), *at);
+    }
+  }
+
+  void cross_standing(Place place, const ground::Surface& water) {
+    const int pieces = std::max(1, static_cast<int>(std::ceil(distance(place.from(), place.to()) / kEvery_m)));
+    for (int k = 0; k <= pieces; ++k) {
+      place.at = place.from() + (place.to() - place.from()) * (static_cast<double>(k) / pieces);
+      int winding = 0;
+      for (const Ring& ring : water.rings) winding += is_here(place.at) ? winding_number(ring, place.at) : 0;
+      if (winding > 0)
+        add(place.line->road->id.osm, water.id.osm, *water.level_m + ground::kOverWater_m - height_m(place), place.at);
+    }
+  }
+
+  const scene::Header& header_;
+  const scene::Chunk& chunk_;
+  const Network& network_;
+  Box2 box_;
+  std::vector<Line> lines_;
+  std::vector<Place> segments_;
+  BoxGrid grid_;
+  std::optional<ground::Carving> carving_;
+  Pairs pairs_;
+};
+
+}  // namespace
+
+Clearances measure_clearances(const scene::Scene& scene, int threads) {
+  const Network network = network_of(scene);
+  const auto of_tiles = for_each_slot<Pairs>(scene.chunks.size(), threads, [&](std::size_t i) {
+    return Measurer(scene.header, scene.chunks[i], network).run();
+  });
+  Pairs all;
+  for (const Pairs& pairs : of_tiles) {
+    for (const auto& [pair, worst] : pairs) {
+      const auto [known, is_new] = all.try_emplace(pair, worst);
+      if (worst.lack_m > known->second.lack_m) known->second = worst;
+    }
+  }
+  Clearances sum;
+  sum.crossings = all.size();
+  for (const auto& [pair, worst] : all) {
+    sum.lacking += worst.lack_m > ground::kLackMargin_m;
+    sum.lacking_over_1_m += worst.lack_m > 1, sum.lacking_over_3_m += worst.lack_m > 3;
+    if (worst.lack_m <= sum.largest_lack_m) continue;
+    sum.largest_lack_m = worst.lack_m, sum.at = worst.at;
+    sum.upper = pair.first, sum.lower = pair.second;
+  }
+  return sum;
+}
+
+}  // namespace citykiln::verify

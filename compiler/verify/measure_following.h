@@ -1,0 +1,32 @@
+// How closely the triangulated reference follows the carved ground it stands for.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "compiler/geometry/box.h"
+#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/mesh/reference.h"
+
+namespace citykiln::verify {
+
+struct Following {
+  std::uint64_t places = 0;
+  std::uint64_t over = 0;  ///< Off by more than twice what is allowed where the ground is looked at.
+  double largest_m = 0;    ///< At steps of the ground itself, by as much as they are high.
+  Vec2 at;
+};
+
+/// Of both, counted together.
+Following worse(const Following& a, const Following& b);
+
+/// The reference at a place.
+using ReferenceAt = std::function<const ground::Reference&(Vec2)>;
+
+/// At a random place in every square of a lattice over the box, on the layer of what covers it; standing water is left
+/// out. O(samples).
+Following measure_following(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
+                            const ReferenceAt& reference_at, const Box2& box, int a_side);
+
+}  // namespace citykiln::verify

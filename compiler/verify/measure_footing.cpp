@@ -1,0 +1,127 @@
+#include "compiler/verify/measure_footing.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln::verify {
+namespace {
+
+using buildings::Building;
+
+/// Half-open, so that a corner on a border between tiles is looked at once.
+bool is_in(const Box2& box, Vec2 p) {
+  return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
+}
+
+void consider(Footing& footing, const Building& building, double gap_m) {
+  ++footing.corners;
+  if (gap_m <= footing.largest_gap_m) return;
+  footing.largest_gap_m = gap_m;
+  footing.worst = building.id.osm;
+}
+
+/// The largest gap under a building's corners.
+double gap_under(const Building& building, const Box2& box, const GroundUnder& ground, const WallAt& wall,
+                 Footing& footing) {
+  double largest_m = -1e9;
+  const auto look_at = [&](const Ring& ring) {
+    for (const Vec2 corner : ring) {
+      if (!is_in(box, corner)) continue;
+      const std::optional<double> ground_m = ground(corner), wall_m = wall(building, corner);
+      if (!ground_m || !wall_m) continue;
+      largest_m = std::max(largest_m, *wall_m - *ground_m);
+      consider(footing, building, *wall_m - *ground_m);
+    }
+  };
+  look_at(building.footprint.outer);
+  for (const Ring& hole : building.footprint.holes) look_at(hole);
+  return largest_m;
+}
+
+/// An upright edge of a wall.
+struct UprightEdge {
+  double top_m = 0, low_m = 0;
+};
+/// By feature and place.
+using Walls = std::map<std::pair<OsmId, Vec2>, std::vector<UprightEdge>>;
+
+/// As far down as walls stand on each other below the floor; none where no wall reaches that. Kerbs and walls of the
+/// ground under a house are the house's too, but end at the ground.
+std::optional<double> lowest_m(std::vector<UprightEdge> walls, double floor_m) {
+  std::ranges::sort(walls, std::ranges::greater{}, &UprightEdge::top_m);
+  std::optional<double> lowest_m;
+  for (const UprightEdge& wall : walls)
+    if (wall.top_m >= std::min(lowest_m.value_or(floor_m), floor_m) - kQuantum_m)
+      lowest_m = std::min(lowest_m.value_or(wall.low_m), wall.low_m);
+  return lowest_m;
+}
+
+void add_wall(const bake::BakedTile& tile, const bake::Primitive& primitive,
+              const std::array<std::uint32_t, 3>& corners, const std::set<OsmId>& houses, Walls& walls) {
+  const OsmId feature = tile.features[primitive.features[corners[0]]];
+  if (!houses.contains(feature)) return;
+  std::array<Vec3, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bake::Float3& q = primitive.positions[corners[i]];
+    p[i] = Vec3{q[0], q[1], q[2]} + tile.origin;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = p[i], b = p[(i + 1) % 3];
+    if (in_plan(a) == in_plan(b)) walls[{feature, in_plan(a)}].push_back({std::max(a.z, b.z), std::min(a.z, b.z)});
+  }
+}
+
+Walls walls_of(const scene::Chunk& chunk, const bake::BakedTile& tile) {
+  std::set<OsmId> houses;
+  for (const Building& building : chunk.buildings) houses.insert(building.id.osm);
+  Walls walls;
+  for (const bake::Primitive& primitive : tile.primitives)
+    for (const auto& triangle : primitive.triangles) add_wall(tile, primitive, triangle, houses, walls);
+  return walls;
+}
+
+// Of buildings with one name the lowest.
+std::map<OsmId, double> floors_of(const scene::Chunk& chunk) {
+  std::map<OsmId, double> floors_m;
+  for (const Building& building : chunk.buildings) {
+    double& floor_m = floors_m.try_emplace(building.id.osm, building.floor_m).first->second;
+    floor_m = std::min(floor_m, building.floor_m);
+  }
+  return floors_m;
+}
+
+}  // namespace
+
+Footing worse(const Footing& a, const Footing& b) {
+  const Footing& worst = b.largest_gap_m > a.largest_gap_m ? b : a;
+  return {a.corners + b.corners, a.floating + b.floating, worst.largest_gap_m, worst.worst};
+}
+
+Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundUnder& ground,
+                        const WallAt& wall) {
+  Footing footing;
+  for (const Building& building : chunk.buildings)
+    if (building.stands_on_ground) footing.floating += gap_under(building, box, ground, wall, footing) > allowed_m;
+  return footing;
+}
+
+Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const bake::BakedTile& tile,
+                        const GroundIndex& ground) {
+  const Walls walls = walls_of(chunk, tile);
+  const std::map<OsmId, double> floors_m = floors_of(chunk);
+  const auto ground_under = [&](Vec2 p) -> std::optional<double> {
+    const std::vector<GroundPlace> places = ground_at(ground, p);
+    // where the ground steps at a corner, a house stands on the upper side: the step's own wall closes what is below
+    return places.empty() ? std::nullopt : std::optional(places.back().z_m);
+  };
+  const auto wall_at = [&](const Building& building, Vec2 p) -> std::optional<double> {
+    const auto found = walls.find({building.id.osm, p});
+    return found == walls.end() ? std::nullopt : lowest_m(found->second, floors_m.at(building.id.osm));
+  };
+  return measure_footing(chunk, box, allowed_m, ground_under, wall_at);
+}
+
+}  // namespace citykiln::verify

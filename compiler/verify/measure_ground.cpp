@@ -1,0 +1,192 @@
+#include "compiler/verify/measure_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "compiler/contract/draw.h"
+#include "compiler/contract/tolerance.h"
+#include "compiler/map/surface_class.h"
+
+namespace citykiln::verify {
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+bool is_of_ground(materials::Material material) {
+  // what holds steep land in towns and beside roads
+  if (material == materials::Material::kStone) return true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(map::SurfaceClass::kCount); ++i) {
+    if (map::values_of(static_cast<map::SurfaceClass>(i)).material == material) return true;
+  }
+  return false;
+}
+
+// Nothing of a building itself is made of what lies under it.
+const materials::Material kUnderHouses = map::values_of(map::SurfaceClass::kBuilding).material;
+
+bool stands(const Standing& standing, OsmId feature, materials::Material material) {
+  if (std::ranges::binary_search(standing.leaving, feature)) return true;
+  if (material == materials::Material::kStone && std::ranges::binary_search(standing.steps, feature)) return true;
+  return material != kUnderHouses && std::ranges::binary_search(standing.houses, feature) &&
+         !std::ranges::binary_search(standing.fields, std::pair{feature, material});
+}
+
+/// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
+/// metres.
+template <typename Visit>
+void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& standing, Visit visit) {
+  for (const bake::Primitive& primitive : tile.primitives) {
+    if (!is_of_ground(primitive.material)) continue;
+    for (const auto& triangle : primitive.triangles) {
+      const OsmId feature = tile.features[primitive.features[triangle[0]]];
+      if (stands(standing, feature, primitive.material)) continue;
+      Corners corners;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const bake::Float3& p = primitive.positions[triangle[i]];
+        corners[i] = Vec3{p[0], p[1], p[2]} + tile.origin;
+      }
+      visit(corners, feature);
+    }
+  }
+}
+
+double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
+
+/// A place in each square of a lattice, and the lowest ground there.
+struct Lattice {
+  Box2 box;
+  int a_side;
+  std::vector<Vec2> places;
+  std::vector<double> lowest_m;
+  std::vector<OsmId> features;  ///< What covers it there.
+
+  std::size_t number(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);
+  }
+};
+
+Lattice lattice_of(const Box2& box, int a_side) {
+  Lattice lattice{box, a_side, {}, {}, {}};
+  const Draw draw(0, StableId{0}, "samples of the ground");
+  std::uint32_t dice = 0;
+  for (int j = 0; j < a_side; ++j)
+    for (int i = 0; i < a_side; ++i) {
+      const double u = (i + draw.unit(dice++)) / a_side, v = (j + draw.unit(dice++)) / a_side;
+      lattice.places.push_back({box.min.x + u * box.width(), box.min.y + v * box.height()});
+    }
+  lattice.lowest_m.assign(lattice.places.size(), std::numeric_limits<double>::infinity());
+  lattice.features.resize(lattice.places.size());
+  return lattice;
+}
+
+/// Lowers the lattice where places lie in the triangle.
+void lower(Lattice& lattice, const Corners& t, OsmId feature) {
+  const double area = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
+  if (area <= 0) return;
+  Box2 box;
+  for (const Vec3& corner : t) box.grow(in_plan(corner));
+  const auto square = [&](double from, double origin, double size) {
+    return static_cast<int>(std::clamp(std::floor((from - origin) / size * lattice.a_side), 0.0, lattice.a_side - 1.0));
+  };
+  const auto column = [&](double x) { return square(x, lattice.box.min.x, lattice.box.width()); };
+  const auto row = [&](double y) { return square(y, lattice.box.min.y, lattice.box.height()); };
+  for (int j = row(box.min.y); j <= row(box.max.y); ++j) {
+    for (int i = column(box.min.x); i <= column(box.max.x); ++i) {
+      const Vec2 p = lattice.places[lattice.number(i, j)];
+      const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
+                   b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
+      const double c = area - a - b;
+      // what lies on an edge belongs to both sides, however it is rounded
+      const double slack = -1e-9 * area;
+      if (a < slack || b < slack || c < slack) continue;
+      const std::size_t n = lattice.number(i, j);
+      const double z_m = (a * t[0].z + b * t[1].z + c * t[2].z) / area;
+      if (z_m < lattice.lowest_m[n]) lattice.lowest_m[n] = z_m, lattice.features[n] = feature;
+    }
+  }
+}
+
+/// Edges whose both ends have the coordinate.
+template <typename Coordinate>
+BorderEdges border_edges(const bake::BakedTile& tile, const Standing& standing, double at, Coordinate coordinate) {
+  BorderEdges edges;
+  for_each_ground_triangle(tile, standing, [&](const Corners& t, OsmId) {
+    const bool is_upright = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
+    std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 a = t[i], b = t[(i + 1) % 3];
+      if (coordinate(a) != at || coordinate(b) != at || in_plan(a) == in_plan(b)) continue;
+      kind.push_back(a < b ? BorderEdge{a, b} : BorderEdge{b, a});
+    }
+  });
+  std::ranges::sort(edges.ground);
+  std::ranges::sort(edges.upright);
+  return edges;
+}
+
+std::vector<BorderEdge> only_in(const std::vector<BorderEdge>& own, const std::vector<BorderEdge>& other) {
+  std::vector<BorderEdge> only;
+  std::ranges::set_difference(own, other, std::back_inserter(only));
+  return only;
+}
+
+bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
+  return in_plan(one[0]) == in_plan(other[0]) && in_plan(one[1]) == in_plan(other[1]);
+}
+
+}  // namespace
+
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing& standing) {
+  std::vector<GroundFace> faces;
+  for_each_ground_triangle(tile, standing, [&](const Corners& corners, OsmId feature) {
+    faces.push_back({corners, feature});
+  });
+  return faces;
+}
+
+namespace {
+
+void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
+  if (error_m > samples.error_m) samples.error_m = error_m, samples.at = at;
+}
+
+}  // namespace
+
+GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standing, const OffAt& off_m, const Box2& box,
+                            int a_side) {
+  Lattice lattice = lattice_of(box, a_side);
+  for_each_ground_triangle(tile, standing,
+                           [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
+
+  GroundSamples samples;
+  samples.count = lattice.lowest_m.size();
+  for (std::size_t i = 0; i < lattice.places.size(); ++i) {
+    if (std::isinf(lattice.lowest_m[i])) {
+      if (samples.uncovered++ == 0) samples.hole = lattice.places[i];
+    } else {
+      keep_worst(samples, off_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
+    }
+  }
+  return samples;
+}
+
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at) {
+  return border_edges(tile, standing, at, [](Vec3 p) { return p.x; });
+}
+
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at) {
+  return border_edges(tile, standing, at, [](Vec3 p) { return p.y; });
+}
+
+bool meet(const BorderEdges& own, const BorderEdges& other) {
+  // both are sorted by place, and a tile has one edge a place
+  const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
+  return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
+    return are_above_each_other(a, b) &&
+           (std::ranges::binary_search(own.upright, b) || std::ranges::binary_search(other.upright, a));
+  });
+}
+
+}  // namespace citykiln::verify

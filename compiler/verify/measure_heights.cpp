@@ -1,0 +1,79 @@
+#include "compiler/verify/measure_heights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/contract/tolerance.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
+
+namespace citykiln::verify {
+namespace {
+
+/// Fine enough to see kerbs, if there are any.
+constexpr double kFine_m = scene::kPlainRoads_m / 2;
+
+Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
+  Lakes lakes;
+  for (const ground::Surface& surface : chunk.surfaces) {
+    if (!surface.level_m) continue;
+    double off_m = 0;
+    for (const Ring& ring : surface.rings)
+      for (const Vec2 p : ring)
+        if (box.contains(p))
+          off_m = std::max(off_m, std::abs(of(heights_at(carving, p), ground::HeightLayer::kWater) - *surface.level_m));
+    ++lakes.waters;
+    lakes.not_level += off_m > kQuantum_m;
+    if (off_m > lakes.largest_m) lakes.largest_m = off_m, lakes.worst = surface.id.osm;
+  }
+  return lakes;
+}
+
+RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
+  return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
+    return {of(heights_at(carving, p), ground::HeightLayer::kRoad)};
+  });
+}
+
+Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
+  const auto ground = [&](Vec2 p) -> std::optional<double> { return land_m(carving, p); };
+  const auto wall = [](const buildings::Building& b, Vec2) -> std::optional<double> { return b.bottom_m; };
+  return measure_footing(chunk, box, kNoGap_m, ground, wall);
+}
+
+HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
+  const Box2 box = scene::box_of(scene.header, chunk.tile);
+  const ground::Carving carving = scene::carving_of(scene.header, chunk, kFine_m);
+  return {measure_grades(scene.header, chunk),
+          {},
+          road_faces_of(chunk, box, carving),
+          measure_rises(chunk),
+          lakes_of(chunk, box, carving),
+          footing_of(chunk, box, carving),
+          {}};
+}
+
+void add(HeightMeasures& sum, const HeightMeasures& tile) {
+  sum.grades.length_m += tile.grades.length_m, sum.grades.over_m += tile.grades.over_m;
+  sum.rises.streams += tile.rises.streams, sum.rises.rising += tile.rises.rising;
+  sum.rises.largest_m = std::max(sum.rises.largest_m, tile.rises.largest_m);
+  sum.road_faces = worse(sum.road_faces, tile.road_faces);
+  sum.lakes = worse(sum.lakes, tile.lakes);
+  sum.footing = worse(sum.footing, tile.footing);
+}
+
+}  // namespace
+
+HeightMeasures measure_heights(const scene::Scene& scene, int threads) {
+  const auto tiles = for_each_slot<HeightMeasures>(scene.chunks.size(), threads,
+                                                   [&](std::size_t i) { return measures_of(scene, scene.chunks[i]); });
+  HeightMeasures sum;
+  for (const HeightMeasures& tile : tiles) add(sum, tile);
+  sum.jumps = measure_jumps(scene);
+  sum.clearances = measure_clearances(scene, threads);
+  return sum;
+}
+
+}  // namespace citykiln::verify

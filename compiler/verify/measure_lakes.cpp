@@ -1,0 +1,52 @@
+#include "compiler/verify/measure_lakes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "compiler/contract/tolerance.h"
+
+namespace citykiln::verify {
+namespace {
+
+/// The levels that go by one name, and how far its faces are off.
+struct Water {
+  std::vector<double> levels_m;
+  double off_m = -1;
+};
+
+double off_m(const std::vector<double>& levels_m, double z_m) {
+  double least_m = 1e9;
+  for (const double level_m : levels_m) least_m = std::min(least_m, std::abs(z_m - level_m));
+  return least_m;
+}
+
+}  // namespace
+
+Lakes worse(const Lakes& a, const Lakes& b) {
+  const Lakes& worst = b.largest_m > a.largest_m ? b : a;
+  return {a.waters + b.waters, a.not_level + b.not_level, worst.largest_m, worst.worst};
+}
+
+Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground) {
+  std::map<OsmId, Water> waters;
+  for (const ground::Surface& surface : chunk.surfaces)
+    if (surface.level_m) waters[surface.id.osm].levels_m.push_back(*surface.level_m);
+  for (const GroundFace& face : ground.faces) {
+    const auto water = waters.find(face.feature);
+    if (water == waters.end()) continue;
+    for (const Vec3& corner : face.corners)
+      water->second.off_m = std::max(water->second.off_m, off_m(water->second.levels_m, corner.z));
+  }
+  Lakes lakes;
+  for (const auto& [id, water] : waters) {
+    if (water.off_m < 0) continue;
+    ++lakes.waters;
+    lakes.not_level += water.off_m > kQuantum_m;
+    if (water.off_m > lakes.largest_m) lakes.largest_m = water.off_m, lakes.worst = id;
+  }
+  return lakes;
+}
+
+}  // namespace citykiln::verify

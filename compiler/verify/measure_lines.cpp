@@ -1,0 +1,126 @@
+#include "compiler/verify/measure_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/water/measure_waters.h"
+#include "compiler/ground/profiles/profile_knots.h"
+
+namespace citykiln::verify {
+namespace {
+
+using structures::Span;
+
+/// A stretch of even grade in the tile.
+void add_stretch(Grades& grades, map::SurfaceClass surface, double run_m, double rise_m) {
+  const double limit = ground::grade_rule_of(surface).limit;
+  grades.length_m += run_m;
+  if (std::abs(rise_m) > limit * run_m + 2 * ground::kKnotError_m) grades.over_m += run_m;
+}
+
+/// Half-open: what lies on a border between tiles counts once.
+bool is_in(const Box2& box, Vec2 p) {
+  return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
+}
+
+/// How much of a road's axis between two places of its way lies in the box.
+double length_in_m(const roads::Road& road, const std::vector<double>& along, double from_m, double to_m,
+                   const Box2& box) {
+  double sum_m = 0;
+  for (std::size_t i = 0; i + 1 < along.size(); ++i) {
+    const double low_m = std::max(from_m, along[i]), high_m = std::min(to_m, along[i + 1]);
+    if (low_m >= high_m) continue;
+    const double t = ((low_m + high_m) / 2 - along[i]) / (along[i + 1] - along[i]);
+    if (is_in(box, road.axis[i] + (road.axis[i + 1] - road.axis[i]) * t)) sum_m += high_m - low_m;
+  }
+  return sum_m;
+}
+
+void add_road(Grades& grades, const roads::Road& road, const Box2& box) {
+  if (!ground::is_graded(road.surface)) return;
+  const std::vector<double> along = roads::distances_along(road);
+  const double limit = ground::grade_rule_of(road.surface).limit;
+  grades.length_m += length_in_m(road, along, along.front(), along.back(), box);
+  for (std::size_t i = 1; i < road.profile.size(); ++i) {
+    const Knot a = road.profile[i - 1], b = road.profile[i];
+    if (std::abs(b.z_m - a.z_m) > limit * (b.at_m - a.at_m) + 2 * ground::kKnotError_m)
+      grades.over_m += length_in_m(road, along, a.at_m, b.at_m, box);
+  }
+}
+
+void add_span(Grades& grades, const Span& span) {
+  if (!ground::is_graded(span.surface)) return;
+  for (std::size_t i = 1; i < span.profile.size(); ++i) {
+    const Knot a = span.profile[i - 1], b = span.profile[i];
+    add_stretch(grades, span.surface, b.at_m - a.at_m, b.z_m - a.z_m);
+  }
+}
+
+/// A line's height at a vertex of it.
+struct Passing {
+  Vec2 at;
+  bool is_off_ground;
+  double z_m;
+};
+
+void add_passings(const roads::Road& road, std::vector<Passing>& passings) {
+  if (!ground::is_graded(road.surface)) return;
+  const std::vector<double> along = roads::distances_along(road);
+  for (std::size_t i = 0; i < along.size(); ++i)
+    passings.push_back({road.axis[i], false, road.profile.empty() ? 0 : knot_at(road.profile, along[i]).z_m});
+}
+
+void add_passings(const Span& span, std::vector<Passing>& passings) {
+  if (!ground::is_graded(span.surface)) return;
+  const std::vector<double> along = roads::distances_along(span);
+  const auto height_m = [&](double at_m) { return span.profile.empty() ? 0 : knot_at(span.profile, at_m).z_m; };
+  passings.push_back({span.axis.front(), true, height_m(along.front())});
+  passings.push_back({span.axis.back(), true, height_m(along.back())});
+}
+
+std::vector<Passing> passings_of(const scene::Scene& scene) {
+  std::vector<Passing> passings;
+  for (const scene::Chunk& chunk : scene.chunks) {
+    for (const roads::Road& road : chunk.roads) add_passings(road, passings);
+    for (const Span& bridge : chunk.bridges) add_passings(bridge, passings);
+    for (const Span& tunnel : chunk.tunnels) add_passings(tunnel, passings);
+  }
+  std::ranges::sort(passings, {}, [](const Passing& p) { return std::tuple(p.at, p.is_off_ground, p.z_m); });
+  return passings;
+}
+
+}  // namespace
+
+Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk) {
+  const Box2 box = scene::box_of(header, chunk.tile);
+  Grades grades;
+  for (const roads::Road& road : chunk.roads) add_road(grades, road, box);
+  // each is whole, and in every chunk that it touches
+  for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
+    for (const Span& span : *spans)
+      if (scene::is_anchored(header, chunk.tile, span.axis.front())) add_span(grades, span);
+  return grades;
+}
+
+Jumps measure_jumps(const scene::Scene& scene) {
+  const std::vector<Passing> passings = passings_of(scene);
+  Jumps jumps;
+  for (std::size_t first = 0, last = 0; first < passings.size(); first = last) {
+    double low_m = passings[first].z_m, high_m = low_m;
+    for (last = first; last < passings.size() && passings[last].at == passings[first].at; ++last)
+      low_m = std::min(low_m, passings[last].z_m), high_m = std::max(high_m, passings[last].z_m);
+    jumps.places += last - first > 1;
+    if (high_m - low_m > jumps.largest_m) jumps.largest_m = high_m - low_m, jumps.at = passings[first].at;
+  }
+  return jumps;
+}
+
+Rises measure_rises(const scene::Chunk& chunk) {
+  const ground::WaterMeasures measured = ground::measure_waters({}, chunk.streams, chunk.heights);
+  return {measured.streams, measured.streams_that_rise, measured.largest_rise_m};
+}
+
+}  // namespace citykiln::verify

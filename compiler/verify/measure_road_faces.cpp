@@ -1,0 +1,96 @@
+#include "compiler/verify/measure_road_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/geometry/box_grid.h"
+#include "compiler/ground/grading/road_field.h"
+
+namespace citykiln::verify {
+namespace {
+
+constexpr double kEvery_m = 4, kBucket_m = 32;
+
+/// Closer to another road's edge than this, heights are mixed.
+constexpr double kMixed_m = 2 * ground::kBlend_m;
+
+/// A straight piece of a road's axis, and how far the road is felt from it.
+struct Piece {
+  Vec2 a, b;
+  double from_m = 0, to_m = 0, reach_m = 0;
+  std::uint32_t road = 0;
+};
+
+std::vector<Piece> pieces_of(const std::vector<roads::Road>& roads) {
+  std::vector<Piece> pieces;
+  for (std::uint32_t r = 0; r < roads.size(); ++r) {
+    const std::vector<double> along = roads::distances_along(roads[r]);
+    const double reach_m = roads::breadth_m(roads[r]) + kMixed_m;
+    for (std::size_t i = 0; i + 1 < along.size(); ++i)
+      pieces.push_back({roads[r].axis[i], roads[r].axis[i + 1], along[i], along[i + 1], reach_m, r});
+  }
+  return pieces;
+}
+
+double away_m(const Piece& piece, Vec2 p) {
+  const Vec2 along = piece.b - piece.a;
+  const double t = std::clamp(dot(p - piece.a, along) / dot(along, along), 0.0, 1.0);
+  return distance(p, piece.a + along * t);
+}
+
+/// True where a further piece, of another road or of a bend of this one, reaches the place.
+bool is_mixed(const std::vector<Piece>& pieces, const BoxGrid& grid, std::uint32_t own, Vec2 p) {
+  return std::ranges::any_of(boxes_about(grid, p),
+                             [&](std::uint32_t i) { return i != own && away_m(pieces[i], p) < pieces[i].reach_m; });
+}
+
+double gap_m(const roads::Road& road, double at_m, bool has_kerbs, const std::vector<double>& faces_m) {
+  const double top_m = knot_at(road.profile, at_m).z_m;
+  double least_m = 1e9;
+  for (const double z_m : faces_m) {
+    least_m = std::min(least_m, std::abs(z_m - top_m));
+    if (has_kerbs) least_m = std::min(least_m, std::abs(z_m - top_m + ground::kKerbRise_m));
+  }
+  return least_m;
+}
+
+/// Places between the ends of a piece, where its neighbours along the road are out of reach too.
+template <typename Visit>
+void for_each_place(const Piece& piece, Visit visit) {
+  const int n = static_cast<int>((piece.to_m - piece.from_m) / kEvery_m);
+  for (int k = 0; k <= n; ++k) {
+    const double t = (k + 0.5) / (n + 1);
+    visit(piece.a + (piece.b - piece.a) * t, piece.from_m + (piece.to_m - piece.from_m) * t);
+  }
+}
+
+}  // namespace
+
+RoadFaces worse(const RoadFaces& a, const RoadFaces& b) {
+  const RoadFaces& worst = b.largest_gap_m > a.largest_gap_m ? b : a;
+  return {a.places + b.places, worst.largest_gap_m, worst.worst, worst.at};
+}
+
+RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs, const RoadFacesAt& faces_at) {
+  const std::vector<Piece> pieces = pieces_of(chunk.roads);
+  std::vector<Box2> boxes;
+  for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.reach_m));
+  const BoxGrid grid = grid_of(boxes, kBucket_m);
+  RoadFaces result;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    const roads::Road& road = chunk.roads[pieces[i].road];
+    if (road.profile.empty()) continue;
+    for_each_place(pieces[i], [&](Vec2 p, double at_m) {
+      if (!box.contains(p) || is_mixed(pieces, grid, i, p)) return;
+      const std::vector<double> faces_m = faces_at(road, p);
+      if (faces_m.empty()) return;
+      ++result.places;
+      const double here_m = gap_m(road, at_m, has_kerbs, faces_m);
+      if (here_m > result.largest_gap_m) result.largest_gap_m = here_m, result.worst = road.id.osm, result.at = p;
+    });
+  }
+  return result;
+}
+
+}  // namespace citykiln::verify

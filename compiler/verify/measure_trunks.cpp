@@ -1,0 +1,57 @@
+#include "compiler/verify/measure_trunks.h"
+
+#include <string_view>
+
+#include "compiler/plants/species.h"
+
+namespace citykiln::verify {
+namespace {
+
+using plants::Species;
+
+bool has_trunk(Species species) {
+  return plants::values_of(species).leaves != plants::Leaves::kBlade && species != Species::kHedge;
+}
+
+/// "oak_3", "PostTopLamp".
+bool is_tree(std::string_view name) {
+  const std::string_view stem = name.substr(0, name.rfind('_'));
+  for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
+    if (plants::values_of(static_cast<Species>(s)).file == stem) return has_trunk(static_cast<Species>(s));
+  return false;
+}
+
+bool is_no_place(const ground::SurfaceMap& map, Vec2 p) {
+  const std::uint32_t top = ground::surface_at(map, p);
+  if (top == ground::kNoSurface) return false;
+  const map::SurfaceClass surface = map.surfaces[top].surface;
+  if (surface == map::SurfaceClass::kPedestrianStreet) return false;
+  switch (map::values_of(surface).group) {
+    case map::SurfaceGroup::kRoad:
+    case map::SurfaceGroup::kRail:
+    case map::SurfaceGroup::kBuilding:
+    case map::SurfaceGroup::kWater:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::SurfaceMap& map) {
+  Trunks trunks;
+  for (const bake::Instanced& instanced : tile.instanced) {
+    if (!is_tree(instanced.name)) continue;
+    for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
+      const bake::Float3& offset = instanced.translations[i];
+      const Vec2 at = in_plan(Vec3{offset[0], offset[1], offset[2]} + tile.origin);
+      ++trunks.trees;
+      if (!is_no_place(map, at)) continue;
+      if (trunks.misplaced++ == 0) trunks.at = at, trunks.worst = tile.features[instanced.features[i]];
+    }
+  }
+  return trunks;
+}
+
+}  // namespace citykiln::verify

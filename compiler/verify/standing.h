@@ -1,0 +1,12 @@
+// What of a scene stands on the ground or leaves it, by name: what measures of the ground overlook.
+#pragma once
+
+#include "compiler/verify/measure_ground.h"
+#include "compiler/scene/scene.h"
+
+namespace citykiln::verify {
+
+/// O(n log n).
+Standing standing_of(const scene::Scene& scene);
+
+}  // namespace citykiln::verify

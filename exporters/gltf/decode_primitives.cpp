@@ -1,0 +1,93 @@
+#include "exporters/gltf/decode_primitives.h"
+
+#include <algorithm>
+
+#include "exporters/gltf/glb_names.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::Float2;
+using bake::Float3;
+using bake::Primitive;
+using materials::Coloured;
+
+int attribute(const std::map<std::string, int>& attributes, const char* name) {
+  const auto found = attributes.find(name);
+  expect(found != attributes.end(), "the attributes that citykiln writes");
+  return found->second;
+}
+
+// Metres, or 16 bits that count steps.
+std::vector<Float2> uvs_of(Source& source, int accessor_number) {
+  if (item(source.model.accessors, accessor_number, "an accessor that exists").componentType ==
+      TINYGLTF_COMPONENT_TYPE_FLOAT)
+    return finite(values_of<Float2>(source, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
+  std::vector<Float2> uvs;
+  for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
+           source, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
+    uvs.push_back(
+        {static_cast<float>(u * materials::kTexturePlace_m), static_cast<float>(v * materials::kTexturePlace_m)});
+  return uvs;
+}
+
+bool has_picture(const tinygltf::Model& model, Coloured coloured) {
+  const char* name = coloured == Coloured::kBySheet ? "sheet" : coloured == Coloured::kByCutout ? "cutout" : "imprints";
+  return coloured == Coloured::kByMaterial || std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int accessor, std::size_t vertices) {
+  const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
+                      TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  std::vector<std::uint32_t> indices;
+  if (narrow) {
+    const auto values =
+        values_of<std::uint16_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+    indices.assign(values.begin(), values.end());
+  } else {
+    indices = values_of<std::uint32_t>(source, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR);
+  }
+  expect(indices.size() % 3 == 0, "three indices a triangle");
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    for (std::size_t k = 0; k < 3; ++k) expect(indices[i + k] < vertices, "indices of vertices that exist");
+    triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+  }
+  return triangles;
+}
+
+Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t features) {
+  Primitive out;
+  const bake::PrimitiveKey key = key_named(item(source.model.materials, p.material, "a material that exists").name);
+  out.material = key.material, out.coloured = key.coloured;
+  out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                           TINYGLTF_TYPE_VEC3));
+  out.normals = turned(
+      values_of<Float3>(source, attribute(p.attributes, "NORMAL"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
+  out.colours = values_of<materials::Tint>(source, attribute(p.attributes, "COLOR_0"),
+                                           TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4);
+  if (p.attributes.count("TEXCOORD_0") != 0) out.uvs = uvs_of(source, attribute(p.attributes, "TEXCOORD_0"));
+  if (p.attributes.count("_FEATURE_ID_0") != 0)
+    out.features = as_numbers(values_of<float>(source, attribute(p.attributes, "_FEATURE_ID_0"),
+                                               TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR),
+                              features);
+  const std::size_t n = out.positions.size();
+  expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
+             (out.uvs.empty() || out.uvs.size() == n),
+         "as many values in each attribute");
+  expect(out.coloured == Coloured::kByMaterial || (!out.uvs.empty() && has_picture(source.model, out.coloured)),
+         "a sheet, and a place on it, for each corner that is on it");
+  out.triangles = triangles_of(source, p.indices, n);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Primitive> primitives_of(Source& source, int mesh, std::size_t features) {
+  std::vector<Primitive> primitives;
+  for (const tinygltf::Primitive& p : item(source.model.meshes, mesh, "a mesh that exists").primitives)
+    primitives.push_back(primitive_of(source, p, features));
+  return primitives;
+}
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,188 @@
+#include "exporters/gltf/draco_codec.h"
+
+#include <draco/compression/decode.h>
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/mesh.h>
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "exporters/gltf/compression.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using draco::GeometryAttribute;
+
+GeometryAttribute::Type type_of(const std::string& name) {
+  if (name == "POSITION") return GeometryAttribute::POSITION;
+  if (name == "NORMAL") return GeometryAttribute::NORMAL;
+  if (name == "COLOR_0") return GeometryAttribute::COLOR;
+  if (name == "TEXCOORD_0") return GeometryAttribute::TEX_COORD;
+  return GeometryAttribute::GENERIC;
+}
+
+draco::DataType data_type_of(Component component) {
+  switch (component) {
+    case Component::kUnsignedByte:
+      return draco::DT_UINT8;
+    case Component::kShort:
+      return draco::DT_INT16;
+    case Component::kUnsignedShort:
+      return draco::DT_UINT16;
+    case Component::kUnsignedInt:
+      return draco::DT_UINT32;
+    case Component::kFloat:
+      return draco::DT_FLOAT32;
+  }
+  return draco::DT_INVALID;
+}
+
+// Different values, and which each vertex has.
+struct Values {
+  std::vector<unsigned char> bytes;
+  std::vector<unsigned int> of_vertex;
+  std::size_t count = 0;
+};
+
+Values different_values(const Stream& stream, std::size_t vertices) {
+  const std::size_t stride = stride_of(stream);
+  Values values{{}, std::vector<unsigned int>(vertices), 0};
+  values.count =
+      meshopt_generateVertexRemap(values.of_vertex.data(), nullptr, vertices, stream.bytes.data(), vertices, stride);
+  values.bytes.resize(values.count * stride);
+  meshopt_remapVertexBuffer(values.bytes.data(), stream.bytes.data(), vertices, stride, values.of_vertex.data());
+  return values;
+}
+
+// Gives a vertex a place of its own, though another has the same.
+void set_apart(unsigned int vertex, std::size_t stride, Values& places) {
+  const auto at = static_cast<std::ptrdiff_t>(places.of_vertex[vertex] * stride);
+  const std::vector<unsigned char> same(places.bytes.begin() + at,
+                                        places.bytes.begin() + at + static_cast<std::ptrdiff_t>(stride));
+  places.bytes.insert(places.bytes.end(), same.begin(), same.end());
+  places.of_vertex[vertex] = static_cast<unsigned int>(places.count++);
+}
+
+// Draco leaves out triangles two of whose corners are one place.
+void keep_thin_triangles(const MeshStreams& mesh, std::size_t stride, Values& places) {
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const unsigned int a = mesh.indices[t], b = mesh.indices[t + 1], c = mesh.indices[t + 2];
+    auto& place = places.of_vertex;
+    if (place[a] == place[b] || place[b] == place[c]) set_apart(b, stride, places);
+    if (place[a] == place[c]) set_apart(c, stride, places);
+  }
+}
+
+int add_stream(const MeshStreams& mesh, const Stream& stream, draco::Mesh& out) {
+  const std::size_t stride = stride_of(stream);
+  Values values = different_values(stream, mesh.count);
+  if (stream.name == "POSITION") keep_thin_triangles(mesh, stride, values);
+  GeometryAttribute attribute;
+  const bool is_normalised = stream.component != Component::kFloat;
+  attribute.Init(type_of(stream.name), nullptr, static_cast<std::int8_t>(stream.width), data_type_of(stream.component),
+                 is_normalised, static_cast<std::int64_t>(stride), 0);
+  const int id = out.AddAttribute(attribute, false, static_cast<std::uint32_t>(values.count));
+  for (std::size_t i = 0; i < values.count; ++i)
+    out.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(static_cast<std::uint32_t>(i)),
+                                         values.bytes.data() + i * stride);
+  for (std::size_t i = 0; i < mesh.count; ++i)
+    out.attribute(id)->SetPointMapEntry(draco::PointIndex(static_cast<std::uint32_t>(i)),
+                                        draco::AttributeValueIndex(values.of_vertex[i]));
+  return id;
+}
+
+// Draco counts steps from an origin on, in single precision: exact below 2^23. It hands origin and range on as texts of
+// six decimals: exact where the origin is a whole number and the range above 16.
+void set_grid(draco::ExpertEncoder& encoder, int id, int exponent, const std::vector<float>& origin, int least_bits) {
+  const int bits = std::max(least_bits, 5 - exponent);
+  const auto range = static_cast<float>(std::ldexp((1 << bits) - 1, exponent));
+  encoder.SetAttributeExplicitQuantization(id, bits, static_cast<int>(origin.size()), origin.data(), range);
+}
+
+void set_steps(draco::ExpertEncoder& encoder, int id, const Steps& steps, std::size_t width) {
+  constexpr std::int32_t kMostSteps = 1 << 23;
+  const auto whole = [&](std::int32_t count) { return std::floor(std::ldexp(count, steps.exponent)); };
+  std::vector<double> origin(width, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < steps.counts.size(); ++i)
+    origin[i % width] = std::min(origin[i % width], whole(steps.counts[i]));
+  double range = 1;
+  for (std::size_t i = 0; i < steps.counts.size(); ++i)
+    range = std::max(range, steps.counts[i] - std::ldexp(origin[i % width], -steps.exponent));
+  if (range >= kMostSteps) return;
+  int bits = 1;
+  while ((1 << bits) - 1 < range) ++bits;
+  set_grid(encoder, id, steps.exponent, {origin.begin(), origin.end()}, bits);
+}
+
+void set_quantisation(draco::ExpertEncoder& encoder, int id, const Stream& stream) {
+  if (stream.name == "NORMAL") return encoder.SetAttributeQuantization(id, kPackedNormalBits);
+  // a grid that has -1 and 1
+  if (stream.name == "TANGENT") return set_grid(encoder, id, -11, {-1, -1, -1, -1}, 0);
+  if (const auto steps = steps_of(stream)) set_steps(encoder, id, *steps, stream.width);
+}
+
+void add_triangles(const MeshStreams& mesh, draco::Mesh& out) {
+  out.set_num_points(static_cast<std::uint32_t>(mesh.count));
+  out.SetNumFaces(mesh.indices.size() / 3);
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
+    out.SetFace(draco::FaceIndex(static_cast<std::uint32_t>(t / 3)),
+                {draco::PointIndex(mesh.indices[t]), draco::PointIndex(mesh.indices[t + 1]),
+                 draco::PointIndex(mesh.indices[t + 2])});
+}
+
+bool read_stream(const draco::Mesh& mesh, int id, Stream& stream) {
+  const draco::PointAttribute* const attribute =
+      id >= 0 ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id)) : nullptr;
+  const std::size_t stride = stride_of(stream);
+  if (attribute == nullptr || attribute->data_type() != data_type_of(stream.component) ||
+      attribute->num_components() != static_cast<int>(stream.width) ||
+      attribute->byte_stride() != static_cast<std::int64_t>(stride))
+    return false;
+  stream.bytes.resize(mesh.num_points() * stride);
+  for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
+    const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(i));
+    if (value.value() >= attribute->size()) return false;
+    attribute->GetValue(value, stream.bytes.data() + i * stride);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<DracoMesh> encode_draco(const MeshStreams& mesh) {
+  draco::Mesh plain;
+  add_triangles(mesh, plain);
+  DracoMesh out;
+  for (const Stream& stream : mesh.streams) out.ids.push_back(add_stream(mesh, stream, plain));
+  draco::ExpertEncoder encoder(plain);
+  encoder.SetTrackEncodedProperties(true);
+  for (std::size_t i = 0; i < mesh.streams.size(); ++i) set_quantisation(encoder, out.ids[i], mesh.streams[i]);
+  draco::EncoderBuffer buffer;
+  if (!encoder.EncodeToBuffer(&buffer).ok()) return std::nullopt;
+  out.bytes.assign(buffer.data(), buffer.data() + buffer.size());
+  out.count = encoder.num_encoded_points(), out.triangles = encoder.num_encoded_faces();
+  for (int& id : out.ids) id = static_cast<int>(plain.attribute(id)->unique_id());
+  return out;
+}
+
+std::optional<MeshStreams> decode_draco(std::span<const unsigned char> bytes, std::vector<Stream> wanted,
+                                        std::span<const int> ids) {
+  draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  draco::Decoder decoder;
+  auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
+  if (!decoded.ok()) return std::nullopt;
+  const draco::Mesh& mesh = *decoded.value();
+  MeshStreams out{mesh.num_points(), std::move(wanted), {}};
+  for (std::size_t i = 0; i < out.streams.size(); ++i)
+    if (!read_stream(mesh, ids[i], out.streams[i])) return std::nullopt;
+  for (std::uint32_t t = 0; t < mesh.num_faces(); ++t)
+    for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(t))) out.indices.push_back(corner.value());
+  return out;
+}
+
+}  // namespace citykiln::exporters

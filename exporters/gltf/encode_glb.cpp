@@ -1,0 +1,357 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "exporters/gltf/compress_glb.h"
+#include "exporters/gltf/encode_pictures.h"
+#include "exporters/file.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/gltf/glb_filling.h"
+#include "exporters/gltf/glb_frame.h"
+#include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/quantise.h"
+#include "exporters/gltf/tangents.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using bake::Float3;
+using bake::Float4;
+using bake::Instanced;
+using bake::Primitive;
+using materials::Coloured;
+using tinygltf::Value;
+using Object = Value::Object;
+using Array = Value::Array;
+
+Value text(const std::string& s) { return Value(s); }
+Value number(double v) { return Value(v); }
+Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
+
+int add_positions(Filling& f, const std::vector<Float3>& positions) {
+  const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> low(3, kFar), high(3, -kFar);
+  for (const Float3& position : positions) {
+    const Float3 p = to_gltf(position);
+    for (std::size_t c = 0; c < 3; ++c)
+      low[c] = std::min<double>(low[c], p[c]), high[c] = std::max<double>(high[c], p[c]);
+  }
+  f.model.accessors.back().minValues = low, f.model.accessors.back().maxValues = high;
+  return accessor;
+}
+
+int add_indices(Filling& f, const Primitive& p) {
+  constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+  const std::size_t count = p.triangles.size() * 3;
+  if (p.positions.size() >= 65535)
+    return f.add_accessor(f.add_view(p.triangles, kTarget), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                          count);
+  const auto narrow = [](const auto& t) {
+    return std::array{static_cast<std::uint16_t>(t[0]), static_cast<std::uint16_t>(t[1]),
+                      static_cast<std::uint16_t>(t[2])};
+  };
+  return f.add_accessor(f.add_view_of(p.triangles, kTarget, narrow), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                        TINYGLTF_TYPE_SCALAR, count);
+}
+
+// The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
+Value feature_ids(Filling& f, const char* extension) {
+  f.extensions.insert(extension);
+  const Object ids = {
+      {"featureCount", whole(f.tile.features.size())}, {"attribute", Value(0)}, {"propertyTable", Value(0)}};
+  return Value(Object{{"featureIds", Value(Array{Value(ids)})}});
+}
+
+// 16 bits count steps on textures from 0 to nearly four periods.
+constexpr double kMostSteps = 65535;
+
+bool is_in_steps(const Primitive& p) {
+  const auto fits = [](float v) {
+    const double steps = v / materials::kTexturePlace_m;
+    return steps >= 0 && steps <= kMostSteps && steps == std::floor(steps);
+  };
+  return p.coloured == Coloured::kByMaterial &&
+         std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
+}
+
+Look look_of(const Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
+  if (p.coloured == Coloured::kByCutout) return {key_of(p), nullptr, false, cutout};
+  if (p.coloured != Coloured::kByMaterial) return {key_of(p)};
+  const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
+  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, Coloured::kByMaterial}};
+  return {key_of(p), &*found, is_in_steps(p)};
+}
+
+// A picture shown by places of so many metres a unit.
+template <typename Info>
+Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
+  const Array scale = {number(unit_m / (picture.columns * picture.texel_m)),
+                       number(unit_m / (picture.rows * picture.texel_m))};
+  f.extensions.insert("KHR_texture_transform");
+  Info info;
+  info.index = picture_number(f, &picture);
+  info.extensions["KHR_texture_transform"] = Value(Object{{"scale", Value(scale)}});
+  return info;
+}
+
+// What is on a sheet keeps the default colour, white: the sheet says how much light each place sends back.
+void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
+  const auto& base = values_of(look.key.material).base_colour;
+  if (look.key.coloured == Coloured::kBySheet) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
+  if (look.key.coloured == Coloured::kByAtlas)
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.colour, 1);
+  if (look.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.cutout->colour, 1);
+  if (look.key.coloured != Coloured::kByMaterial) return;
+  m.baseColorFactor = {base[0], base[1], base[2], 1};
+  if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
+  const auto factor = colour_factor(*look.texture);
+  m.baseColorFactor = {factor[0], factor[1], factor[2], 1};
+  const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+  m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
+}
+
+const materials::Sheet* normals_of(const Filling& f, const Look& look) {
+  const materials::Sheet* normals = nullptr;
+  if (look.key.coloured == Coloured::kByAtlas) normals = &f.tile.imprints.normal;
+  if (look.texture != nullptr) normals = &look.texture->normal;
+  if (look.cutout != nullptr) normals = &look.cutout->normal;
+  return normals == nullptr || normals->texels.empty() ? nullptr : normals;
+}
+
+// What is on the atlas keeps the default factors, 1.
+void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
+  if (look.key.coloured == Coloured::kByAtlas) {
+    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.surface, 1);
+    return;
+  }
+  const auto& values = values_of(look.key.material);
+  m.roughnessFactor = values.roughness, m.metallicFactor = values.metallic;
+}
+
+// What it sends out by itself: 1 is kEmission_cd_m2.
+void set_emission(Filling& f, const Look& look, tinygltf::Material& m) {
+  if (look.key.coloured == Coloured::kByAtlas && !f.tile.imprints.emission.texels.empty()) {
+    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.emission, 1);
+    m.emissiveFactor = {1, 1, 1};
+  }
+  const auto own = emission_of(look.key.material);
+  if (look.key.coloured == Coloured::kByMaterial && emits(look.key.material))
+    m.emissiveFactor = {own[0], own[1], own[2]};
+}
+
+int material_number(Filling& f, const Look& look) {
+  const auto same = std::ranges::find(f.looks, look);
+  if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
+  tinygltf::Material m;
+  m.name = material_name(look.key, f.tile.textures);
+  set_colour(f, look, m.pbrMetallicRoughness);
+  if (const materials::Sheet* normals = normals_of(f, look)) {
+    const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+    m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, unit_m);
+  }
+  // leaves are flat; what is less than half there is not
+  if (look.cutout != nullptr) m.alphaMode = "MASK", m.doubleSided = true;
+  set_surface(f, look, m.pbrMetallicRoughness);
+  set_emission(f, look, m);
+  f.model.materials.push_back(m), f.looks.push_back(look);
+  return static_cast<int>(f.looks.size()) - 1;
+}
+
+int add_uvs(Filling& f, const Primitive& p, const Look& look) {
+  if (!look.is_in_steps) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
+  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTexturePlace_m); };
+  const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {
+    return std::array{step(uv[0]), step(uv[1])};
+  });
+  return f.add_accessor(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, p.uvs.size(), true);
+}
+
+tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
+  tinygltf::Primitive out;
+  out.mode = TINYGLTF_MODE_TRIANGLES;
+  const Look look = look_of(f, p, cutout);
+  out.material = material_number(f, look);
+  out.attributes["POSITION"] = add_positions(f, p.positions);
+  out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
+  out.attributes["COLOR_0"] = f.add_attribute(p.colours, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
+                                              TINYGLTF_TARGET_ARRAY_BUFFER, true);
+  if (!p.uvs.empty()) out.attributes["TEXCOORD_0"] = add_uvs(f, p, look);
+  if (normals_of(f, look) != nullptr) out.attributes["TANGENT"] = f.add_turned(tangents_of(p), TINYGLTF_TYPE_VEC4);
+  if (!p.features.empty()) {
+    out.attributes["_FEATURE_ID_0"] = f.add_as_floats(p.features);
+    out.extensions["EXT_mesh_features"] = feature_ids(f, "EXT_mesh_features");
+  }
+  out.indices = add_indices(f, p);
+  return out;
+}
+
+int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& primitives,
+             const imprint::Cutout* cutout = nullptr) {
+  tinygltf::Mesh mesh;
+  mesh.name = name;
+  for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p, cutout));
+  f.model.meshes.push_back(std::move(mesh));
+  return static_cast<int>(f.model.meshes.size()) - 1;
+}
+
+int add_node(Filling& f, tinygltf::Node node) {
+  f.model.nodes.push_back(std::move(node));
+  return static_cast<int>(f.model.nodes.size()) - 1;
+}
+
+// One node for all, with its places as attributes.
+void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+  tinygltf::Node node;
+  node.name = instanced.name, node.mesh = mesh;
+  std::vector<Float3> scales;
+  for (const float s : instanced.scales) scales.push_back({s, s, s});
+  const Object attributes = {
+      {"TRANSLATION", Value(f.add_turned(instanced.translations, TINYGLTF_TYPE_VEC3, 0))},
+      {"ROTATION", Value(f.add_turned(instanced.rotations, TINYGLTF_TYPE_VEC4, 0))},
+      {"SCALE", Value(f.add_attribute(scales, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, 0))},
+      {"_FEATURE_ID_0", Value(f.add_as_floats(instanced.features, 0))}};
+  node.extensions["EXT_mesh_gpu_instancing"] = Value(Object{{"attributes", Value(attributes)}});
+  node.extensions["EXT_instance_features"] = feature_ids(f, "EXT_instance_features");
+  f.extensions.insert("EXT_mesh_gpu_instancing");
+  children.push_back(add_node(f, std::move(node)));
+}
+
+// A node a place, all with one mesh.
+void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+  for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
+    tinygltf::Node node;
+    node.name = instanced.name, node.mesh = mesh;
+    const Float3 t = to_gltf(instanced.translations[i]);
+    const Float4 q = to_gltf(instanced.rotations[i]);
+    node.translation = {t[0], t[1], t[2]}, node.rotation = {q[0], q[1], q[2], q[3]};
+    node.scale.assign(3, instanced.scales[i]);
+    node.extras = Value(Object{{"feature", whole(instanced.features[i])}});
+    children.push_back(add_node(f, std::move(node)));
+  }
+}
+
+// Which OSM element each feature is: row 0 is none.
+Value property_table(Filling& f) {
+  std::vector<std::uint64_t> ids;
+  std::vector<std::uint8_t> types;
+  for (const OsmId& id : f.tile.features)
+    ids.push_back(static_cast<std::uint64_t>(id.id)), types.push_back(static_cast<std::uint8_t>(id.type));
+  const auto property = [](const char* name, const char* type, const char* what) {
+    return Value(Object{
+        {"name", text(name)}, {"description", text(what)}, {"type", text("SCALAR")}, {"componentType", text(type)}});
+  };
+  const Object osm = {{"id", property("OSM id", "UINT64", "id of the OpenStreetMap element")},
+                      {"type", property("OSM type", "UINT8", "0 none, 1 node, 2 way, 3 relation")}};
+  const Object schema = {{"id", text("citykiln")},
+                         {"classes", Value(Object{{"osm", Value(Object{{"properties", Value(osm)}})}})}};
+  const Object rows = {{"id", Value(Object{{"values", Value(f.add_view(ids, 0))}})},
+                       {"type", Value(Object{{"values", Value(f.add_view(types, 0))}})}};
+  const Object table = {
+      {"name", text("osm")}, {"class", text("osm")}, {"count", whole(ids.size())}, {"properties", Value(rows)}};
+  f.extensions.insert("EXT_structural_metadata");
+  return Value(Object{{"schema", Value(schema)}, {"propertyTables", Value(Array{Value(table)})}});
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& t : texts) all += (all.empty() ? "" : "; ") + t;
+  return all;
+}
+
+Value vector(Vec3 v) { return Value(Array{number(v.x), number(v.y), number(v.z)}); }
+
+Value extras_of(const BakedTile& tile, const scene::Header& header) {
+  const Object plane = {{"projection", text("transverse Mercator, WGS84, scale 1 at the origin")},
+                        {"lon_0", number(header.origin.lon_deg)},
+                        {"lat_0", number(header.origin.lat_deg)}};
+  Object extras = {{"tile", Value(Array{Value(tile.tile.x), Value(tile.tile.y)})},
+                   {"origin_m", vector(tile.origin)},
+                   {"tolerance_m", number(tile.tolerance_m)},
+                   {"error_m", number(tile.error_m)},
+                   {"plant_error_m", number(tile.plant_error_m)},
+                   {"rounding_m", number(rounding_m(tile.primitives))},
+                   {"plane", Value(plane)}};
+  if (const auto& seen = tile.seen_from)
+    extras["seen_from"] = Value(Object{{"eye_m", vector(seen->eye)},
+                                       {"focal_px", number(seen->focal_px)},
+                                       {"pixel_error", number(seen->pixel_error)}});
+  return Value(std::move(extras));
+}
+
+tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
+  tinygltf::Node root;
+  root.name = "tile_" + std::to_string(tile.tile.x) + "_" + std::to_string(tile.tile.y);
+  // whole metres, so that tiles brought in side by side fit exactly
+  root.translation = {tile.origin.x, tile.origin.z, 0.0 - tile.origin.y};
+  root.extras = extras_of(tile, header);
+  return root;
+}
+
+void fill(Filling& f, Instancing instancing) {
+  f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0",
+  f.model.asset.copyright = joined(f.header.attributions);
+  f.model.buffers.emplace_back();
+  add_node(f, root_of(f.tile, f.header));
+  if (!f.tile.primitives.empty()) f.model.nodes[0].mesh = add_mesh(f, "tile", f.tile.primitives);
+  std::vector<int> children;
+  for (const Instanced& instanced : f.tile.instanced) {
+    const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, instanced.cutout));
+    instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children)
+                                         : add_single_nodes(f, instanced, mesh, children);
+  }
+  f.model.nodes[0].children = children;
+  add_pictures(f);
+  f.model.extensions["EXT_structural_metadata"] = property_table(f);
+  f.model.extensionsUsed.assign(f.extensions.begin(), f.extensions.end());
+  tinygltf::Scene scene;
+  scene.nodes = {0};
+  f.model.scenes.push_back(scene);
+  f.model.defaultScene = 0;
+}
+
+// What meshes take in the buffer, or a little more: it is large, and should not be moved as it grows.
+std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
+  constexpr std::size_t kVertexBytes = 64, kTriangleBytes = 12, kPaddingBytes = 64;
+  std::size_t bytes = 0;
+  for (const Primitive& p : primitives)
+    bytes += p.positions.size() * kVertexBytes + p.triangles.size() * kTriangleBytes + kPaddingBytes;
+  return bytes;
+}
+
+GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
+  Filling f{tile, header, {}, {}, {}, {}, {}};
+  f.buffer.reserve(bytes_of_meshes(tile.primitives));
+  find_cutouts(f);
+  fill(f, instancing);
+  std::ostringstream out;
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&f.model, out, false, true);
+  const std::string without_buffer = std::move(out).str();
+  return {nlohmann::json::parse(json_of_glb(std::as_bytes(std::span(without_buffer)))), std::move(f.buffer)};
+}
+
+}  // namespace
+
+std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
+  const std::string name(values_of(key.material).name);
+  if (key.coloured == Coloured::kBySheet) return name + "Marked";
+  if (key.coloured == Coloured::kByAtlas) return name + "Imprinted";
+  if (key.coloured == Coloured::kByCutout) return name + "Cutout";
+  const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
+  return !key.has_uvs && is_textured ? name + "Plain" : name;
+}
+
+std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
+                                  Compression compression, int threads) {
+  if (compression == Compression::kNone) return join_glb(plain_parts(tile, header, instancing));
+  return compressed_glb(plain_parts(quantised(tile), header, instancing), compression, threads);
+}
+
+Result<Done> write_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,
+                       const std::string& path, Compression compression, int threads) {
+  return write_file(path, encode_glb(tile, header, instancing, compression, threads));
+}
+
+}  // namespace citykiln::exporters

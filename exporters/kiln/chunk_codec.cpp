@@ -1,0 +1,219 @@
+#include "exporters/kiln/chunk_codec.h"
+
+#include <bit>
+#include <cmath>
+
+#include "exporters/kiln/chunk_fields.h"
+#include "exporters/kiln/describe_buildings.h"
+#include "exporters/kiln/describe_roads.h"
+
+// Writing and reading are one description: `describe` walks a chunk once, and a Writer or a Reader stands behind it.
+namespace citykiln::exporters {
+namespace {
+
+using scene::Chunk;
+
+constexpr std::size_t kMostPerFile = 1u << 28;
+
+// Standing water has one.
+void level(auto& io, ground::Surface& s) {
+  bool is_levelled = s.level_m.has_value();
+  flag(io, "levelled", is_levelled);
+  if (!is_levelled) return;
+  if (!s.level_m) s.level_m.emplace();
+  quanta(io, "water level", *s.level_m, kProfileQuantum_m);
+}
+
+void describe(auto& io, ground::Surface& s) {
+  id(io, s.id);
+  enumerator(io, "surface class", s.surface, map::SurfaceClass::kCount);
+  io.number("surface area", s.area_m2);
+  list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
+  level(io, s);
+  flag(io, "graded", s.is_graded);
+}
+
+void stock(auto& io, Stream name, plants::Stock& stock) {
+  auto number = static_cast<std::uint8_t>(stock);
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (!plants::is_stock(number)) io.fail(name), number = 0;
+  stock = plants::Stock{number};
+}
+
+// Whole eighths of a metre, below 256 m.
+void eighths(auto& io, Stream name, double& value, double least_m) {
+  auto count = static_cast<std::uint16_t>(value * 8);
+  io.number(name, count);
+  value = count / 8.0;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (!(value >= least_m && value < 256)) io.fail(name), value = 1;
+}
+
+void describe(auto& io, plants::Tree& t) {
+  id(io, t.id);
+  io.point(t.at), io.metres("tree height", t.height_m);
+  stock(io, "tree stock", t.stock);
+}
+
+void describe(auto& io, plants::Wood& w) {
+  id(io, w.surface);
+  stock(io, "wood", w.stock), io.number("wood", w.per_ha), eighths(io, "wood", w.height_m, 0.125);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    // what would ask for a million trees a hectare, or none, is no wood
+    if (w.per_ha < plants::kLeastPerHa || w.per_ha > plants::kMostPerHa) io.fail("wood");
+}
+
+void describe(auto& io, plants::Planting& p) {
+  id(io, p.surface);
+  stock(io, "planting", p.stock), io.number("planting", p.heading);
+  eighths(io, "planting", p.row_m, plants::kLeastPlant_m), eighths(io, "planting", p.plant_m, plants::kLeastPlant_m);
+  eighths(io, "planting", p.height_m, 0.125);
+}
+
+void describe(auto& io, plants::Row& r) {
+  id(io, r.id);
+  points(io, "tree row points", r.axis, 2);
+  stock(io, "tree row", r.stock);
+  eighths(io, "tree row", r.height_m, 0), eighths(io, "tree row", r.spacing_m, 0);
+}
+
+void describe(auto& io, plants::Lane& l) {
+  id(io, l.id);
+  points(io, "power lane points", l.axis, 2);
+  eighths(io, "power lane", l.width_m, 0);
+}
+
+void describe(auto& io, props::Barrier& b) {
+  id(io, b.id);
+  points(io, "barrier points", b.axis, 2);
+  enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(6));
+  io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
+}
+
+void describe(auto& io, props::Lamp& l) {
+  id(io, l.id);
+  io.point(l.at), io.metres("lamp height", l.height_m);
+}
+
+// Each height as its difference to what its western, southern and south-western neighbours foretell.
+std::int64_t foretold(const map::Heightfield& h, std::size_t i) {
+  const auto across = static_cast<std::size_t>(h.columns);
+  const std::int64_t west = i % across > 0 ? h.heights[i - 1] : 0, south = i >= across ? h.heights[i - across] : 0;
+  if (i % across == 0) return south;
+  return i < across ? west : west + south - h.heights[i - across - 1];
+}
+
+// Corner and steps are whole eighths of a metre.
+bool is_on_grid(const map::Heightfield& h) {
+  const auto is_whole = [](double v, double step) { return std::floor(v / step) * step == v; };
+  const auto fits = [&](double start, double step) {
+    return step >= 1 && is_whole(step, map::kStepUnit_m) && is_whole(start, map::kStepUnit_m);
+  };
+  return fits(h.min.x, h.step_m.x) && fits(h.min.y, h.step_m.y);
+}
+
+int common_zeros(const map::Heightfield& h) {
+  std::uint32_t all = 1u << 20;
+  for (const std::int32_t height : h.heights) all |= static_cast<std::uint32_t>(height);
+  return std::countr_zero(all);
+}
+
+template <typename Io>
+void heights(Io& io, map::Heightfield& h) {
+  io.metres("field", h.min.x), io.metres("field", h.min.y);
+  io.metres("field", h.step_m.x), io.metres("field", h.step_m.y);
+  io.number("field", h.columns), io.number("field", h.rows);
+  io.metres("field", h.resampling_error_m);
+  const std::size_t size = io.count("field", h.heights.size());
+  if constexpr (Io::kReads) {
+    const bool fits = h.columns >= 2 && h.rows >= 2 && is_on_grid(h) && h.resampling_error_m >= 0 &&
+                      static_cast<std::uint64_t>(h.columns) * static_cast<std::uint64_t>(h.rows) == size &&
+                      size < kMostPerFile;
+    if (!fits) return io.fail("field");
+    h.heights.resize(size);
+  }
+  // the zeros that all heights end in are written once
+  int shift = common_zeros(h);
+  io.number("field", shift);
+  if constexpr (Io::kReads)
+    if (shift < 0 || shift > 30) return io.fail("field");
+  for (std::size_t i = 0; i < size; ++i) {
+    std::int64_t off = (h.heights[i] - foretold(h, i)) >> shift;
+    std::uint64_t zigzag = static_cast<std::uint64_t>(off) << 1 ^ static_cast<std::uint64_t>(off >> 63);
+    io.number("heights", zigzag);
+    if constexpr (Io::kReads) {
+      const std::uint64_t undone = (zigzag >> 1 ^ (~(zigzag & 1) + 1)) << shift;
+      const auto height = static_cast<std::int64_t>(static_cast<std::uint64_t>(foretold(h, i)) + undone);
+      h.heights[i] = static_cast<std::int32_t>(height);
+      if (h.heights[i] != height) return io.fail("heights");
+    }
+  }
+}
+
+template <typename Io>
+void describe(Io& io, Chunk& c) {
+  std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
+  io.number("point step", is_coarse);
+  if constexpr (Io::kReads)
+    if (is_coarse > 1) io.fail("point step");
+  io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
+  heights(io, c.heights);
+  list(io, "surfaces", c.surfaces, 0, [&](auto& o) { describe(io, o); });
+  KindsOfChunk kinds = kinds_of_chunk(io, c);
+  roads_of(io, c.roads, kinds);
+  list(io, "junctions", c.junctions, 0, [&](auto& o) { describe(io, o); });
+  list(io, "streams", c.streams, 0, [&](auto& o) { describe(io, o); });
+  list(io, "bridges", c.bridges, 0, [&](auto& o) { describe(io, o, kinds); });
+  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { describe(io, o, kinds); });
+  list(io, "buildings", c.buildings, 0, [&](auto& o) { describe(io, o); });
+  list(io, "trees", c.trees, 0, [&](auto& o) { describe(io, o); });
+  list(io, "woods", c.woods, 0, [&](auto& o) { describe(io, o); });
+  list(io, "plantings", c.plantings, 0, [&](auto& o) { describe(io, o); });
+  list(io, "tree rows", c.tree_rows, 0, [&](auto& o) { describe(io, o); });
+  list(io, "power lanes", c.lanes, 0, [&](auto& o) { describe(io, o); });
+  list(io, "barriers", c.barriers, 0, [&](auto& o) { describe(io, o); });
+  list(io, "lamps", c.lamps, 0, [&](auto& o) { describe(io, o); });
+}
+
+double step_of(Chunk& chunk) {
+  StepFinder finder;
+  describe(finder, chunk);
+  return finder.point_step_m;
+}
+
+}  // namespace
+
+std::span<const char* const> stream_names() { return kStreamNames; }
+
+Streams encode_chunk(const Chunk& chunk) {
+  Writer writer;
+  // the description is one for both ways, so it takes what it may change
+  Chunk copy = chunk;
+  writer.point_step_m = step_of(copy);
+  describe(writer, copy);
+  Streams streams;
+  for (std::size_t i = 0; i < kStreamNames.size(); ++i)
+    if (!writer.streams[i].bytes().empty()) streams[kStreamNames[i]] = writer.streams[i].bytes();
+  return streams;
+}
+
+std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, std::string& wrong) {
+  Reader reader;
+  for (const auto& [name, bytes] : streams) {
+    const auto known = std::ranges::find(kStreamNames, std::string_view(name));
+    if (known == kStreamNames.end()) return wrong = name, std::nullopt;
+    reader.streams[static_cast<std::size_t>(known - kStreamNames.begin())].emplace(bytes);
+    reader.total_bytes += bytes.size();
+  }
+  Chunk chunk;
+  chunk.tile = tile;
+  describe(reader, chunk);
+  for (std::size_t i = 0; i < kStreamNames.size(); ++i)
+    if (reader.wrong.empty() && reader.streams[i] && !reader.streams[i]->is_finished()) reader.wrong = kStreamNames[i];
+  wrong = reader.wrong;
+  if (!wrong.empty()) return std::nullopt;
+  return chunk;
+}
+
+}  // namespace citykiln::exporters

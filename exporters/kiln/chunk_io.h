@@ -1,0 +1,156 @@
+// What stands behind the description of a chunk: a Writer, a Reader, or what only looks at its points.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "compiler/contract/tolerance.h"
+#include "compiler/geometry/vec.h"
+#include "compiler/map/locate.h"
+#include "exporters/kiln/chunk_streams.h"
+#include "exporters/kiln/streams.h"
+
+namespace citykiln::exporters {
+
+inline constexpr std::size_t kMostAtOnce = 1u << 12;
+// The plane reaches 80 degrees of longitude from its origin: 16 000 km.
+inline constexpr double kFarthest_m = 0x1p25;
+
+// Points that several rings and lines share are written once. A point is a step along the list of those that came
+// before (a shared border is followed forwards or backwards), a jump to one of them, or new.
+enum PointCode : std::uint64_t { kNewPoint, kNextPoint, kPreviousPoint, kFirstJump };
+
+// The map's own points lie on its step; a chunk with a finer point is written in the plane's finest.
+using map::kMapStep_m;
+
+/// Writes what it is shown.
+struct Writer {
+  static constexpr bool kReads = false;
+  std::array<StreamWriter, kStreamNames.size()> streams;
+  std::map<Vec2, std::int64_t> known;
+  std::int64_t last = -1;
+  double point_step_m = kQuantum_m;
+
+  void point(Vec2& p) {
+    const auto [entry, is_new] = known.try_emplace(p, static_cast<std::int64_t>(known.size()));
+    const std::int64_t step = entry->second - last;
+    StreamWriter& codes = of("points");
+    if (is_new) {
+      codes.put(kNewPoint);
+      of("x").put_delta(static_cast<std::int64_t>(std::floor(p.x / point_step_m + 0.5)));
+      of("y").put_delta(static_cast<std::int64_t>(std::floor(p.y / point_step_m + 0.5)));
+    } else if (step == 1 || step == -1) {
+      codes.put(step == 1 ? kNextPoint : kPreviousPoint);
+    } else {
+      codes.put(kFirstJump);
+      of("point jumps").put_signed(step);
+    }
+    last = entry->second;
+  }
+
+  StreamWriter& of(Stream stream) { return streams[stream.number]; }
+  void number(Stream name, auto& value) { of(name).put(static_cast<std::uint64_t>(value)); }
+  void delta(Stream name, auto& value) { of(name).put_delta(static_cast<std::int64_t>(value)); }
+  void metres(Stream name, double& value) {
+    of(name).put_delta(static_cast<std::int64_t>(std::floor(value / kQuantum_m + 0.5)));
+  }
+  void real(Stream name, double& value) { of(name).put_double(value); }
+  std::size_t count(Stream name, std::size_t size) {
+    of(name).put(size);
+    return size;
+  }
+};
+
+/// Reads, and stops at the first thing that no chunk can be; `wrong` names its stream.
+struct Reader {
+  static constexpr bool kReads = true;
+  std::array<std::optional<StreamReader>, kStreamNames.size()> streams;
+  std::string wrong;
+  std::vector<Vec2> known;
+  std::int64_t last = -1;
+  double point_step_m = kQuantum_m;
+
+  void point(Vec2& p) {
+    const std::uint64_t code = whole("points");
+    if (code == kNewPoint) {
+      p.x = place("x", point_step_m), p.y = place("y", point_step_m);
+      last = static_cast<std::int64_t>(known.size());
+      known.push_back(p);
+      return;
+    }
+    if (code > kFirstJump) return fail("points");
+    const std::int64_t step = code == kNextPoint ? 1 : code == kPreviousPoint ? -1 : jump();
+    const auto found = static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(step);
+    if (found >= known.size()) return fail("points");
+    last = static_cast<std::int64_t>(found);
+    p = known[found];
+  }
+
+  StreamReader& of(Stream stream) {
+    std::optional<StreamReader>& reader = streams[stream.number];
+    if (!reader) fail(stream), reader.emplace();
+    return *reader;
+  }
+  // what a stream gives; where it has run out, zero, and the chunk is wrong
+  template <typename T>
+  T checked(Stream name, T (StreamReader::*get)()) {
+    StreamReader& stream = of(name);
+    const T value = (stream.*get)();
+    if (!stream.good()) fail(name);
+    return value;
+  }
+  std::uint64_t whole(Stream name) { return checked<std::uint64_t>(name, &StreamReader::get); }
+  std::int64_t jump() { return checked("point jumps", &StreamReader::get_signed); }
+  double place(Stream name, double step_m) {
+    const double value = static_cast<double>(checked(name, &StreamReader::get_delta)) * step_m;
+    if (std::abs(value) <= kFarthest_m) return value;
+    fail(name);
+    return 0;
+  }
+  void number(Stream name, auto& value) {
+    using T = std::remove_reference_t<decltype(value)>;
+    const std::uint64_t read = whole(name);
+    value = static_cast<T>(read);
+    if (static_cast<std::uint64_t>(value) != read) fail(name);
+  }
+  void delta(Stream name, std::int64_t& value) { value = checked(name, &StreamReader::get_delta); }
+  void metres(Stream name, double& value) { value = place(name, kQuantum_m); }
+  void real(Stream name, double& value) {
+    value = checked(name, &StreamReader::get_double);
+    if (!std::isfinite(value)) fail(name);
+  }
+  // no more things than the whole chunk has bytes: a thing takes at least one byte of some stream
+  std::size_t total_bytes = 0;
+  std::size_t count(Stream name, std::size_t) {
+    const std::uint64_t size = whole(name);
+    if (size <= total_bytes) return static_cast<std::size_t>(size);
+    fail(name);
+    return 0;
+  }
+  void fail(Stream name) {
+    if (wrong.empty()) wrong = name.name();
+  }
+};
+
+/// Looks at every point of a chunk and leaves it as it is.
+struct StepFinder {
+  static constexpr bool kReads = false;
+  double point_step_m = kMapStep_m;
+
+  void point(Vec2& p) {
+    const auto fits = [](double v) { return std::floor(v / kMapStep_m) * kMapStep_m == v; };
+    if (!fits(p.x) || !fits(p.y)) point_step_m = kQuantum_m;
+  }
+  void number(Stream, auto&) {}
+  void delta(Stream, auto&) {}
+  void metres(Stream, double&) {}
+  void real(Stream, double&) {}
+  std::size_t count(Stream, std::size_t size) { return size; }
+};
+
+}  // namespace citykiln::exporters

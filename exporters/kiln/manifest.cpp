@@ -1,0 +1,396 @@
+#include "exporters/kiln/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "compiler/buildings/style.h"
+#include "compiler/contract/for_each_slot.h"
+#include "compiler/map/building_classes.h"
+#include "compiler/map/locate.h"
+#include "exporters/kiln/chunk_codec.h"
+#include "exporters/file.h"
+#include "exporters/manifest_generated.h"
+#include "exporters/kiln/streams.h"
+#include "exporters/kiln/zstd_frame.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+using ByteSpan = std::span<const std::byte>;
+// before zstd, or behind it
+using RawBytes = std::vector<std::uint8_t>;
+
+constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
+constexpr std::uint16_t kMajor = 1, kMinor = 3;
+constexpr const char* kExpanderVersion = "0.1.0";
+constexpr const char* kLicence =
+    "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
+    "1.0; see https://www.openstreetmap.org/copyright";
+// magic, major, minor, size of the header's frame; then the checksum of these and of that frame
+constexpr std::size_t kMajorAt = 8, kHeaderSizeAt = 12, kChecksumAt = 16, kPreamble = 24;
+
+// FNV-1a, 64 bits: against rot, not against malice.
+constexpr std::uint64_t kHashOfNothing = 0xcbf29ce484222325u;
+std::uint64_t checksum(ByteSpan bytes, std::uint64_t hash = kHashOfNothing) {
+  for (const std::byte b : bytes) hash = (hash ^ static_cast<std::uint8_t>(b)) * 0x100000001b3u;
+  return hash;
+}
+
+// Of the names of all materials, classes, species and mixes: a manifest numbers them.
+std::uint64_t tables_hash() {
+  std::string names;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    names += values_of(static_cast<materials::Material>(m)).name, names += ' ';
+  for (int s = 0; s < static_cast<int>(map::SurfaceClass::kCount); ++s)
+    names += values_of(static_cast<map::SurfaceClass>(s)).name, names += ' ';
+  for (int b = 0; b < static_cast<int>(map::BuildingClass::kCount); ++b)
+    names += values_of(static_cast<map::BuildingClass>(b)).name, names += ' ';
+  for (int s = 0; s < static_cast<int>(buildings::Style::kCount); ++s)
+    names += buildings::rules_of(static_cast<buildings::Style>(s)), names += ' ';
+  for (int s = 0; s < static_cast<int>(plants::Species::kCount); ++s)
+    names += values_of(static_cast<plants::Species>(s)).file, names += ' ';
+  for (int m = 0; m < static_cast<int>(plants::Mix::kCount); ++m)
+    names += name_of(stock_of(static_cast<plants::Mix>(m))), names += ' ';
+  return checksum(std::as_bytes(std::span(names)));
+}
+
+// The sizes of all streams, then the streams.
+RawBytes raw_chunk(const scene::Chunk& chunk) {
+  Streams streams = encode_chunk(chunk);
+  StreamWriter sizes;
+  for (const char* name : stream_names()) sizes.put(streams[name].size());
+  RawBytes raw = sizes.bytes();
+  for (const char* name : stream_names()) raw.insert(raw.end(), streams[name].begin(), streams[name].end());
+  return raw;
+}
+
+flatbuffers::Offset<fbs::Sky> sky_of(flatbuffers::FlatBufferBuilder& builder, const sky::Sky& sky) {
+  // steps of 2^-20 are exact as integers
+  const std::vector<std::int64_t> to_sun = {std::llround(sky.to_sun.x * 0x1p20), std::llround(sky.to_sun.y * 0x1p20),
+                                            std::llround(sky.to_sun.z * 0x1p20)};
+  const auto time = builder.CreateString(sky.time);
+  return fbs::CreateSky(builder, time, builder.CreateVector(to_sun), sky.turbidity);
+}
+
+flatbuffers::Offset<fbs::Index> index_of(flatbuffers::FlatBufferBuilder& builder, const scene::Scene& scene,
+                                         std::span<const Bytes> frames) {
+  StreamWriter x, y, size;
+  std::vector<std::uint64_t> checksums;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    x.put_delta(scene.chunks[i].tile.x), y.put_delta(scene.chunks[i].tile.y);
+    size.put(frames[i].size());
+    checksums.push_back(checksum(frames[i]));
+  }
+  return fbs::CreateIndexDirect(builder, &x.bytes(), &y.bytes(), &size.bytes(), &checksums);
+}
+
+// Rules, or species.
+template <typename Text>
+std::vector<flatbuffers::Offset<fbs::Rule>> rules_of(flatbuffers::FlatBufferBuilder& builder,
+                                                     const std::vector<Text>& texts) {
+  std::vector<flatbuffers::Offset<fbs::Rule>> offsets;
+  for (const Text& each : texts) {
+    const auto name = builder.CreateString(each.name), text = builder.CreateString(each.text);
+    offsets.push_back(fbs::CreateRule(builder, name, text));
+  }
+  return offsets;
+}
+
+RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, const RawBytes& dictionary) {
+  flatbuffers::FlatBufferBuilder builder;
+  const scene::Header& h = scene.header;
+  std::vector<flatbuffers::Offset<flatbuffers::String>> sources, attributions;
+  for (const std::string& text : h.sources) sources.push_back(builder.CreateString(text));
+  for (const std::string& text : h.attributions) attributions.push_back(builder.CreateString(text));
+  const std::vector<std::int32_t> region = {
+      static_cast<std::int32_t>(h.region.min.x), static_cast<std::int32_t>(h.region.min.y),
+      static_cast<std::int32_t>(h.region.max.x), static_cast<std::int32_t>(h.region.max.y)};
+  const auto sky = sky_of(builder, h.sky);
+  const auto index = index_of(builder, scene, frames);
+  // not a number stands for none
+  const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
+  const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
+  builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
+                                         &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
+                                         kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
+                                         &rules, &species));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+void put(Bytes& bytes, std::uint64_t value, int size) {
+  for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(value >> 8 * i));
+}
+std::uint64_t get(ByteSpan bytes, std::size_t at, int size) {
+  std::uint64_t value = 0;
+  for (int i = 0; i < size; ++i) value |= static_cast<std::uint64_t>(bytes[at + static_cast<std::size_t>(i)]) << 8 * i;
+  return value;
+}
+
+// Of what stands before it, and of the header's frame.
+std::uint64_t header_checksum(ByteSpan beginning, ByteSpan frame) {
+  return checksum(frame, checksum(beginning.first(kChecksumAt)));
+}
+
+using Texts = flatbuffers::Vector<flatbuffers::Offset<flatbuffers::String>>;
+std::vector<std::string> strings_of(const Texts* texts) {
+  std::vector<std::string> strings;
+  if (texts != nullptr)
+    for (const auto* text : *texts) strings.push_back(text->str());
+  return strings;
+}
+
+// A FlatBuffer may name one text a million times.
+std::size_t size_of(const Texts* texts) {
+  std::size_t size = 0;
+  if (texts != nullptr)
+    for (const auto* text : *texts) size += text->size();
+  return size;
+}
+
+using Rules = flatbuffers::Vector<flatbuffers::Offset<fbs::Rule>>;
+template <typename Text>
+std::vector<Text> texts_of(const Rules* rules) {
+  std::vector<Text> texts;
+  if (rules != nullptr)
+    for (const auto* rule : *rules)
+      if (rule->name() != nullptr && rule->text() != nullptr)
+        texts.push_back({rule->name()->str(), rule->text()->str()});
+  return texts;
+}
+std::size_t size_of(const Rules* rules) {
+  std::size_t size = 0;
+  if (rules != nullptr)
+    for (const auto* rule : *rules)
+      size += (rule->name() ? rule->name()->size() : 0) + (rule->text() ? rule->text()->size() : 0);
+  return size;
+}
+
+bool is_whole_cells(const Box2& region, double tile_m) {
+  const auto whole = [](double v) { return std::floor(v / map::kCell_m) * map::kCell_m == v; };
+  // 500 km on a side: no plane is wider
+  constexpr double kWidest_m = 524288;
+  return whole(region.min.x) && whole(region.min.y) && whole(region.max.x) && whole(region.max.y) &&
+         region.width() > 0 && region.height() > 0 && region.min.x >= -kWidest_m && region.min.y >= -kWidest_m &&
+         region.max.x <= kWidest_m && region.max.y <= kWidest_m && std::isfinite(tile_m) && tile_m >= map::kCell_m &&
+         tile_m <= 2 * kWidest_m && whole(tile_m);
+}
+
+Error damaged_header(const std::string& name) {
+  return {name, "expected a citykiln manifest, found one whose header is damaged"};
+}
+
+// The header as plain data, or what is wrong with it.
+Result<scene::Header> plain(const fbs::Header& h, std::size_t raw_size, const std::string& name) {
+  const Error damaged = damaged_header(name);
+  if (h.region_m() == nullptr || h.region_m()->size() != 4 || h.sky() == nullptr || h.sky()->to_sun() == nullptr ||
+      h.sky()->to_sun()->size() != 3 ||
+      size_of(h.sources()) + size_of(h.attributions()) + size_of(h.rules()) + size_of(h.species()) > raw_size)
+    return damaged;
+  scene::Header header;
+  header.origin = {h.origin_lon_deg(), h.origin_lat_deg()};
+  const auto& r = *h.region_m();
+  header.region = {{static_cast<double>(r[0]), static_cast<double>(r[1])},
+                   {static_cast<double>(r[2]), static_cast<double>(r[3])}};
+  header.tile_m = h.tile_m(), header.seed = h.seed(), header.resampling_error_m = h.resampling_error_m();
+  const bool has_origin = std::abs(header.origin.lon_deg) <= 180 && std::abs(header.origin.lat_deg) <= 90;
+  if (!has_origin || !is_whole_cells(header.region, header.tile_m) || !std::isfinite(header.resampling_error_m))
+    return damaged;
+  const auto& s = *h.sky();
+  if (s.time() != nullptr) header.sky.time = s.time()->str();
+  header.sky.to_sun = {(*s.to_sun())[0] * 0x1p-20, (*s.to_sun())[1] * 0x1p-20, (*s.to_sun())[2] * 0x1p-20};
+  header.sky.turbidity = s.turbidity();
+  const double length2 = dot(header.sky.to_sun, header.sky.to_sun);
+  if (!(length2 > 0.99 && length2 < 1.01) || !(header.sky.turbidity >= 1 && header.sky.turbidity <= 20)) return damaged;
+  if (std::isinf(h.snow_line_m())) return damaged;
+  if (!std::isnan(h.snow_line_m())) header.snow_line_m = h.snow_line_m();
+  header.sources = strings_of(h.sources()), header.attributions = strings_of(h.attributions());
+  header.rules = texts_of<buildings::RuleText>(h.rules());
+  header.species = texts_of<plants::SpeciesText>(h.species());
+  return header;
+}
+
+// The streams of a chunk, or nothing where their sizes do not add up.
+std::optional<Streams> streams_of(std::span<const std::uint8_t> raw) {
+  const auto names = stream_names();
+  StreamReader reader(raw);
+  std::vector<std::uint64_t> sizes(names.size());
+  for (std::uint64_t& size : sizes) size = reader.get();
+  if (!reader.good()) return std::nullopt;
+  std::span<const std::uint8_t> rest = raw.last(reader.remaining());
+  Streams streams;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (sizes[i] > rest.size()) return std::nullopt;
+    const auto stream = rest.first(static_cast<std::size_t>(sizes[i]));
+    streams[names[i]].assign(stream.begin(), stream.end());
+    rest = rest.subspan(stream.size());
+  }
+  return rest.empty() ? std::optional(std::move(streams)) : std::nullopt;
+}
+
+struct Entry {
+  scene::TileKey tile;
+  std::uint64_t offset = 0, size = 0, checksum = 0;
+};
+
+std::string where_of(const std::string& name, scene::TileKey tile) {
+  return fmt::format("{}, tile {}_{}", name, tile.x, tile.y);
+}
+
+// One chunk, unpacked and checked; check_index has found its bytes inside the body.
+Result<scene::Chunk> chunk_of(ByteSpan body, const Entry& entry, const UnpackingDictionary& dictionary,
+                              const std::string& name) {
+  const std::string where = where_of(name, entry.tile);
+  const ByteSpan frame = body.subspan(entry.offset, entry.size);
+  if (checksum(frame) != entry.checksum)
+    return Error{where, "expected the checksum that the header states, found another: the file is damaged"};
+  const auto raw = unpacked(frame, dictionary, where);
+  if (!raw) return raw.error();
+  const auto streams = streams_of(*raw);
+  if (!streams) return Error{where, "expected as many streams as this format has, each of its stated size"};
+  std::string wrong;
+  auto chunk = decode_chunk(*streams, entry.tile, wrong);
+  if (!chunk) return Error{where, "expected sound values in \"" + wrong + "\""};
+  return std::move(*chunk);
+}
+
+StreamReader reader_of(const flatbuffers::Vector<std::uint8_t>* stream) {
+  return stream == nullptr ? StreamReader() : StreamReader({stream->data(), stream->size()});
+}
+
+// The index as plain data; nothing where a stream ends early or late, or holds a number beyond its type.
+std::optional<std::vector<Entry>> entries_of(const fbs::Index* index) {
+  if (index == nullptr || index->checksum() == nullptr) return std::nullopt;
+  StreamReader x = reader_of(index->x()), y = reader_of(index->y()), size = reader_of(index->size());
+  using Coordinate = std::numeric_limits<std::int32_t>;
+  const auto fits = [](std::int64_t v) { return v >= Coordinate::min() && v <= Coordinate::max(); };
+  std::vector<Entry> entries;
+  std::uint64_t offset = 0;
+  for (const std::uint64_t checksum : *index->checksum()) {
+    const std::int64_t column = x.get_delta(), row = y.get_delta();
+    if (!fits(column) || !fits(row)) return std::nullopt;
+    const scene::TileKey tile{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)};
+    entries.push_back({tile, offset, size.get(), checksum});
+    // sizes that wrap around are found by check_index before the offset behind them is used
+    offset += entries.back().size;
+  }
+  if (!x.is_finished() || !y.is_finished() || !size.is_finished()) return std::nullopt;
+  return entries;
+}
+
+// The index as a whole: every tile once, in order, inside the region, its bytes there, and nothing behind the last.
+Result<Done> check_index(std::span<const Entry> entries, const scene::Header& header, std::size_t body_size,
+                         const std::string& name) {
+  std::optional<scene::TileKey> last;
+  std::uint64_t end = 0;
+  for (const Entry& entry : entries) {
+    const std::string where = where_of(name, entry.tile);
+    if (last && entry.tile <= *last) return Error{where, "expected each tile once, in the order of x, then y"};
+    const Box2 box = scene::box_of(header, entry.tile);
+    if (box.width() <= 0 || box.height() <= 0) return Error{where, "expected tiles inside the region"};
+    if (entry.size > body_size - end) return Error{where, "expected its bytes, found the end of the file"};
+    last = entry.tile, end += entry.size;
+  }
+  if (end != body_size) return Error{name, "expected the end of the file behind the last tile"};
+  return Done{};
+}
+
+// None where the header holds none.
+Result<UnpackingDictionary> dictionary_of(const fbs::Header& h, const std::string& name) {
+  if (h.dictionary() == nullptr) return UnpackingDictionary();
+  auto dictionary = unpacking_dictionary({h.dictionary()->data(), h.dictionary()->size()});
+  if (dictionary == nullptr) return Error{name, "expected a zstd dictionary in the header, found damage in it"};
+  return dictionary;
+}
+
+// The frame of the header: behind the fixed beginning, of this version, whole.
+Result<ByteSpan> header_frame(ByteSpan bytes, const std::string& name) {
+  if (bytes.size() < kPreamble || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0)
+    return Error{name, "expected a citykiln manifest, which begins with CITYKILN"};
+  if (const std::uint64_t major = get(bytes, kMajorAt, 2); major != kMajor)
+    return Error{name, fmt::format("expected format {}, found {}: made by another citykiln", kMajor, major)};
+  const std::uint64_t size = get(bytes, kHeaderSizeAt, 4);
+  if (size > bytes.size() - kPreamble) return Error{name, "expected the header, found the end of the file"};
+  const ByteSpan frame = bytes.subspan(kPreamble, size);
+  if (header_checksum(bytes, frame) != get(bytes, kChecksumAt, 8)) return damaged_header(name);
+  return frame;
+}
+
+bool is_wanted(std::span<const scene::TileKey> only, scene::TileKey tile) {
+  return only.empty() || std::find(only.begin(), only.end(), tile) != only.end();
+}
+
+// The chunks that are wanted, of a body whose index is sound.
+Result<std::vector<scene::Chunk>> chunks_of(ByteSpan body, std::span<const Entry> entries,
+                                            const UnpackingDictionary& dictionary, const std::string& name,
+                                            std::span<const scene::TileKey> only) {
+  std::vector<scene::Chunk> chunks;
+  for (const Entry& entry : entries) {
+    if (!is_wanted(only, entry.tile)) continue;
+    auto chunk = chunk_of(body, entry, dictionary, name);
+    if (!chunk) return chunk.error();
+    chunks.push_back(std::move(*chunk));
+  }
+  for (const scene::TileKey tile : only)
+    if (std::none_of(chunks.begin(), chunks.end(), [&](const auto& c) { return c.tile == tile; }))
+      return Error{name, fmt::format("has no tile {}_{}", tile.x, tile.y)};
+  return chunks;
+}
+
+}  // namespace
+
+Bytes encode_manifest(const scene::Scene& scene, int threads) {
+  const std::size_t count = scene.chunks.size();
+  const auto raws = for_each_slot<RawBytes>(count, threads, [&](std::size_t i) { return raw_chunk(scene.chunks[i]); });
+  const RawBytes dictionary = train_dictionary(raws);
+  const PackingDictionary ready = packing_dictionary(dictionary);
+  const auto frames = for_each_slot<Bytes>(count, threads, [&](std::size_t i) { return packed(raws[i], ready); });
+  const Bytes header = packed(raw_header(scene, frames, dictionary), nullptr);
+  Bytes bytes;
+  for (const char c : kMagic) bytes.push_back(static_cast<std::byte>(c));
+  put(bytes, kMajor, 2), put(bytes, kMinor, 2), put(bytes, header.size(), 4);
+  put(bytes, header_checksum(bytes, header), 8);
+  bytes.insert(bytes.end(), header.begin(), header.end());
+  for (const Bytes& frame : frames) bytes.insert(bytes.end(), frame.begin(), frame.end());
+  return bytes;
+}
+
+Result<scene::Scene> decode_manifest(ByteSpan bytes, const std::string& name, std::span<const scene::TileKey> only) {
+  const auto frame = header_frame(bytes, name);
+  if (!frame) return frame.error();
+  const auto raw = unpacked(*frame, nullptr, name + ", header");
+  if (!raw) return raw.error();
+  flatbuffers::Verifier verifier(raw->data(), raw->size());
+  if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return damaged_header(name);
+  const fbs::Header& h = *flatbuffers::GetRoot<fbs::Header>(raw->data());
+  if (h.tables_hash() != tables_hash())
+    return Error{name, "expected this version's materials and surface classes, found others: made by another citykiln"};
+  auto header = plain(h, raw->size(), name);
+  if (!header) return header.error();
+  const auto entries = entries_of(h.index());
+  if (!entries) return damaged_header(name);
+  const ByteSpan body = bytes.subspan(kPreamble + frame->size());
+  if (const auto index = check_index(*entries, *header, body.size(), name); !index) return index.error();
+  const auto dictionary = dictionary_of(h, name);
+  if (!dictionary) return dictionary.error();
+  auto chunks = chunks_of(body, *entries, *dictionary, name, only);
+  if (!chunks) return chunks.error();
+  return scene::Scene{*header, std::move(*chunks)};
+}
+
+Result<Done> write_manifest(const scene::Scene& scene, const std::string& path, int threads) {
+  return write_file(path, encode_manifest(scene, threads));
+}
+
+Result<scene::Scene> read_manifest(const std::string& path, std::span<const scene::TileKey> only) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return decode_manifest(*bytes, path, only);
+}
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,131 @@
+#include "grammars/derivation/displacement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammars/shapes/few.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kLeastArea_m2 = 1e-9;
+
+double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return length(p - (a + ab * t));
+}
+
+// the farthest point's distance; where one is as far as `enough_m` the others are not looked at
+template <typename Distance>
+double farthest_m(std::span<const Vec3> points, double enough_m, Distance distance_m) {
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < points.size() && farthest_m < enough_m; ++i)
+    farthest_m = std::max(farthest_m, distance_m(points[i]));
+  return farthest_m;
+}
+
+bool is_convex(std::span<const Vec3> ring, Vec3 normal) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 in = ring[(i + 1) % n] - ring[i], out = ring[(i + 2) % n] - ring[(i + 1) % n];
+    if (dot(normal, cross(in, out)) < 0) return false;
+  }
+  return n >= 3;
+}
+
+// 0 inside of the prism over the ring, so that only the height over its plane is left
+double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
+  double nearest_m = kUnbounded_m;
+  bool over = true;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
+    over &= dot(normal, cross(b - a, p - a)) >= 0;
+    nearest_m = std::min(nearest_m, distance_to_segment_m(p, a, b));
+  }
+  return over ? std::abs(dot(normal, p - ring[0])) : nearest_m;
+}
+
+double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring, double enough_m) {
+  const Vec3 area_m2 = area_vector_m2(ring);
+  const Vec3 normal = unit(area_m2);
+  // a face without area has no prism over it, but edges
+  if (length(area_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
+  return farthest_m(points, enough_m, [&](Vec3 p) { return distance_to_convex_m(p, ring, normal); });
+}
+
+// what is no less than `enough_m` may be less than it is
+double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, double enough_m) {
+  const std::size_t n = sibling.vertices.size();
+  double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices, enough_m) : kUnbounded_m;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 a = sibling.vertices[i], b = sibling.vertices[(i + 1) % n];
+    const auto to_edge_m = [&](Vec3 p) { return distance_to_segment_m(p, a, b); };
+    best_m = std::min(best_m, farthest_m(points, std::min(best_m, enough_m), to_edge_m));
+  }
+  return best_m;
+}
+
+// Of so many siblings on either side one is surely near; a comp() of thousands of faces would look at millions of
+// pairs.
+constexpr std::size_t kNearestSiblings = 256;
+
+// from a vanished surface to what became of its siblings, those that stand next to it among the children
+double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> children) {
+  const std::size_t first = vanished - std::min(vanished, kNearestSiblings);
+  const std::size_t end = std::min(children.size(), vanished + kNearestSiblings + 1);
+  double best_m = kUnbounded_m;
+  for (const ChildTrace& sibling : children.subspan(first, end - first)) {
+    // one that is worse than the best for itself need not be measured
+    if (sibling.vanished || sibling.own.back_m >= best_m) continue;
+    const double enough_m = best_m - sibling.own.back_m;
+    best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.back_m);
+  }
+  return best_m;
+}
+
+}  // namespace
+
+Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to) {
+  const Ring3 a = vertices_of(from), b = vertices_of(to);
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
+  return {farthest_m, farthest_m};
+}
+
+Displacement any_displacement(std::span<const Vec3> from, std::span<const Vec3> to) {
+  if (from.empty() || to.empty()) return {kUnbounded_m, kUnbounded_m};
+  double farthest_m = 0;
+  for (const Vec3 a : from)
+    for (const Vec3 b : to) farthest_m = std::max(farthest_m, length(b - a));
+  return {farthest_m, farthest_m};
+}
+
+Ring3 vertices_of(std::span<const Face> faces) {
+  Ring3 vertices;
+  vertices.reserve(vertex_count(faces));
+  for (const Face& face : faces) each_vertex(face, [&](Vec3 p) { vertices.push_back(p); });
+  return vertices;
+}
+
+NodeTrace together(std::span<const ChildTrace> children) {
+  NodeTrace node;
+  Few<double, 8> back_of_group_m;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const ChildTrace& child = children[i];
+    node.vanished &= child.vanished;
+    if (!child.vanished) node.moved.out_m = std::max(node.moved.out_m, child.before.out_m + child.own.out_m);
+    const double own_m = child.vanished ? distance_to_siblings_m(i, children) : child.own.back_m;
+    if (child.group >= back_of_group_m.size()) back_of_group_m.resize(child.group + 1, -1);
+    double& back_m = back_of_group_m[child.group];
+    back_m = std::max(back_m, child.before.back_m + own_m);
+  }
+  node.moved.back_m = kUnbounded_m;
+  // a number without children is no group
+  for (const double back_m : back_of_group_m)
+    if (back_m >= 0) node.moved.back_m = std::min(node.moved.back_m, back_m);
+  if (node.vanished) node.moved = {};
+  return node;
+}
+
+}  // namespace citykiln::grammars

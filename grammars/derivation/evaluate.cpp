@@ -1,0 +1,470 @@
+#include "grammars/derivation/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compiler/geometry/mathematics.h"
+#include "grammars/language/builtin.h"
+#include "grammars/shapes/measure.h"
+#include "grammars/language/text.h"
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+/// A throw of the dice, of which only matters between which bounds it lies.
+struct Drawn {
+  double value = 0;  ///< unit · scale.
+  double scale = 1;
+  std::uint32_t index = 0;
+};
+
+struct Outcomes {
+  double low = -kEver, high = kEver;
+};
+
+double thrown(Context& context, std::uint32_t index) {
+  const Dice& dice = context.dice;
+  const StableId id = dice.of_shape ? context.run.id_of(dice.birth) : context.run.initial.id;
+  return Draw(context.run.options.seed, id, dice.purpose).unit(index);
+}
+
+Drawn draw(Context& context, double scale) {
+  Dice& dice = context.dice;
+  const std::uint32_t index = dice.next++;
+  return {thrown(context, index) * scale, scale, index};
+}
+
+// any throw within these bounds would have led to the same
+void tell(Context& context, const Drawn& drawn, Outcomes same) {
+  const Dice& dice = context.dice;
+  if (dice.of_shape) context.run.threw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
+}
+
+double finite(double number, Place place, Context& context) {
+  if (std::isfinite(number)) return number;
+  context.run.trouble(place, "the value is not a number or too large");
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  return std::isnan(number) ? 0.0 : std::clamp(number, -kLargest, kLargest);
+}
+
+// one that needs no work, and so makes no copy
+const double* plain_number(const Expression& expression, const Context& context) {
+  if (expression.kind == ExpressionKind::kLiteral) return std::get_if<double>(&expression.value);
+  if (expression.kind != ExpressionKind::kName) return nullptr;
+  if (expression.target == Target::kLocal && expression.index < context.frame.size())
+    return std::get_if<double>(&context.frame[expression.index]);
+  const bool is_attribute = expression.target == Target::kAttribute && context.shape.attributes == 0;
+  if (!is_attribute || !context.run.attributes[expression.index]) return nullptr;
+  return std::get_if<double>(&*context.run.attributes[expression.index]);
+}
+
+// a value that needs no other kind than the caller's: what `+` adds may be texts
+bool is_arithmetic(const Expression& e) {
+  return e.kind == ExpressionKind::kBinary && std::string_view("-*/%").find(e.text[0]) != std::string_view::npos;
+}
+bool is_condition(const Expression& e) {
+  return e.kind == ExpressionKind::kBinary && std::string_view("&|=!<>").find(e.text[0]) != std::string_view::npos;
+}
+double result(const Expression& arithmetic, Context& context);
+bool holds(const Expression& condition, Context& context);
+
+// counts the step and the depth
+template <typename Result, typename Make>
+Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
+  if (!context.run.spend(1)) return otherwise;
+  if (context.depth >= kMostDepth) {
+    context.run.trouble(expression.place, "values ask for each other without end");
+    return otherwise;
+  }
+  ++context.depth;
+  Result made = make();
+  --context.depth;
+  return made;
+}
+
+double number_at(const Expression& expression, Context& context) {
+  const double* plain = context.depth < kMostDepth ? plain_number(expression, context) : nullptr;
+  if (plain != nullptr) return context.run.spend(1) ? *plain : 0.0;
+  if (is_arithmetic(expression)) return within(expression, context, 0.0, [&] { return result(expression, context); });
+  const Value value = evaluate(expression, context);
+  if (!std::holds_alternative<double>(value))
+    context.run.trouble(expression.place, std::string("expected a float, found a ") + kind_name(value));
+  return number_of(value);
+}
+
+bool truth_at(const Expression& expression, Context& context) {
+  if (is_condition(expression)) return within(expression, context, false, [&] { return holds(expression, context); });
+  const Value value = evaluate(expression, context);
+  if (!std::holds_alternative<bool>(value))
+    context.run.trouble(expression.place, std::string("expected a bool, found a ") + kind_name(value));
+  return truth_of(value);
+}
+
+double random_number(Context& context, const double* n, std::size_t given) {
+  const double low = given == 2 ? n[0] : 0, high = given == 2 ? n[1] : given == 1 ? n[0] : 1;
+  return low + (high - low) * draw_unit(context);
+}
+
+bool is_drawn(Context& context, double share) {
+  const Drawn drawn = draw(context, 1);
+  const bool is_below = drawn.value < share;
+  tell(context, drawn, is_below ? Outcomes{-kEver, share} : Outcomes{share, kEver});
+  return is_below;
+}
+
+bool occluded(Context& context, OcclusionQuery query) {
+  const Occlusion& occlusion = context.run.options.occlusion;
+  if (occlusion && context.dice.of_shape) context.run.asked_of(0);
+  // a look at all points of the shape
+  context.run.spend(vertex_count(context.shape.faces) * 2);
+  return occlusion && occlusion(query, context.shape);
+}
+
+Value call_builtin(std::size_t row, const Value* v, const double* n, const std::string* s, std::size_t given,
+                   Context& context) {
+  std::size_t at = 0;
+#define FUNCTION(name, arguments, computes, text) \
+  if (row == at++) return Value(computes);
+#include "grammars/language/functions.inc"
+#undef FUNCTION
+  return 0.0;
+}
+
+// reads the arguments as the table's letters say
+Value evaluate_builtin(const Expression& call, Context& context) {
+  const char* letters = builtin_functions()[call.index].arguments;
+  Value v[3];
+  double n[3] = {0, 0, 0};
+  std::string s[3];
+  for (std::size_t i = 0; i < call.operands.size() && i < 3; ++i) {
+    v[i] = evaluate(call.operands[i], context);
+    if (*letters == '/') ++letters;
+    const char letter = *letters++;
+    const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
+    if (!fits) context.run.trouble(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
+    n[i] = number_of(v[i]);
+    if (letter == 's') s[i] = text_of(v[i]);
+  }
+  const Value value = call_builtin(call.index, v, n, s, call.operands.size(), context);
+  return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
+}
+
+// what is worth the same for all shapes is evaluated once, if nothing is to be told of it; its steps count each time
+Value constant_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  std::optional<ConstantValue>& known = run.constants[index];
+  if (known) return run.spend(known->steps) ? known->value : Value(0.0);
+  const auto steps = [&] { return run.out.steps - run.attribute_steps; };
+  const std::uint64_t before = steps(), told = run.troubles_told;
+  Frame none;
+  Context inner{run, context.shape, none, context.dice, context.depth};
+  Value value = evaluate(run.program.functions[index].value, inner);
+  if (run.troubles_told == told && run.spend(0)) run.constants[index] = {value, steps() - before};
+  return value;
+}
+
+[[gnu::noinline]] Value evaluate_function(const Expression& call, Context& context) {
+  const Function& function = context.run.program.functions[call.index];
+  if (function.is_constant) return constant_value(call.index, context);
+  Frame frame;
+  frame.reserve(call.operands.size());
+  for (const Expression& operand : call.operands) frame.push_back(evaluate(operand, context));
+  Context inner{context.run, context.shape, frame, context.dice, context.depth};
+  return evaluate(function.value, inner);
+}
+
+Value look_value(const std::string& name, const Look& look) {
+#define LOOK_TEXT(key, member) \
+  if (name == key) return look.member;
+#define LOOK_NUMBER(key, member) \
+  if (name == key) return look.member;
+#include "grammars/language/look_table.inc"
+#undef LOOK_TEXT
+#undef LOOK_NUMBER
+  return 0.0;
+}
+
+// the first shape to have been given what the value tells; ~0 if it is the shape's own
+std::uint32_t given_to(const Shape& shape, std::size_t row) {
+  constexpr ToldOf kTold[] = {
+#define SHAPE_VALUE(key, told_of, computes, text) told_of,
+#include "grammars/language/shape_values.inc"
+#undef SHAPE_VALUE
+  };
+  if (kTold[row] == ToldOf::kPlace) return 0;
+  if (kTold[row] == ToldOf::kSplit) return shape.in_split.since;
+  return kTold[row] == ToldOf::kComp ? shape.in_comp.since : ~0u;
+}
+
+Value shape_value(const Expression& name, Context& context) {
+  const Shape& shape = context.shape;
+  if (name.index == ~0u) return look_value(name.text, context.run.tables.looks[shape.look]);
+  if (context.dice.of_shape) context.run.asked_of(given_to(shape, name.index));
+  std::size_t at = 0;
+#define SHAPE_VALUE(key, told_of, computes, text) \
+  if (name.index == at++) return Value(computes);
+#include "grammars/language/shape_values.inc"
+#undef SHAPE_VALUE
+  return 0.0;
+}
+
+Value evaluate_name(const Expression& name, Context& context) {
+  switch (name.target) {
+    case Target::kLocal:
+      return name.index < context.frame.size() ? context.frame[name.index] : Value(0.0);
+    case Target::kAttribute:
+      return attribute_value(name.index, context);
+    case Target::kFunction:
+      return evaluate_function(name, context);
+    case Target::kBuiltin:
+      return evaluate_builtin(name, context);
+    case Target::kShape:
+      context.run.spend(context.shape.faces.size());
+      return shape_value(name, context);
+    default:
+      return 0.0;
+  }
+}
+
+Value evaluate_unary(const Expression& unary, Context& context) {
+  if (unary.text == "!") return !truth_at(unary.operands[0], context);
+  const double number = number_at(unary.operands[0], context);
+  return unary.text == "-" ? -number : number;
+}
+
+// as strings where one is a string, else as numbers; a float equals no bool
+int compared(const Value& a, const Value& b, Place place, Context& context) {
+  if (a.index() != b.index())
+    context.run.trouble(place, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
+  if (std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b)) {
+    const int order = text_of(a).compare(text_of(b));
+    return order < 0 ? -1 : order > 0 ? 1 : 0;
+  }
+  const double x = number_of(a), y = number_of(b);
+  return x < y ? -1 : x > y ? 1 : 0;
+}
+
+bool holds(const Expression& binary, int order) {
+  const char sign = binary.text[0];
+  if (sign == '=') return order == 0;
+  if (sign == '!') return order != 0;
+  const bool or_equal = binary.text.size() > 1;
+  if (or_equal && order == 0) return true;
+  return sign == '<' ? order < 0 : order > 0;
+}
+
+/// The operands, where both are numbers that need no work.
+struct Numbers {
+  const double* a = nullptr;
+  const double* b = nullptr;
+  explicit operator bool() const { return a != nullptr && b != nullptr; }
+};
+
+Numbers plain_numbers(const Expression& binary, Context& context) {
+  if (context.depth >= kMostDepth) return {};
+  return {plain_number(binary.operands[0], context), plain_number(binary.operands[1], context)};
+}
+
+// texts that double in every function would fill the memory before a limit sees them
+constexpr std::size_t kLongestText = 4096;
+
+Value add_text(const Expression& binary, const Value& a, const Value& b, Context& context) {
+  std::string text = text_of(a) + text_of(b);
+  if (text.size() > kLongestText) {
+    context.run.trouble(binary.place, "a text of more than 4096 bytes");
+    text.resize(kLongestText);
+  }
+  return text;
+}
+
+double divided(double a, double b, Place place, Context& context) {
+  if (b != 0) return a / b;
+  context.run.trouble(place, "division by zero");
+  return 0;
+}
+
+double remainder_of(double a, double b, Place place, Context& context) {
+  const double quotient = divided(a, b, place, context);
+  return a - b * (quotient < 0 ? std::ceil(quotient) : std::floor(quotient));
+}
+
+double arithmetic(const Expression& binary, double a, double b, Context& context) {
+  switch (binary.text[0]) {
+    case '+':
+      return finite(a + b, binary.place, context);
+    case '-':
+      return finite(a - b, binary.place, context);
+    case '*':
+      return finite(a * b, binary.place, context);
+    case '/':
+      return finite(divided(a, b, binary.place, context), binary.place, context);
+    default:
+      return finite(remainder_of(a, b, binary.place, context), binary.place, context);
+  }
+}
+
+double result(const Expression& binary, Context& context) {
+  // the left one draws first, whatever the compiler prefers
+  const double left = number_at(binary.operands[0], context);
+  return arithmetic(binary, left, number_at(binary.operands[1], context), context);
+}
+
+bool holds(const Expression& binary, Context& context) {
+  const Expression &left = binary.operands[0], &right = binary.operands[1];
+  if (binary.text[0] == '&') return truth_at(left, context) && truth_at(right, context);
+  if (binary.text[0] == '|') return truth_at(left, context) || truth_at(right, context);
+  if (const Numbers plain = plain_numbers(binary, context))
+    return context.run.spend(2) && holds(binary, *plain.a < *plain.b ? -1 : *plain.a > *plain.b);
+  const Value a = evaluate(left, context);
+  return holds(binary, compared(a, evaluate(right, context), binary.place, context));
+}
+
+Value evaluate_sum(const Expression& sum, Context& context) {
+  if (const Numbers plain = plain_numbers(sum, context))
+    return context.run.spend(2) ? arithmetic(sum, *plain.a, *plain.b, context) : 0.0;
+  const Value a = evaluate(sum.operands[0], context);
+  const Value b = evaluate(sum.operands[1], context);
+  const bool texts = std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b);
+  if (texts) return add_text(sum, a, b, context);
+  return arithmetic(sum, number_of(a), number_of(b), context);
+}
+
+Value evaluate_binary(const Expression& binary, Context& context) {
+  if (is_condition(binary)) return holds(binary, context);
+  return is_arithmetic(binary) ? Value(result(binary, context)) : evaluate_sum(binary, context);
+}
+
+Value evaluate_case(const Expression& cases, Context& context) {
+  std::size_t i = 0;
+  for (; i + 1 < cases.operands.size(); i += 2)
+    if (truth_at(cases.operands[i], context)) return evaluate(cases.operands[i + 1], context);
+  return i < cases.operands.size() ? evaluate(cases.operands[i], context) : Value(0.0);
+}
+
+Value evaluate_chance(const Expression& chances, Context& context) {
+  const Drawn dice = draw(context, 100);
+  double sum = 0, least = -kEver;
+  std::size_t i = 0;
+  for (; i + 1 < chances.operands.size(); i += 2) {
+    sum += number_at(chances.operands[i], context);
+    if (dice.value < sum) {
+      tell(context, dice, {least, sum});
+      return evaluate(chances.operands[i + 1], context);
+    }
+    least = std::max(least, sum);
+  }
+  tell(context, dice, {least, kEver});
+  return i < chances.operands.size() ? evaluate(chances.operands[i], context) : Value(0.0);
+}
+
+Value evaluate_with(const Expression& with, Context& context) {
+  for (std::size_t i = 0; i + 1 < with.operands.size(); ++i) {
+    Value value = evaluate(with.operands[i], context);
+    context.frame.resize(std::max<std::size_t>(context.frame.size(), with.index + i + 1), Value(0.0));
+    context.frame[with.index + i] = std::move(value);
+  }
+  return evaluate(with.operands.back(), context);
+}
+
+// attributes draw from the building's own dice, by name
+Value initial_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  const Attribute& attribute = run.program.attributes[index];
+  const auto given = run.options.attributes.find(attribute.name);
+  const std::string purpose = "attr " + attribute.name;
+  Dice dice{purpose.c_str(), 0, false};
+  Frame frame;
+  Context inner{run, run.initial, frame, dice, context.depth};
+  if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
+  return given->second;
+}
+
+}  // namespace
+
+Value attribute_value(std::uint32_t index, Context& context) {
+  Run& run = context.run;
+  const AttributeSet& changed = run.tables.attribute_sets[context.shape.attributes];
+  if (const auto found = changed.find(index); found != changed.end()) return found->second;
+  if (run.attributes[index]) return *run.attributes[index];
+  if (run.attribute_under_way[index]) {
+    run.trouble(run.program.attributes[index].place, "the attribute's value asks for itself");
+    return 0.0;
+  }
+  run.attribute_under_way[index] = true;
+  const std::uint64_t before = run.out.steps - run.attribute_steps;
+  run.attributes[index] = initial_value(index, context);
+  run.attribute_steps = run.out.steps - before;
+  run.attribute_under_way[index] = false;
+  return *run.attributes[index];
+}
+
+double draw_unit(Context& context) {
+  if (context.dice.of_shape) context.run.asked_of(0);
+  return thrown(context, context.dice.next++);
+}
+
+namespace {
+
+Value evaluate_kind(const Expression& expression, Context& context) {
+  switch (expression.kind) {
+    case ExpressionKind::kLiteral:
+      return expression.value;
+    case ExpressionKind::kName:
+      return evaluate_name(expression, context);
+    case ExpressionKind::kCall:
+      return expression.target == Target::kFunction ? evaluate_function(expression, context)
+                                                    : evaluate_name(expression, context);
+    case ExpressionKind::kUnary:
+      return evaluate_unary(expression, context);
+    case ExpressionKind::kBinary:
+      return evaluate_binary(expression, context);
+    case ExpressionKind::kCase:
+      return evaluate_case(expression, context);
+    case ExpressionKind::kChance:
+      return evaluate_chance(expression, context);
+    case ExpressionKind::kWithLocals:
+      return evaluate_with(expression, context);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+Value evaluate(const Expression& expression, Context& context) {
+  return within(expression, context, Value(0.0), [&] { return evaluate_kind(expression, context); });
+}
+
+namespace {
+
+int drawn_branch(const Body& body, Context& context) {
+  const Drawn dice = draw(context, 100);
+  double sum = 0;
+  Outcomes same;
+  int chosen = -1;
+  for (std::size_t i = 0; i < body.branches.size() && chosen < 0; ++i) {
+    const Branch& branch = body.branches[i];
+    if (!branch.is_else) sum += number_at(branch.test, context);
+    const bool is_this = branch.is_else || dice.value < sum;
+    if (is_this) chosen = static_cast<int>(i);
+    if (is_this && !branch.is_else) same.high = sum;
+    if (!is_this) same.low = std::max(same.low, sum);
+  }
+  tell(context, dice, same);
+  return chosen;
+}
+
+}  // namespace
+
+int chosen_branch(const Body& body, Context& context) {
+  if (body.kind == BodyKind::kChance) return drawn_branch(body, context);
+  for (std::size_t i = 0; i < body.branches.size(); ++i) {
+    const Branch& branch = body.branches[i];
+    if (branch.is_else || truth_at(branch.test, context)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace citykiln::grammars

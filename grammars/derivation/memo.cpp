@@ -1,0 +1,255 @@
+#include "grammars/derivation/memo.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "grammars/derivation/run.h"
+
+namespace citykiln::grammars {
+namespace {
+
+// what is larger costs more to compare than the second of its kind would save
+constexpr std::size_t kMostVertices = 12;
+// a body that made so few shapes so often is not worth a note, nor one that never met its like
+constexpr std::uint64_t kFewShapes = 3;
+constexpr std::uint32_t kManyTimes = 8, kManyMisses = 64;
+// more dice hardly ever fall alike twice: two panes of a window do, those of a floor do not
+constexpr std::size_t kMostThrows = 6, kMostVariants = 24;
+
+std::int64_t whole(double v) {
+  const double scaled = v * (1 / kSame_m);
+  if (!(std::abs(scaled) < 0x1p62)) return std::bit_cast<std::int64_t>(v);
+  return static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
+}
+
+void add(MemoKey& key, Vec3 v) { key.add(whole(v.x), whole(v.y), whole(v.z)); }
+
+void add(MemoKey& key, const Value& value) {
+  key.add(static_cast<std::int64_t>(value.index()));
+  const std::string* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return key.add(whole(number_of(value)));
+  key.add(static_cast<std::int64_t>(text->size()));
+  for (const char c : *text) key.add(c);
+}
+
+void add_street(MemoKey& key, const Face& face) {
+  key.add(static_cast<std::int64_t>(face.street_edges.size() << 1 | face.street));
+  for (const std::uint8_t street : face.street_edges) key.add(street);
+}
+
+void add_face(MemoKey& key, const Face& face, const Scope& scope) {
+  key.add(static_cast<std::int64_t>(face.outer.size() << 8) | static_cast<std::int64_t>(face.tag));
+  for (const Vec3 p : face.outer) {
+    const Vec3 v = p - scope.origin;
+    add(key, Vec3{dot(scope.axis[0], v), dot(scope.axis[1], v), dot(scope.axis[2], v)});
+  }
+}
+
+void add_inherited(MemoKey& key, const Shape& shape) {
+  const bool same = shape.projection == shape.texture;
+  key.add(std::int64_t{shape.look} << 32 | shape.attributes);
+  key.add((shape.projection == 0) << 2 | (shape.texture == 0) << 1 | same);
+}
+
+// up as the scope sees it: a motion may turn the shape about the vertical alone
+MemoKey key_of(const Execution& execution, const Body& body) {
+  const Shape& shape = execution.shape;
+  const Scope& scope = shape.scope;
+  MemoKey key;
+  key.add(std::int64_t{body.number} << 32 | execution.path);
+  key.add(execution.depth <= 1);  // the start, which may not be cut
+  add_face(key, shape.faces.front(), scope);
+  if (body.tells_street) add_street(key, shape.faces.front());
+  add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
+  add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
+  add_inherited(key, shape);
+  for (const Value& value : execution.frame) add(key, value);
+  return key;
+}
+
+// a face without area has axes without length
+bool is_frame(const Scope& scope) {
+  constexpr double kNearly = 1e-9;
+  const auto& [x, y, z] = scope.axis;
+  const auto is_unit = [](Vec3 v) { return std::abs(dot(v, v) - 1) < kNearly; };
+  return length(cross(x, y) - z) < kNearly && is_unit(x) && is_unit(y) && std::abs(dot(x, y)) < kNearly;
+}
+
+bool may_repeat(const Shape& shape) {
+  if (shape.faces.size() != 1 || !shape.asset.empty() || !is_frame(shape.scope)) return false;
+  const Face& face = shape.faces.front();
+  return face.holes.empty() && face.outer.size() >= 3 && face.outer.size() <= kMostVertices;
+}
+
+// a body that only names a successor, or one of several, leaves the note to it
+bool only_names(const Body& body) {
+  if (body.kind != BodyKind::kStatements)
+    return std::ranges::all_of(body.branches, [](const Branch& branch) { return only_names(branch.body); });
+  return body.statements.size() == 1 && body.statements.front().kind == StatementKind::kSuccessor;
+}
+
+Made ends_of(const Run& run) {
+  Made made;
+  made.terminals.first = run.out.terminals.size();
+  made.births.first = run.births.size();
+  made.reports.first = run.out.reports.size();
+  made.textures.first = run.tables.textures.size();
+  made.throws.first = run.throws.size();
+  made.shapes = run.out.shapes;
+  made.steps = run.out.steps - run.attribute_steps;
+  return made;
+}
+
+Made between(const Made& before, const Made& after, NodeTrace trace) {
+  Made made = before;
+  made.terminals.end = after.terminals.first;
+  made.births.end = after.births.first;
+  made.reports.end = after.reports.first;
+  made.textures.end = after.textures.first;
+  made.throws.end = after.throws.first;
+  made.shapes = after.shapes - before.shapes;
+  made.steps = after.steps - before.steps;
+  made.trace = trace;
+  return made;
+}
+
+// what the rules would have been stopped at, they have to reach themselves
+bool fits_limits(const Run& run, int depth, const Made& made) {
+  const Limits& limits = run.options.limits;
+  return depth + made.rules_in_each_other <= limits.depth && run.out.shapes + made.shapes <= limits.shapes &&
+         run.out.steps + made.steps <= limits.steps;
+}
+
+/// Those of one kind: the one that this shape's dice will make again, or where the next of them goes.
+struct Kind {
+  std::uint32_t known = 0;       ///< 1 + where Memo::entries has it; 0 for none.
+  std::uint32_t* end = nullptr;  ///< Until the next entry.
+  bool closed = false;           ///< One of them is under way or no pattern, or there are too many.
+};
+
+Kind kind_of(Run& run, const Shape& shape, std::uint32_t& first) {
+  Kind kind{0, &first};
+  Dicing dicing{run, shape.birth};
+  std::size_t count = 0;
+  for (; *kind.end != 0 && !kind.closed; ++count) {
+    MemoEntry& entry = run.memo.entries[*kind.end - 1];
+    kind.closed = !entry.ready || count + 1 >= kMostVariants;
+    if (entry.ready && kind.known == 0 && dicing.would_fall_as(entry.pattern)) kind.known = *kind.end;
+    kind.end = &entry.next;
+  }
+  return kind;
+}
+
+Recording first_of_its_kind(Execution& execution, std::uint32_t& end) {
+  Run& run = execution.run;
+  std::vector<MemoEntry>& entries = run.memo.entries;
+  const auto entry = end = static_cast<std::uint32_t>(entries.size() + 1);
+  entries.emplace_back().pattern.stand = stand_of(execution.shape);
+  run.memo.open.push_back({execution.shape.birth, execution.depth, execution.depth});
+  return {entry, false, ends_of(run)};
+}
+
+void rehash(MemoIndex& index) {
+  MemoIndex larger;
+  larger.slots.resize(2 * index.slots.size());
+  for (const MemoIndex::Slot& slot : index.slots)
+    if (slot.first != 0) larger[slot.key] = slot.first;
+  index = std::move(larger);
+}
+
+}  // namespace
+
+void MemoKey::add(std::int64_t word) {
+  const auto w = static_cast<std::uint64_t>(word);
+  a = (a ^ w) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
+  b = (b ^ w) * 0xd6e8feb86659fd93u, b ^= b >> 29;
+}
+
+void MemoKey::add(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto u = static_cast<std::uint64_t>(x), v = static_cast<std::uint64_t>(y), w = static_cast<std::uint64_t>(z);
+  // odd factors, other ones for each half: what is the same in one sum is not in the other
+  a = (a ^ (u + v * 0xff51afd7ed558ccdu + w * 0xc4ceb9fe1a85ec53u)) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
+  b = (b ^ (u * 0xbf58476d1ce4e5b9u + v + w * 0x94d049bb133111ebu)) * 0xd6e8feb86659fd93u, b ^= b >> 29;
+}
+
+std::uint32_t& MemoIndex::operator[](const MemoKey& key) {
+  if (2 * taken >= slots.size()) rehash(*this);
+  std::size_t i = key.a & (slots.size() - 1);
+  while (slots[i].first != 0 && !(slots[i].key == key)) i = (i + 1) & (slots.size() - 1);
+  if (slots[i].first == 0) slots[i].key = key, ++taken;
+  return slots[i].first;
+}
+
+Recording begin_recording(Execution& execution, const Body& body) {
+  Run& run = execution.run;
+  BodyRecord& record = run.memo.bodies[body.number];
+  if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
+  const Kind kind = kind_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
+  if (kind.known == 0) {
+    if (kind.closed) return {};
+    ++record.misses;
+    return first_of_its_kind(execution, *kind.end);
+  }
+  if (!fits_limits(run, execution.depth, run.memo.entries[kind.known - 1].pattern.made)) return {};
+  ++record.hits;
+  return {kind.known, true, {}};
+}
+
+void came_to(Memo& memo, int depth) {
+  if (!memo.open.empty()) memo.open.back().deepest = std::max(memo.open.back().deepest, depth);
+}
+
+NodeTrace repeat(Execution& execution, const Recording& recording) {
+  Run& run = execution.run;
+  const Pattern& pattern = run.memo.entries[recording.entry - 1].pattern;
+  const Made& made = pattern.made;
+  copy_pattern(run, pattern, execution.shape);
+  came_to(run.memo, execution.depth + made.rules_in_each_other);
+  run.out.shapes += made.shapes;
+  run.out.copied += made.shapes;
+  run.out.steps += made.steps;
+  NodeTrace trace = made.trace;
+  // both the shape and its like are as large as the other but for kSame_m, at each of their ends
+  if (!trace.vanished) trace.moved = trace.moved + Displacement{4 * kSame_m, 4 * kSame_m};
+  return trace;
+}
+
+void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace) {
+  if (recording.entry == 0) return;
+  Memo& memo = run.memo;
+  BodyRecord& record = memo.bodies[body.number];
+  MemoEntry& entry = memo.entries[recording.entry - 1];
+  Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
+  const OpenNode node = memo.open.back();
+  memo.open.pop_back();
+  came_to(memo, node.deepest);
+  made.rules_in_each_other = node.deepest - node.depth;
+  const bool is_small = made.shapes <= kFewShapes;
+  entry.ready = node.repeats && made.throws.size() <= kMostThrows;
+  record.small_ones += is_small;
+  record.never |= is_small && body.kind == BodyKind::kStatements;
+  record.never |= !entry.ready || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
+  if (entry.ready) memo.seen.push_back(recording.entry - 1);
+}
+
+void cut_away_from(Run& run, std::size_t first) {
+  Memo& memo = run.memo;
+  std::vector<Terminal>& terminals = run.out.terminals;
+  const auto last_is_in = [&] {
+    return !memo.seen.empty() && memo.entries[memo.seen.back()].pattern.made.terminals.end > first;
+  };
+  if (last_is_in()) {
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    memo.cut_away.push_back(
+        {first,
+         {std::make_move_iterator(terminals.begin() + from), std::make_move_iterator(terminals.end())},
+         {run.notes.begin() + from, run.notes.end()}});
+  }
+  for (; last_is_in(); memo.seen.pop_back())
+    memo.entries[memo.seen.back()].pattern.cut_away = static_cast<std::uint32_t>(memo.cut_away.size());
+  terminals.resize(first);
+  run.notes.resize(first);
+}
+
+}  // namespace citykiln::grammars

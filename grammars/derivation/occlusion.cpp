@@ -1,0 +1,99 @@
+#include "grammars/derivation/occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr double kOn_m = 0.01;
+
+enum class Side : std::uint8_t { kOutside, kOn, kWithin };
+
+double distance_to_segment_m(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 ab = b - a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return distance(p, a + ab * t);
+}
+
+double distance_to_ring_m(Vec2 p, const Ring& ring) {
+  double nearest_m = HUGE_VAL;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    nearest_m = std::min(nearest_m, distance_to_segment_m(p, ring[i], ring[(i + 1) % ring.size()]));
+  return nearest_m;
+}
+
+Side side_of(const Neighbour& neighbour, Vec3 p) {
+  if (p.z < neighbour.bottom_m - kOn_m || p.z > neighbour.top_m + kOn_m) return Side::kOutside;
+  double border_m = distance_to_ring_m(in_plan(p), neighbour.outline.outer);
+  for (const Ring& hole : neighbour.outline.holes) border_m = std::min(border_m, distance_to_ring_m(in_plan(p), hole));
+  if (border_m <= kOn_m) return Side::kOn;
+  if (!contains(neighbour.outline, in_plan(p))) return Side::kOutside;
+  const bool on_end = std::abs(p.z - neighbour.bottom_m) <= kOn_m || std::abs(p.z - neighbour.top_m) <= kOn_m;
+  return on_end ? Side::kOn : Side::kWithin;
+}
+
+std::vector<Vec3> points_of(const Shape& shape) {
+  std::vector<Vec3> points;
+  for (const Face& face : shape.faces) {
+    Vec3 sum;
+    for (std::size_t i = 0; i < face.outer.size(); ++i) {
+      points.push_back(face.outer[i]);
+      points.push_back((face.outer[i] + face.outer[(i + 1) % face.outer.size()]) * 0.5);
+      sum = sum + face.outer[i];
+    }
+    points.push_back(sum * (1.0 / static_cast<double>(face.outer.size())));
+  }
+  return points;
+}
+
+struct Tally {
+  std::size_t within = 0, on = 0, all = 0;
+};
+
+Tally tally_of(const Neighbour& neighbour, const std::vector<Vec3>& points) {
+  Tally tally{0, 0, points.size()};
+  for (const Vec3 p : points) {
+    const Side side = side_of(neighbour, p);
+    tally.within += side == Side::kWithin;
+    tally.on += side == Side::kOn;
+  }
+  return tally;
+}
+
+bool answer(OcclusionQuery query, const std::vector<Neighbour>& neighbours, const std::vector<Vec3>& points) {
+  bool inside = false, overlaps = false, touches = false, within = false;
+  for (const Neighbour& neighbour : neighbours) {
+    const Tally tally = tally_of(neighbour, points);
+    inside |= tally.all > 0 && tally.within + tally.on == tally.all;
+    overlaps |= tally.within > 0 && tally.within + tally.on < tally.all;
+    touches |= tally.on > 0;
+    within |= tally.within > 0;
+  }
+  if (query == OcclusionQuery::kHasEntrance) return false;
+  if (query == OcclusionQuery::kInside) return inside;
+  if (query == OcclusionQuery::kOverlaps) return overlaps && !inside;
+  return touches && !within && !inside;
+}
+
+}  // namespace
+
+Occlusion occlusion_by(std::vector<Neighbour> neighbours) {
+  return [neighbours = std::move(neighbours)](OcclusionQuery query, const Shape& shape) {
+    return answer(query, neighbours, points_of(shape));
+  };
+}
+
+Occlusion entrances_at(std::vector<Vec2> places) {
+  return [places = std::move(places)](OcclusionQuery query, const Shape& shape) {
+    constexpr double kOutOfPlane_m = 1;
+    const Scope& scope = shape.scope;
+    const Vec2 origin = in_plan(scope.origin), x = in_plan(scope.axis[0]), z = in_plan(scope.axis[2]);
+    return query == OcclusionQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 place) {
+             const double along_m = dot(place - origin, x);
+             return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(place - origin, z)) < kOutOfPlane_m;
+           });
+  };
+}
+
+}  // namespace citykiln::grammars

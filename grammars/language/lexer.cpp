@@ -1,0 +1,130 @@
+#include "grammars/language/lexer.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace citykiln::grammars {
+namespace {
+
+// longer ones first, so that none is taken for the beginning of another
+constexpr std::array kSigns = {"-->", "==", "!=", "<=", ">=", "&&", "||", ":=", "(", ")", "{", "}", "[", "]", "|", "*",
+                               "/",   "+",  "-",  "%",  "~",  "'",  "<",  ">",  "!", ",", ":", "=", ".", "@", ";"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$'; }
+bool goes_on(char c) { return begins_name(c) || is_digit(c); }
+
+struct Lexer {
+  std::string_view text;
+  std::string_view file;
+  std::uint32_t file_index = 0;
+  std::size_t at = 0;
+  std::uint32_t line = 1;
+  std::size_t line_start = 0;
+  std::vector<Token> tokens;
+  std::optional<Error> failed;
+
+  char peek(std::size_t ahead = 0) const { return at + ahead < text.size() ? text[at + ahead] : '\0'; }
+  Place place() const { return {file_index, line, static_cast<std::uint32_t>(at - line_start + 1)}; }
+  bool starts_with(std::string_view word) const { return text.substr(at, word.size()) == word; }
+  void fail(Place where, std::string message) { failed = Error{place_name(file, where), std::move(message)}; }
+
+  void step() {
+    if (text[at++] == '\n') {
+      ++line;
+      line_start = at;
+    }
+  }
+
+  void skip_comment() {
+    const Place start = place();
+    while (at < text.size() && !starts_with("*/")) step();
+    if (at == text.size()) return fail(start, "expected */ that ends the comment, found the end of the file");
+    at += 2;
+  }
+
+  void skip_space() {
+    while (at < text.size() && !failed) {
+      if (starts_with("//") || peek() == '#') {
+        while (at < text.size() && peek() != '\n') step();
+      } else if (starts_with("/*")) {
+        skip_comment();
+      } else if (peek() == ' ' || peek() == '\t' || peek() == '\r' || peek() == '\n') {
+        step();
+      } else {
+        return;
+      }
+    }
+  }
+
+  void take_name() {
+    Token token{TokenKind::kName, {}, 0, place()};
+    // a dot belongs to the name where a name goes on behind it; "Wall." is a name and a dot
+    while (goes_on(peek()) || (peek() == '.' && begins_name(peek(1)))) token.text += text[at++];
+    tokens.push_back(std::move(token));
+  }
+
+  void take_number() {
+    Token token{TokenKind::kNumber, {}, 0, place()};
+    const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), token.number);
+    if (error != std::errc() || !std::isfinite(token.number))
+      return fail(token.place, "expected a number that a double can hold");
+    token.text = std::string(text.data() + at, end);
+    at += token.text.size();
+    tokens.push_back(std::move(token));
+  }
+
+  void take_string() {
+    Token token{TokenKind::kString, {}, 0, place()};
+    ++at;
+    while (at < text.size() && peek() != '"' && peek() != '\n') {
+      if (peek() == '\\' && (peek(1) == '"' || peek(1) == '\\')) ++at;
+      token.text += text[at++];
+    }
+    if (peek() != '"') return fail(token.place, "expected \" that ends the string, found the end of the line");
+    ++at;
+    tokens.push_back(std::move(token));
+  }
+
+  void take_sign() {
+    for (const char* sign : kSigns) {
+      if (!starts_with(sign)) continue;
+      tokens.push_back({TokenKind::kSign, sign, 0, place()});
+      at += std::string_view(sign).size();
+      return;
+    }
+    const bool printable = peek() > ' ' && peek() < 0x7f;
+    fail(place(), printable ? fmt::format("no word begins with '{}'", peek()) : "no word begins with this byte");
+  }
+
+  void take_token() {
+    if (begins_name(peek())) return take_name();
+    if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) return take_number();
+    if (peek() == '"') return take_string();
+    take_sign();
+  }
+};
+
+}  // namespace
+
+std::string place_name(std::string_view file, Place place) {
+  return fmt::format("{}:{}:{}", file, place.line, place.column);
+}
+
+Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index) {
+  Lexer lexer{text, file, file_index, 0, 1, 0, {}, {}};
+  lexer.skip_space();
+  while (lexer.at < text.size() && !lexer.failed) {
+    lexer.take_token();
+    if (!lexer.failed) lexer.skip_space();
+  }
+  if (lexer.failed) return *lexer.failed;
+  lexer.tokens.push_back({TokenKind::kEnd, "", 0, lexer.place()});
+  return std::move(lexer.tokens);
+}
+
+}  // namespace citykiln::grammars

@@ -1,0 +1,43 @@
+#include "grammars/shapes/tables.h"
+
+#include <bit>
+
+namespace citykiln::grammars {
+namespace {
+
+template <typename Entry>
+std::uint32_t append(std::vector<Entry>& table, Entry entry) {
+  table.push_back(std::move(entry));
+  return static_cast<std::uint32_t>(table.size() - 1);
+}
+
+template <typename Entry, typename IndexOf>
+std::uint32_t found_or_added(std::vector<Entry>& table, IndexOf& index_of, const Entry& entry) {
+  const auto [found, is_new] = index_of.try_emplace(entry, static_cast<std::uint32_t>(table.size()));
+  if (is_new) table.push_back(entry);
+  return found->second;
+}
+
+}  // namespace
+
+std::size_t LookHash::operator()(const Look& look) const {
+  std::uint64_t hash = look.name.size();
+  const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32; };
+  for (const char c : look.name) add(static_cast<unsigned char>(c));
+  for (const double v : {look.red, look.green, look.blue, look.opacity}) add(std::bit_cast<std::uint64_t>(v));
+  return hash;
+}
+
+std::uint32_t Tables::index_of(const Look& look) { return found_or_added(looks, look_of, look); }
+std::uint32_t Tables::index_of(const AttributeSet& set) {
+  return found_or_added(attribute_sets, attribute_set_of, set);
+}
+std::uint32_t Tables::add(const TextureFrame& texture) { return append(textures, texture); }
+std::uint32_t Tables::add(LookAreas areas) { return append(look_areas, std::move(areas)); }
+
+std::optional<TextureFrame> Tables::texture_at(std::uint32_t index) const {
+  if (index == 0) return std::nullopt;
+  return textures[index];
+}
+
+}  // namespace citykiln::grammars

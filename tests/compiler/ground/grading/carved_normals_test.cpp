@@ -1,0 +1,26 @@
+#include "compiler/ground/grading/carved_normals.h"
+
+#include <gtest/gtest.h>
+
+#include "compiler/contract/draw.h"
+#include "tests/compiler/ground/made_carving.h"
+
+namespace citykiln::ground {
+namespace {
+
+TEST(CarvedNormals, AreThoseOfTheGroundHoweverOftenTheyAreAskedFor) {
+  const Carving carving = road_over_hills(
+      {{{map::LaneKind::kSidewalk, map::LaneWay::kBoth, 2, 0, true}, {map::LaneKind::kDriving, map::LaneWay::kBoth, 6}},
+       3});
+  CarvedNormals normals(carving);
+  const Draw draw(1, StableId{35}, "places");
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    // few places, so that most come again, on another layer or the same
+    const Vec2 p{std::floor(draw.between(-16, 16, 3 * i)), std::floor(draw.between(-16, 16, 3 * i + 1))};
+    const auto layer = static_cast<HeightLayer>(draw.below(4, 3 * i + 2));
+    EXPECT_EQ(normals.at(grid_point(p), layer), normals_at(carving, p)[static_cast<std::size_t>(layer)]);
+  }
+}
+
+}  // namespace
+}  // namespace citykiln::ground

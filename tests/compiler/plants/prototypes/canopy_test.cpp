@@ -1,0 +1,188 @@
+#include "compiler/plants/prototypes/canopy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace citykiln::plants {
+namespace {
+
+using ground::Surface;
+using map::SurfaceClass;
+
+constexpr double kTolerance_m = 12.5;
+constexpr std::uint64_t kSeed = 7;
+
+Surface surface(std::int64_t id, SurfaceClass kind, Ring ring) {
+  const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
+  return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
+}
+
+Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+Wood wood(std::int64_t id, Mix mix, std::uint16_t per_ha) {
+  return {{{OsmType::kWay, id}, 0}, stock_of(mix), per_ha, 16};
+}
+
+// Two woods and a thin one, with a road, a path, a lake and a house in them, on a slope with waves.
+struct Scene {
+  std::vector<Surface> surfaces = {surface(1, SurfaceClass::kForest, block(-500, -500, 0, 500)),
+                                   surface(2, SurfaceClass::kBroadLeavedForest, block(0, -500, 500, 300)),
+                                   surface(3, SurfaceClass::kPark, block(0, 300, 500, 500)),
+                                   surface(4, SurfaceClass::kResidentialRoad, block(-500, -203, 500, -197)),
+                                   surface(5, SurfaceClass::kLake, block(-340, 40, -260, 110)),
+                                   surface(6, SurfaceClass::kBuilding, block(-100, 50, -80, 70)),
+                                   surface(7, SurfaceClass::kFootPath, block(-500, 200, 500, 201))};
+  std::vector<Wood> woods = {wood(1, Mix::kMixedWood, 120), wood(2, Mix::kBroadWood, 105),
+                             wood(3, Mix::kParkTrees, 22)};
+  std::vector<Lane> lanes = {{{{OsmType::kWay, 8}, 0}, {{-500, 400}, {0, 400}}, 20}};
+  ground::Carving ground{heights()};
+
+  static map::Heightfield heights() {
+    map::Heightfield field{{-768, -768}, {16, 16}, 97, 97, {}, 0};
+    for (int j = 0; j < 97; ++j)
+      for (int i = 0; i < 97; ++i)
+        field.heights.push_back(static_cast<std::int32_t>((900 + 3 * i + 5 * (j % 7)) / map::kHeightQuantum_m));
+    return field;
+  }
+
+  struct Made {
+    Canopy canopy;
+    Placed placed;
+  };
+  Made in(const Box2& box, double tolerance_m = kTolerance_m, Month month = kMidsummer) const {
+    const ground::SurfaceMap map = map_surfaces(surfaces, box.widened(kReach_m));
+    const Land land{map, ground, box, kSeed, 42.5};
+    Report ignored;
+    Made made{canopy_over(woods, lanes, land, tolerance_m, month), expand({{}, woods, {}, {}, lanes}, land, ignored)};
+    return made;
+  }
+};
+
+constexpr Box2 kWest = {{-512, -512}, {0, 512}}, kEast = {{0, -512}, {512, 512}}, kAll = {{-512, -512}, {512, 512}};
+
+struct Vertex {
+  Vec3 at, normal;
+  materials::Tint tint;
+  auto operator<=>(const Vertex&) const = default;
+};
+
+std::vector<Vertex> vertices_at(const Canopy& canopy, double x) {
+  std::vector<Vertex> vertices;
+  for (const auto& dressed : canopy.meshes)
+    for (std::size_t i = 0; i < dressed.mesh.positions.size(); ++i)
+      if (dressed.mesh.positions[i].x == x)
+        vertices.push_back({dressed.mesh.positions[i], dressed.mesh.normals[i], dressed.tints[i]});
+  std::ranges::sort(vertices, {}, &Vertex::at);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+std::vector<Placement> joined(const Placed& placed) {
+  std::vector<Placement> all;
+  for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+// The canopy's height where a place lies below it.
+std::vector<double> tops_over(const Canopy& canopy, Vec2 p) {
+  std::vector<double> tops;
+  for (const auto& dressed : canopy.meshes)
+    for (const auto& [a, b, c] : dressed.mesh.triangles) {
+      const Vec3 pa = dressed.mesh.positions[a], pb = dressed.mesh.positions[b], pc = dressed.mesh.positions[c];
+      const double area = cross(in_plan(pb - pa), in_plan(pc - pa));
+      const double v = cross(in_plan(pb) - p, in_plan(pc) - p) / area,
+                   w = cross(in_plan(pc) - p, in_plan(pa) - p) / area;
+      if (v >= 0 && w >= 0 && v + w <= 1) tops.push_back(v * pa.z + w * pb.z + (1 - v - w) * pc.z);
+    }
+  return tops;
+}
+
+// Where the canopy ends on the border, one tile alone may have a corner on the ground.
+TEST(Canopy, IsTheSameWhereTilesMeet) {
+  const Scene scene;
+  const auto west = vertices_at(scene.in(kWest).canopy, 0), east = vertices_at(scene.in(kEast).canopy, 0);
+  const auto is_in_air = [&](const Vertex& v) { return v.at.z > land_m(scene.ground, in_plan(v.at)); };
+  for (const auto& [one, other] : {std::pair{west, east}, {east, west}})
+    for (const Vertex& vertex : one) {
+      const auto same = std::ranges::find(other, in_plan(vertex.at), [](const Vertex& v) { return in_plan(v.at); });
+      ASSERT_TRUE(same != other.end() || !is_in_air(vertex)) << vertex.at.y;
+      EXPECT_TRUE(same == other.end() || *same == vertex) << vertex.at.y;
+    }
+  EXPECT_GT(std::ranges::count_if(west, is_in_air), 30);
+}
+
+TEST(Canopy, StandsForTheTreesItTakesAndNoOthers) {
+  Scene::Made made = Scene{}.in(kAll);
+  const std::vector<Placement> before = joined(made.placed);
+  gather(made.canopy, Scene{}.woods, made.placed);
+  const std::vector<Placement> left = joined(made.placed);
+  EXPECT_LT(left.size(), before.size() / 2);
+  EXPECT_GT(left.size(), before.size() / 20);
+  double worst_m = 0;
+  for (const Placement& tree : before) {
+    if (std::ranges::any_of(left, [&](const Placement& p) { return p.at == tree.at; })) continue;
+    const std::vector<double> tops = tops_over(made.canopy, in_plan(tree.at));
+    ASSERT_FALSE(tops.empty());
+    worst_m = std::max({worst_m, std::abs(tops[0] - tree.at.z - tree.scale), tree.scale / 2});
+  }
+  EXPECT_NEAR(made.canopy.error_m, worst_m, 1e-6);
+  EXPECT_LT(made.canopy.error_m, 1.5 * kTolerance_m);
+}
+
+TEST(Canopy, LeavesMappedTreesAlone) {
+  Scene::Made made = Scene{}.in(kAll);
+  const Placement mapped{{200, 0, 900}, 1, 0, 30, {OsmType::kNode, 9}};
+  Placed placed = {{{Species::kOak, 0}, {mapped}}};
+  gather(made.canopy, Scene{}.woods, placed);
+  EXPECT_EQ(joined(placed).size(), 1u);
+}
+
+TEST(Canopy, CoversNeitherRoadsNorHousesNorWaterNorLanesNorParks) {
+  const Canopy canopy = Scene{}.in(kAll).canopy;
+  const Box2 free[] = {{{-490, -203}, {490, -197}},
+                       {{-340, 40}, {-260, 110}},
+                       {{-100, 50}, {-80, 70}},
+                       {{-490, 390}, {-10, 410}},
+                       {{10, 305}, {490, 490}}};
+  for (const Box2& box : free)
+    for (double x = box.min.x; x <= box.max.x; x += 7)
+      for (double y = box.min.y; y <= box.max.y; y += 3)
+        EXPECT_TRUE(tops_over(canopy, {x, y}).empty()) << x << " " << y;
+  EXPECT_FALSE(tops_over(canopy, {-200, 200.5}).empty());  // but a path
+}
+
+TEST(Canopy, FacesUpAndIsOneSheet) {
+  const Canopy canopy = Scene{}.in(kAll).canopy;
+  for (const auto& dressed : canopy.meshes) {
+    EXPECT_TRUE(dressed.feature == (OsmId{OsmType::kWay, 1}) || dressed.feature == (OsmId{OsmType::kWay, 2}));
+    for (const auto& [a, b, c] : dressed.mesh.triangles) {
+      const auto& p = dressed.mesh.positions;
+      EXPECT_GT(cross(in_plan(p[b] - p[a]), in_plan(p[c] - p[a])), 0);
+    }
+    for (const Vec3 normal : dressed.mesh.normals) EXPECT_GT(normal.z, 0.4);
+  }
+  for (double x = -490.3; x < 490; x += 37)
+    for (double y = -490.7; y < 490; y += 41) EXPECT_LE(tops_over(canopy, {x, y}).size(), 1u);
+}
+
+TEST(Canopy, IsOfCoarseLevelsAlone) {
+  EXPECT_TRUE(Scene{}.in(kAll, 10).canopy.meshes.empty());
+  Scene low;
+  for (Wood& wood : low.woods) wood.height_m = 2;
+  EXPECT_TRUE(low.in(kAll).canopy.meshes.empty());
+}
+
+TEST(Canopy, HasTheSeasonsColours) {
+  const auto redness = [](const Canopy& canopy) {
+    double red = 0, green = 0;
+    for (const auto& dressed : canopy.meshes)
+      for (const materials::Tint tint : dressed.tints) red += tint[0], green += tint[1];
+    return red / green;
+  };
+  EXPECT_GT(redness(Scene{}.in(kAll, kTolerance_m, Month{10}).canopy), 1.3 * redness(Scene{}.in(kAll).canopy));
+}
+
+}  // namespace
+}  // namespace citykiln::plants

@@ -1,0 +1,225 @@
+#include "compiler/plants/prototypes/prototype_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/materials/texture.h"
+#include "compiler/plants/prototypes/crossed_cards.h"
+#include "compiler/plants/prototypes/crown_hull.h"
+#include "compiler/plants/prototypes/leaf_clusters.h"
+#include "compiler/plants/prototypes/sprays.h"
+
+namespace citykiln::plants {
+namespace {
+
+using materials::Coloured;
+
+const Nursery& nursery() {
+  static const Nursery nursery(shipped_species());
+  return nursery;
+}
+
+std::vector<Species> all_species() {
+  std::vector<Species> all;
+  for (const SpeciesText& text : shipped_species())
+    for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
+      if (values_of(static_cast<Species>(s)).file == text.name) all.push_back(static_cast<Species>(s));
+  return all;
+}
+
+PrototypeMesh mesh_of(Species species, double tolerance_m) {
+  return prototype_mesh(nursery().grown({species, 0}), species, values_of(species).tallest_m, tolerance_m);
+}
+
+bool has_trunk(Species species) {
+  const Leaves leaves = values_of(species).leaves;
+  return leaves != Leaves::kBlade && species != Species::kFern;
+}
+
+std::size_t triangles_of(const PrototypeMesh& plant) {
+  std::size_t sum = 0;
+  for (const auto& dressed : plant.meshes) sum += dressed.mesh.triangles.size();
+  return sum;
+}
+
+double area_of(const std::vector<Card>& cards) {
+  double sum = 0;
+  for (const Card& card : cards) sum += area_of(card);
+  return sum;
+}
+
+class EachPlant : public testing::TestWithParam<Species> {};
+
+TEST_P(EachPlant, HasLeaves) {
+  const Grown& grown = nursery().grown({GetParam(), 0});
+  EXPECT_GT(grown.foliage.cards.size(), 10u);
+  EXPECT_GT(grown.height_m, 0);
+}
+
+TEST_P(EachPlant, IsAMetreTallAndStandsOnTheGround) {
+  for (const double share : {0.001, 0.02, 0.1}) {
+    double low = 1, high = 0;
+    for (const auto& dressed : mesh_of(GetParam(), share * values_of(GetParam()).tallest_m).meshes)
+      for (const Vec3 p : dressed.mesh.positions) low = std::min(low, p.z), high = std::max(high, p.z);
+    EXPECT_NEAR(high, 1, 0.03 + share) << share;
+    EXPECT_NEAR(low, 0, 0.06 + share) << share;
+  }
+}
+
+TEST_P(EachPlant, HasTheErrorItStates) {
+  const double tallest_m = values_of(GetParam()).tallest_m;
+  for (const double share : {0.0005, 0.002, 0.01, 0.03}) {
+    const PrototypeMesh plant = mesh_of(GetParam(), share * tallest_m);
+    // sharp bends of stems may exceed it, and say so
+    EXPECT_LE(plant.error_per_m, share * 2.5) << share;
+  }
+}
+
+TEST_P(EachPlant, GetsNoLargerWithTheTolerance) {
+  std::size_t last = triangles_of(mesh_of(GetParam(), 0.0005 * values_of(GetParam()).tallest_m));
+  for (const double share : {0.002, 0.01, 0.03, 0.1, 0.5}) {
+    const std::size_t now = triangles_of(mesh_of(GetParam(), share * values_of(GetParam()).tallest_m));
+    EXPECT_LE(now, std::max<std::size_t>(last, 40)) << share;
+    last = now;
+  }
+}
+
+TEST_P(EachPlant, LooksTheSameTwice) {
+  const Grown again =
+      grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name), {GetParam(), 3});
+  EXPECT_EQ(again.skeleton.segments.size(), nursery().grown({GetParam(), 3}).skeleton.segments.size());
+  const double tolerance_m = 0.1 * values_of(GetParam()).tallest_m;
+  const PrototypeMesh a = prototype_mesh(again, GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
+  const PrototypeMesh b =
+      prototype_mesh(nursery().grown({GetParam(), 3}), GetParam(), values_of(GetParam()).tallest_m, tolerance_m);
+  EXPECT_EQ(a.cutout, b.cutout);
+}
+
+// every place of each card, sampled, against all of the others
+TEST_P(EachPlant, ClustersKeepTheirDistanceAreaAndSide) {
+  const Foliage& foliage = nursery().grown({GetParam(), 0}).foliage;
+  const double tolerance_m = 0.02 * values_of(GetParam()).height_m;
+  const Clusters clusters = cluster(foliage, tolerance_m);
+  EXPECT_LE(clusters.error_m, tolerance_m);
+  EXPECT_LE(clusters.cards.size(), foliage.cards.size());
+  EXPECT_NEAR(area_of(clusters.cards) / area_of(foliage.cards), 1, 0.2);
+  const auto worst = [](const std::vector<Card>& from, const std::vector<Card>& to) {
+    double farthest = 0;
+    for (std::size_t i = 0; i < from.size(); i += from.size() / 60 + 1)
+      for (const double u : {0.0, 0.5, 1.0})
+        for (const double v : {0.0, 0.5, 1.0}) {
+          const Vec3 p = from[i].corner + from[i].across * u + from[i].along * v;
+          double nearest = 1e300;
+          for (const Card& card : to) nearest = std::min(nearest, distance(card, p));
+          farthest = std::max(farthest, nearest);
+        }
+    return farthest;
+  };
+  EXPECT_LE(worst(foliage.cards, clusters.cards), clusters.error_m + 1e-9);
+  EXPECT_LE(worst(clusters.cards, foliage.cards), clusters.error_m + 1e-9);
+}
+
+TEST_P(EachPlant, IsCardsFromAfarWhichAreNeitherEmptyNorFull) {
+  if (GetParam() == Species::kHedge) GTEST_SKIP() << "is a box";
+  const PrototypeMesh plant = mesh_of(GetParam(), 0.1 * values_of(GetParam()).tallest_m);
+  ASSERT_EQ(plant.meshes.size(), 1u);
+  EXPECT_EQ(plant.meshes[0].coloured, Coloured::kByCutout);
+  EXPECT_LE(plant.meshes[0].mesh.triangles.size(), 2u * (kMostPlanes + kMostLevels));
+  const auto there = std::ranges::count_if(plant.cutout.opacity, [](std::uint8_t o) { return o >= imprint::kCutoff; });
+  const double share = static_cast<double>(there) / static_cast<double>(plant.cutout.opacity.size());
+  EXPECT_GT(share, 0.02);
+  EXPECT_LT(share, 0.9);
+}
+
+TEST_P(EachPlant, IsAClosedBodyFromVeryFar) {
+  const CrownHull hull = crown_hull(nursery().grown({GetParam(), 0}).foliage);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const Triangle& t : hull.mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++sides[{t[i], t[(i + 1) % 3]}];
+      --sides[{t[(i + 1) % 3], t[i]}];
+    }
+  for (const auto& [side, count] : sides) EXPECT_EQ(count, 0);
+  double volume = 0;
+  for (const Triangle& t : hull.mesh.triangles)
+    volume += dot(hull.mesh.positions[t[0]], cross(hull.mesh.positions[t[1]], hull.mesh.positions[t[2]])) / 6;
+  EXPECT_GT(volume, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, EachPlant, testing::ValuesIn(all_species()),
+                         [](const auto& info) { return std::string(values_of(info.param).file); });
+
+TEST(PrototypeMesh, OfAHedgeIsAClosedBoxFromAfar) {
+  const PrototypeMesh hedge = mesh_of(Species::kHedge, 0.2 * values_of(Species::kHedge).tallest_m);
+  ASSERT_EQ(triangles_of(hedge), 12u);
+  EXPECT_LE(hedge.error_per_m, 0.3);
+  double volume = 0;
+  const Mesh& box = hedge.meshes[0].mesh;
+  for (const Triangle& t : box.triangles) {
+    volume += dot(box.positions[t[0]], cross(box.positions[t[1]], box.positions[t[2]])) / 6;
+    const Vec3 out = cross(box.positions[t[1]] - box.positions[t[0]], box.positions[t[2]] - box.positions[t[0]]);
+    EXPECT_GT(dot(out, box.normals[t[0]]), 0);
+  }
+  EXPECT_NEAR(volume, 0.9 * 0.9 * 0.5, 0.12);
+}
+
+TEST(PrototypeMesh, IsDroppedWhereThePlantIsLowerThanTheTolerance) {
+  const PrototypeMesh plant = mesh_of(Species::kBush, 12.5);
+  EXPECT_TRUE(plant.meshes.empty());
+  EXPECT_EQ(plant.error_per_m, 1);
+}
+
+TEST(PrototypeMesh, OfATextThatCannotBeReadIsNothing) {
+  const Grown grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
+  EXPECT_TRUE(prototype_mesh(grown, Species::kOak, 20, 0.1).meshes.empty());
+}
+
+TEST(Sprays, CoverAPartOfTheirCard) {
+  for (const char* name : {"oak_leaf", "spruce_needles", "willow_leaf", "palm", ""}) {
+    const imprint::Picture picture = picture_of_spray(name, materials::Material::kBroadLeaf);
+    std::uint64_t shown = 0;
+    for (const imprint::Texel& texel : picture.texels) shown += texel.shown;
+    const double share =
+        static_cast<double>(shown) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
+    EXPECT_GT(share, 0.2) << name;
+  }
+}
+
+TEST(PrototypeBark, IsNamedByEachSpeciesThatHasATrunk) {
+  for (const Species species : all_species())
+    EXPECT_EQ(is_bark(nursery().grown({species, 0}).bark), has_trunk(species)) << values_of(species).file;
+  EXPECT_EQ(bark_named("furrowed"), materials::Material::kFurrowedBark);
+  for (const char* name : {"", "no_such", "grass"}) EXPECT_EQ(bark_named(name), materials::Material::kBark);
+}
+
+TEST(PrototypeBark, HasPlacesOnItsPictureWhereThatIsFineEnoughToShow) {
+  for (const Species species : {Species::kOak, Species::kBirch, Species::kPalm})
+    for (const double tolerance_m : {0.02, 0.1, 0.25, 0.5, 1.0}) {
+      const auto meshes = mesh_of(species, tolerance_m).meshes;
+      const materials::DressedMesh& stems = meshes.front();
+      if (stems.coloured != Coloured::kByMaterial) continue;
+      const bool is_shown = tolerance_m < materials::kPlainGround_m;
+      EXPECT_EQ(stems.uvs.size(), is_shown ? stems.mesh.positions.size() : 0) << values_of(species).file << tolerance_m;
+      EXPECT_EQ(stems.material, is_shown ? nursery().grown({species, 0}).bark : materials::Material::kBark);
+      for (const Vec2 uv : stems.uvs) {
+        EXPECT_EQ(std::fmod(uv.x, materials::kTexturePlace_m), 0);
+        EXPECT_GE(std::min(uv.x, uv.y), 0);
+      }
+    }
+}
+
+TEST(PrototypeBark, IsOfOneColourOnAllLevels) {
+  using materials::Material;
+  const auto plain = materials::values_of(Material::kBark).base_colour;
+  for (int m = 0; m < static_cast<int>(Material::kCount); ++m) {
+    const auto material = static_cast<Material>(m);
+    if (!is_bark(material)) continue;
+    EXPECT_EQ(materials::values_of(material).base_colour, plain);
+  }
+  EXPECT_EQ(mesh_of(Species::kOak, 0.02).meshes.front().tint, mesh_of(Species::kOak, 0.5).meshes.front().tint);
+}
+
+}  // namespace
+}  // namespace citykiln::plants

@@ -1,0 +1,477 @@
+// What is painted on patterns, written as cross-sections, and what holds for any.
+#include "compiler/roads/markings/markings.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "compiler/materials/coverage.h"
+#include "tests/compiler/roads/pattern_text.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::SurfaceClass;
+
+struct Extent {
+  Vec2 low, high;
+};
+
+Extent extent_of(const Ring& ring) {
+  Extent extent{ring.front(), ring.front()};
+  for (const Vec2& p : ring) {
+    extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y)};
+    extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y)};
+  }
+  return extent;
+}
+
+// ---- lines between lanes
+// ---------------------------------------------------------------------------------------------
+
+// Lines along the way from left to right: u, then | unbroken, : broken, doubled where broad.
+std::string lines_of(const Pattern& pattern) {
+  std::map<std::pair<double, double>, double> painted_m;
+  for (const Mark& mark : marks_of(pattern)) {
+    const Extent extent = extent_of(mark.ring);
+    const double width_m = extent.high.x - extent.low.x;
+    if (mark.ring.size() != 4 || width_m > 0.31 || mark.colour != kWhite) continue;
+    const auto rounded = [](double v) { return std::round(v * 1000) / 1000; };
+    painted_m[{rounded((extent.low.x + extent.high.x) / 2), rounded(width_m)}] += extent.high.y - extent.low.y;
+  }
+  std::string text;
+  for (const auto& [line, length_m] : painted_m) {
+    const std::string kind = std::abs(length_m - kPatternLength_m) < 1e-9 ? "|" : ":";
+    text += fmt::format("{}{:g}{}", text.empty() ? "" : " ", line.first, line.second > 0.2 ? kind + kind : kind);
+  }
+  return text;
+}
+
+struct Section {
+  SurfaceClass surface;
+  const char* lanes;
+  const char *in_town, *in_country;
+};
+constexpr Section kSections[] = {
+    {SurfaceClass::kTertiaryRoad, "dd v^", "3.25:", "3.25:"},
+    {SurfaceClass::kSecondaryRoad, "dd v^", "3.25:", "0.25| 3.25: 6.25|"},
+    {SurfaceClass::kPrimaryRoad, "dd ^^", "3.25:", "0.25| 3.25: 6.25|"},
+    {SurfaceClass::kPrimaryRoad, "ddd v^^", "3.25: 6.5:", "0.25| 3.25: 6.5: 9.5|"},
+    {SurfaceClass::kPrimaryRoad, "dddd vv^^", "3.25: 6.38| 6.62| 9.75:", "0.25| 3.25: 6.38| 6.62| 9.75: 12.75|"},
+    {SurfaceClass::kPrimaryRoad, "dtd v-^", "3.25: 6.25:", "0.25| 3.25: 6.25: 9.25|"},
+    {SurfaceClass::kSecondaryRoad, "cddc vv^^", "1.5|| 4.75: 8||", "1.5|| 4.75: 8||"},
+    {SurfaceClass::kSecondaryRoad, "SddS vv^^", "2.5| 5.75: 9|", "2.5| 5.75: 9|"},
+    {SurfaceClass::kSecondaryRoad, "bddb vv^^", "3.25|| 6.38| 6.62| 9.75||", "0.25| 3.25|| 6.38| 6.62| 9.75|| 12.75|"},
+    {SurfaceClass::kMotorwayRoad, "dddS ^^^^", "0.25| 3.25: 6.5: 9.75||", "0.25| 3.25: 6.5: 9.75||"},
+    {SurfaceClass::kTertiaryRoad, "p v", "1.94|", "1.94|"},
+    {SurfaceClass::kTertiaryRoad, "p ^", "0.06|", "0.06|"},
+    {SurfaceClass::kCyclePath, "|c| |^|", "", ""},
+    // quiet: no lines between cars, close dashes beside cyclists
+    {SurfaceClass::kResidentialRoad, "dd v^", "", ""},
+    {SurfaceClass::kServiceRoad, "d -", "", ""},
+    {SurfaceClass::kResidentialRoad, "pdd vv^", "", ""},
+    {SurfaceClass::kResidentialRoad, "cd v^", "1.5:", "1.5:"},
+    {SurfaceClass::kPedestrianStreet, "f -", "", ""},
+    // nothing to paint on
+    {SurfaceClass::kUnpavedRoad, "dd v^", "", ""},
+    {SurfaceClass::kPavement, "|s| |-|", "", ""},
+};
+
+TEST(Markings, LinesStandWhereTheCrossSectionSays) {
+  for (const Section& section : kSections) {
+    Pattern strip = pattern(section.surface, section.lanes);
+    EXPECT_EQ(lines_of(strip), section.in_town) << section.lanes;
+    strip.has_kerb_left = strip.has_kerb_right = false;
+    EXPECT_EQ(lines_of(strip), section.in_country) << section.lanes;
+  }
+}
+
+TEST(Markings, QuietAndUnpavedStreetsAreNotMarked) {
+  for (const SurfaceClass quiet :
+       {SurfaceClass::kResidentialRoad, SurfaceClass::kServiceRoad, SurfaceClass::kPedestrianStreet,
+        SurfaceClass::kUnpavedRoad, SurfaceClass::kFarmTrack})
+    EXPECT_FALSE(is_marked(pattern(quiet, "dd v^")));
+  EXPECT_FALSE(is_marked(pattern(SurfaceClass::kTertiaryRoad, "d -")));
+  EXPECT_FALSE(is_marked(Pattern{}));
+  EXPECT_TRUE(is_marked(pattern(SurfaceClass::kTertiaryRoad, "dd v^")));
+  EXPECT_TRUE(is_marked(pattern(SurfaceClass::kRailway, "r -")));
+  Pattern crossing = pattern(SurfaceClass::kResidentialRoad, "dd v^");
+  crossing.stretch = Stretch::kZebra;
+  EXPECT_TRUE(is_marked(crossing));
+}
+
+TEST(Markings, LinesOfLanesThatLeaveAndMergeAreBroadAndClose) {
+  Pattern exit = pattern(SurfaceClass::kMotorwayRoad, "ddd ^^^");
+  exit.lanes[0].turns = exit.lanes[1].turns = map::kTurnThrough;
+  exit.lanes[2].turns = map::kTurnSlightRight;
+  EXPECT_EQ(lines_of(exit), "0.25| 3.25: 6.5:: 9.5|");
+  Pattern merge = pattern(SurfaceClass::kPrimaryRoad, "ddd ^^^");
+  merge.lanes[2].turns = map::kTurnMergeToLeft;
+  EXPECT_EQ(lines_of(merge), "3.25: 6.5::");
+}
+
+TEST(Markings, LinesAreUnbrokenWhereDriversMayHaveToStop) {
+  Pattern end = pattern(SurfaceClass::kPrimaryRoad, "ddd v^^");
+  end.stretch = Stretch::kEnd;
+  EXPECT_EQ(lines_of(end), "3.25: 6.5:");
+  end.control = Control::kSignals;
+  EXPECT_EQ(lines_of(end), "3.25| 6.5|");
+  end.stretch = Stretch::kStart;
+  EXPECT_EQ(lines_of(end), "3.25| 6.5:");
+}
+
+// ---- crossings and ends
+// ----------------------------------------------------------------------------------------------
+
+std::vector<Extent> extents_of(const Marks& marks) {
+  std::vector<Extent> extents;
+  for (const Mark& mark : marks) extents.push_back(extent_of(mark.ring));
+  return extents;
+}
+
+TEST(Markings, ZebrasAreBarsOfHalfAMetreInTheMiddle) {
+  Pattern strip = pattern(SurfaceClass::kTertiaryRoad, "dd v^");
+  strip.stretch = Stretch::kZebra;
+  for (const double lane_m : {1.0, 2.75, 3.25, 3.6}) {
+    for (map::Lane& lane : strip.lanes) lane.width_m = lane_m;
+    const std::vector<Extent> bars = extents_of(marks_of(strip));
+    ASSERT_EQ(bars.size(), static_cast<std::size_t>(1 + std::floor(2 * lane_m - 0.5)));
+    EXPECT_NEAR(bars.front().low.x, 2 * lane_m - bars.back().high.x, 1e-12);
+    for (std::size_t i = 1; i < bars.size(); ++i) EXPECT_NEAR(bars[i].low.x - bars[i - 1].high.x, 0.5, 1e-12);
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+      EXPECT_NEAR(bars[i].high.x - bars[i].low.x, 0.5, 1e-12);
+      EXPECT_EQ(bars[i].low.y, 0);
+      EXPECT_EQ(bars[i].high.y, kCrossingLength_m);
+    }
+  }
+}
+
+TEST(Markings, StopLinesCrossTheLanesThatArrive) {
+  const auto stop_of = [](Pattern strip) {
+    strip.control = Control::kStop;
+    for (const Extent& extent : extents_of(marks_of(strip)))
+      if (std::abs(extent.high.y - extent.low.y - 0.5) < 1e-9) return extent;
+    return Extent{};
+  };
+  Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "dddc v^^^");
+  strip.stretch = Stretch::kEnd;
+  EXPECT_EQ(stop_of(strip).low, (Vec2{3.25, 11.5}));
+  EXPECT_EQ(stop_of(strip).high, (Vec2{11.25, 12}));
+  strip.stretch = Stretch::kStart;
+  EXPECT_EQ(stop_of(strip).low, (Vec2{0, 0}));
+  EXPECT_EQ(stop_of(strip).high, (Vec2{3.25, 0.5}));
+  // a wide lane of both directions: the half one drives in
+  strip = pattern(SurfaceClass::kResidentialRoad, "d -");
+  strip.lanes[0].width_m = 5;
+  strip.stretch = Stretch::kEnd;
+  EXPECT_EQ(stop_of(strip).low.x, 2.5);
+  EXPECT_EQ(stop_of(strip).high.x, 5);
+  strip.side = map::DrivingSide::kLeft;
+  EXPECT_EQ(stop_of(strip).low.x, 0);
+  EXPECT_EQ(stop_of(strip).high.x, 2.5);
+}
+
+TEST(Markings, WhoNeedNotStopHasNoLineAcross) {
+  Pattern strip = pattern(SurfaceClass::kTertiaryRoad, "dd v^");
+  strip.stretch = Stretch::kEnd;
+  EXPECT_EQ(marks_of(strip).size(), 1u);  // the centre line's dash
+  strip.control = Control::kGiveWay;
+  EXPECT_EQ(marks_of(strip).size(), 1u + 5u);  // 0.5 m dashes, 0.25 m gaps in a lane of 3.25 m: 4.67
+}
+
+TEST(Markings, BaysDivideThePattern) {
+  Pattern strip = pattern(SurfaceClass::kParking, "p -");
+  for (const auto& [width_m, bays] : std::map<double, std::size_t>{{2, 2}, {4.5, 4}, {5, 5}}) {
+    strip.lanes[0].width_m = width_m;
+    EXPECT_EQ(marks_of(strip).size(), bays) << width_m;
+  }
+}
+
+TEST(Markings, RailsStandAtTheirGauge) {
+  for (const double gauge_m : {1.0, 1.435, 1.668}) {
+    Pattern strip = pattern(SurfaceClass::kRailway, "r -");
+    strip.gauge_m = gauge_m;
+    std::vector<Extent> heads;
+    int sleepers = 0;
+    for (const Mark& mark : marks_of(strip)) {
+      const Extent extent = extent_of(mark.ring);
+      sleepers += extent.high.y - extent.low.y < 1;
+      if (std::abs(extent.high.x - extent.low.x - 0.07) < 1e-9) heads.push_back(extent);
+    }
+    EXPECT_EQ(sleepers, 20);
+    ASSERT_EQ(heads.size(), 2u);
+    EXPECT_NEAR(heads[1].low.x - heads[0].high.x, gauge_m, 1e-9);
+    strip.stretch = Stretch::kLevelCrossing;
+    EXPECT_EQ(marks_of(strip).size(), 4u);
+    EXPECT_EQ(base_colour_of(strip), base_colour_of(pattern(SurfaceClass::kPrimaryRoad, "d ^")));
+  }
+}
+
+// ---- arrows
+// ----------------------------------------------------------------------------------------------------------
+
+// Where a lone arrow's head points: the corner of its last triangle that is the tip, less the middle of its tail.
+Vec2 pointing(Pattern strip, std::uint16_t turns) {
+  strip.lanes[0].turns = turns;
+  for (const Mark& mark : marks_of(strip)) {
+    if (mark.ring.size() != 3) continue;
+    const Vec2 tip = mark.ring[1];
+    return tip - (mark.ring[0] + mark.ring[2]) * 0.5;
+  }
+  return {};
+}
+
+TEST(Markings, ArrowsPointWhereDriversTurn) {
+  struct Claim {
+    std::uint16_t turn;
+    int right, ahead;  // signs
+  };
+  const Claim claims[] = {
+      {map::kTurnThrough, 0, 1},     {map::kTurnLeft, -1, 0},        {map::kTurnRight, 1, 0},
+      {map::kTurnSlightLeft, -1, 1}, {map::kTurnSlightRight, 1, 1},  {map::kTurnSharpLeft, -1, -1},
+      {map::kTurnSharpRight, 1, -1}, {map::kTurnMergeToLeft, -1, 1}, {map::kTurnMergeToRight, 1, 1},
+      {map::kTurnReverse, 0, -1},
+  };
+  const auto sign = [](double v) { return v > 1e-9 ? 1 : v < -1e-9 ? -1 : 0; };
+  for (const map::DrivingSide side : {map::DrivingSide::kRight, map::DrivingSide::kLeft}) {
+    for (const Claim& claim : claims) {
+      Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
+      strip.side = side;
+      strip.stretch = Stretch::kEnd;
+      const Vec2 forward = pointing(strip, claim.turn);
+      EXPECT_EQ(sign(forward.x), claim.right) << claim.turn;
+      EXPECT_EQ(sign(forward.y), claim.ahead) << claim.turn;
+      // who drives against the way sees the same, so u and v turn over
+      strip.lanes[0].way = map::LaneWay::kBackward;
+      strip.stretch = Stretch::kStart;
+      const Vec2 backward = pointing(strip, claim.turn);
+      EXPECT_EQ(sign(backward.x), -claim.right) << claim.turn;
+      EXPECT_EQ(sign(backward.y), -claim.ahead) << claim.turn;
+      // and where a lane leaves the junction there is none
+      strip.stretch = Stretch::kEnd;
+      EXPECT_EQ(pointing(strip, claim.turn), (Vec2{0, 0})) << claim.turn;
+    }
+  }
+}
+
+TEST(Markings, TurnsBackGoToTheOncomingTraffic) {
+  for (const map::DrivingSide side : {map::DrivingSide::kRight, map::DrivingSide::kLeft}) {
+    Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
+    strip.side = side;
+    strip.stretch = Stretch::kEnd;
+    strip.lanes[0].turns = map::kTurnReverse;
+    double head_m = 0, tail_m = 0;
+    for (const Mark& mark : marks_of(strip)) {
+      const Extent extent = extent_of(mark.ring);
+      if (mark.ring.size() == 3) head_m = (extent.low.x + extent.high.x) / 2;
+      if (extent.low.y == 4.5) tail_m = (extent.low.x + extent.high.x) / 2;
+    }
+    EXPECT_EQ(head_m < tail_m, side == map::DrivingSide::kRight);
+  }
+}
+
+TEST(Markings, EachTurnOfALaneHasAHead) {
+  Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
+  strip.stretch = Stretch::kEnd;
+  for (std::uint16_t turns = 0; turns < 128; ++turns) {
+    strip.lanes[0].turns = turns;
+    int heads = 0, turned = 0;
+    for (const Mark& mark : marks_of(strip)) heads += mark.ring.size() == 3;
+    for (int bit = 0; bit < 7; ++bit) turned += turns >> bit & 1;
+    EXPECT_EQ(heads, turned);
+  }
+}
+
+// ---- any pattern
+// -----------------------------------------------------------------------------------------------------
+
+Pattern random_pattern(std::mt19937& random) {
+  const auto below = [&](unsigned count) { return std::uniform_int_distribution<unsigned>(0, count - 1)(random); };
+  constexpr SurfaceClass kSurfaces[] = {SurfaceClass::kMotorwayRoad,    SurfaceClass::kPrimaryRoad,
+                                        SurfaceClass::kSecondaryRoad,   SurfaceClass::kTertiaryRoad,
+                                        SurfaceClass::kResidentialRoad, SurfaceClass::kCyclePath,
+                                        SurfaceClass::kParking,         SurfaceClass::kUnpavedRoad,
+                                        SurfaceClass::kRailway,         SurfaceClass::kTram};
+  Pattern strip;
+  strip.surface = kSurfaces[below(std::size(kSurfaces))];
+  for (unsigned lanes = 1 + below(7); lanes > 0; --lanes) {
+    map::Lane lane;
+    lane.kind = static_cast<map::LaneKind>(below(11));
+    lane.way = static_cast<map::LaneWay>(below(3));
+    lane.width_m = (256 + below(5000)) / 1024.0;
+    lane.turns = below(2) ? static_cast<std::uint16_t>(below(1024)) : 0;
+    lane.is_raised = below(5) == 0;
+    strip.lanes.push_back(lane);
+  }
+  strip.stretch = static_cast<Stretch>(below(6));
+  strip.control = static_cast<Control>(below(4));
+  strip.side = static_cast<map::DrivingSide>(below(2));
+  strip.has_kerb_left = below(2), strip.has_kerb_right = below(2);
+  strip.gauge_m = below(2) ? kStandardGauge_m : 1.0;
+  return strip;
+}
+
+constexpr std::uint32_t kRows = 60, kColumns = 250;
+
+using Painted = std::map<materials::Sheet::Texel, std::vector<double>>;  // by colour, how much lies on each texel
+
+// u from left_m to right_m in kColumns texels; `flip` says how marks are seen.
+template <class Flip>
+Painted painted(const Marks& marks, double across_m, double texel_m, Flip flip) {
+  Painted sums;
+  for (const Mark& mark : marks) {
+    Ring ring = mark.ring;
+    for (Vec2& p : ring) p = flip(p) + Vec2{(kColumns * texel_m - across_m) / 2, 0};
+    const materials::Coverage cover = materials::coverage_of(ring, texel_m, kRows, {0, kColumns});
+    std::vector<double>& sum = sums.try_emplace(mark.colour, kRows * kColumns).first->second;
+    for (std::size_t r = 0; r < cover.rows; ++r)
+      for (std::size_t c = 0; c < cover.columns; ++c)
+        sum[(cover.first_row + r) % kRows * kColumns + cover.first_column + c] += cover.share[r * cover.columns + c];
+  }
+  return sums;
+}
+
+double difference(const Painted& a, const Painted& b) {
+  double worst = a.size() == b.size() ? 0 : 1e9;
+  for (const auto& [colour, sum] : a) {
+    const auto other = b.find(colour);
+    if (other == b.end()) return 1e9;
+    for (std::size_t i = 0; i < sum.size(); ++i) worst = std::max(worst, std::abs(sum[i] - other->second[i]));
+  }
+  return worst;
+}
+
+TEST(Markings, ThePatternTurnedRoundHasTheMarksTurnedRound) {
+  std::mt19937 random(3);
+  const double texel_m = kPatternLength_m / kRows;
+  for (int i = 0; i < 2000; ++i) {
+    const Pattern strip = random_pattern(random), turned = turned_round(strip);
+    ASSERT_EQ(turned_round(turned), strip);
+    const double across_m = width_m(strip), along_m = length_m(strip);
+    const Painted there = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
+    const Painted back = painted(marks_of(turned), across_m, texel_m, [&](Vec2 p) {
+      return Vec2{across_m, along_m} - p;
+    });
+    ASSERT_LT(difference(there, back), 1e-9) << i;
+  }
+}
+
+std::uint16_t mirrored(std::uint16_t turns) {
+  std::uint16_t other = turns & (map::kTurnThrough | map::kTurnReverse);
+  const std::pair<int, int> sides[] = {{map::kTurnSharpLeft, map::kTurnSharpRight},
+                                       {map::kTurnLeft, map::kTurnRight},
+                                       {map::kTurnSlightLeft, map::kTurnSlightRight},
+                                       {map::kTurnMergeToLeft, map::kTurnMergeToRight}};
+  for (const auto& [left, right] : sides)
+    other |= static_cast<std::uint16_t>((turns & left ? right : 0) | (turns & right ? left : 0));
+  return other;
+}
+
+TEST(Markings, TheOtherDrivingSideIsTheMirrorImage) {
+  std::mt19937 random(4);
+  const double texel_m = kPatternLength_m / kRows;
+  for (int i = 0; i < 2000; ++i) {
+    Pattern strip = random_pattern(random);
+    // letters and bicycles are not mirrored
+    const bool has_symbols = strip.stretch == Stretch::kStart || strip.stretch == Stretch::kEnd;
+    for (map::Lane& lane : strip.lanes)
+      if (has_symbols && (lane.kind == map::LaneKind::kCycle || lane.kind == map::LaneKind::kBus))
+        lane.kind = map::LaneKind::kDriving;
+    Pattern other = strip;
+    std::reverse(other.lanes.begin(), other.lanes.end());
+    for (map::Lane& lane : other.lanes) lane.turns = mirrored(lane.turns);
+    other.side = strip.side == map::DrivingSide::kLeft ? map::DrivingSide::kRight : map::DrivingSide::kLeft;
+    std::swap(other.has_kerb_left, other.has_kerb_right);
+    const double across_m = width_m(strip);
+    const Painted there = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
+    const Painted here = painted(marks_of(other), across_m, texel_m, [&](Vec2 p) { return Vec2{across_m - p.x, p.y}; });
+    ASSERT_LT(difference(there, here), 1e-9) << i;
+  }
+}
+
+TEST(Markings, MarksStayOnTheirStrip) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 5000; ++i) {
+    const Pattern strip = random_pattern(random);
+    for (const Mark& mark : marks_of(strip)) {
+      ASSERT_GE(mark.ring.size(), 3u);
+      const Extent extent = extent_of(mark.ring);
+      ASSERT_GE(extent.low.x, -1e-9) << i;
+      ASSERT_LE(extent.high.x, width_m(strip) + 1e-9) << i;
+      if (length_m(strip) == kPatternLength_m) continue;
+      ASSERT_GE(extent.low.y, 0) << i;
+      ASSERT_LE(extent.high.y, kCrossingLength_m) << i;
+    }
+  }
+}
+
+TEST(Markings, DashesGoOnOverThePatternsEnds) {
+  // twice as long, dashes and gaps still alternate as they do within: the gap over the end is like any other
+  for (const char* section : {"dd v^", "dd ^^", "cd v^"}) {
+    for (const SurfaceClass surface :
+         {SurfaceClass::kMotorwayRoad, SurfaceClass::kSecondaryRoad, SurfaceClass::kResidentialRoad}) {
+      std::map<double, std::vector<Extent>> lines;
+      for (const Mark& mark : marks_of(pattern(surface, section)))
+        if (mark.colour == kWhite) lines[mark.ring[0].x].push_back(extent_of(mark.ring));
+      for (auto& [u, dashes] : lines) {
+        std::set<long> gaps_mm;
+        for (std::size_t i = 0; i < dashes.size(); ++i) {
+          const Extent& next = dashes[(i + 1) % dashes.size()];
+          const double wrap_m = i + 1 == dashes.size() ? kPatternLength_m : 0;
+          gaps_mm.insert(std::lround(1000 * (next.low.y + wrap_m - dashes[i].high.y)));
+        }
+        EXPECT_EQ(gaps_mm.size(), 1u) << section;
+      }
+    }
+  }
+}
+
+TEST(Markings, HatchingGoesOnOverThePatternsEnds) {
+  // a stripe that leaves at the end comes in at the start: moved on by a period the buffer looks the same
+  Pattern strip = pattern(SurfaceClass::kSecondaryRoad, "d/c ^^^");
+  for (const auto& [width_m, period_m] : std::map<double, double>{{0.5, 1.0}, {1.25, 1.5}}) {
+    strip.lanes[1].width_m = width_m;
+    const double texel_m = kPatternLength_m / kRows, across_m = roads::width_m(strip), moved_m = period_m;
+    const Painted here = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
+    const Painted moved = painted(marks_of(strip), across_m, texel_m, [&](Vec2 p) { return p + Vec2{0, moved_m}; });
+    EXPECT_LT(difference(here, moved), 1e-9);
+  }
+}
+
+TEST(Pattern, CanonicalIsTheSameSeenFromEitherEnd) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const Pattern strip = random_pattern(random);
+    const CanonicalPattern there = canonical(strip), back = canonical(turned_round(strip));
+    EXPECT_EQ(there.pattern, back.pattern);
+    EXPECT_EQ(there.is_turned ? turned_round(there.pattern) : there.pattern, strip);
+  }
+}
+
+TEST(Pattern, IsOrderedByAllItsMembers) {
+  const Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "dd v^");
+  std::vector<Pattern> others(10, strip);
+  others[0].surface = SurfaceClass::kSecondaryRoad;
+  others[1].lanes[1].width_m += 1;
+  others[2].lanes[1].turns = 1;
+  others[3].lanes[1].way = map::LaneWay::kBoth;
+  others[4].lanes.pop_back();
+  others[5].stretch = Stretch::kEnd;
+  others[6].control = Control::kStop;
+  others[7].side = map::DrivingSide::kLeft;
+  others[8].has_kerb_left = false;
+  others[9].gauge_m = 1;
+  for (const Pattern& other : others) {
+    EXPECT_NE(other, strip);
+    EXPECT_NE(other < strip, strip < other);
+  }
+  EXPECT_EQ(strip, pattern(SurfaceClass::kPrimaryRoad, "dd v^"));
+}
+
+}  // namespace
+}  // namespace citykiln::roads

@@ -1,0 +1,63 @@
+#include "compiler/roads/pieces/islands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/compiler/roads/made_road.h"
+
+namespace citykiln::roads {
+namespace {
+
+using map::SurfaceClass;
+
+Road street(std::int64_t id, Polyline axis) { return made_road(id, std::move(axis), 6); }
+
+// Two streets, and a slip lane from one into the other.
+std::vector<Road> with_slip_lane(double side_m) {
+  return {street(1, {{0, 0}, {side_m, 0}, {100, 0}}), street(2, {{0, -100}, {0, 0}, {0, side_m}, {0, 100}}),
+          street(3, {{side_m, 0}, {0, side_m}})};
+}
+
+TEST(Islands, LieBetweenSlipLanesAndTheirStreets) {
+  const auto islands = islands_of(with_slip_lane(20));
+  ASSERT_EQ(islands.size(), 1u);
+  EXPECT_EQ(islands[0].surface, SurfaceClass::kIsland);
+  EXPECT_DOUBLE_EQ(signed_area_m2(islands[0].ring), 200);
+}
+
+TEST(Islands, AreSmallerThanBlocks) { EXPECT_TRUE(islands_of(with_slip_lane(30)).empty()); }
+
+TEST(Islands, AreNotMadeByYards) {
+  std::vector<Road> roads = with_slip_lane(20);
+  roads[2].surface = SurfaceClass::kServiceRoad;
+  EXPECT_TRUE(islands_of(roads).empty());
+}
+
+TEST(Islands, WithinLargeRoundaboutsArePlanted) {
+  Road ring = street(1, {{15, 0}, {0, 15}, {-15, 0}, {0, -15}, {15, 0}});
+  ring.is_roundabout = true;
+  const Road arm = street(2, {{15, 0}, {100, 0}});
+  const auto islands = islands_of(std::vector{ring, arm});
+  ASSERT_EQ(islands.size(), 1u);
+  EXPECT_EQ(islands[0].surface, SurfaceClass::kVerge);
+}
+
+TEST(Islands, DoNotDependOnTheOrderOfRoads) {
+  std::vector<Road> roads = with_slip_lane(20);
+  const auto islands = islands_of(roads);
+  std::ranges::reverse(roads);
+  const auto again = islands_of(roads);
+  ASSERT_EQ(again.size(), islands.size());
+  EXPECT_EQ(again[0].id, islands[0].id);
+}
+
+TEST(Islands, HaveNoDeadEndsInThem) {
+  std::vector<Road> roads = with_slip_lane(20);
+  roads.push_back(street(4, {{0, 0}, {4, 4}}));
+  // the ring would run out and back along it: it touches itself, and is no island
+  EXPECT_TRUE(islands_of(roads).empty());
+}
+
+}  // namespace
+}  // namespace citykiln::roads

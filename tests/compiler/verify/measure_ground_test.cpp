@@ -1,0 +1,102 @@
+#include "compiler/verify/measure_ground.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compiler/map/surface_class.h"
+
+namespace citykiln::verify {
+namespace {
+
+constexpr OsmId kLawn{OsmType::kWay, 1};
+constexpr OsmId kBridge{OsmType::kWay, 2};
+
+/// Everything should lie at 10 m.
+double flat(Vec2, double z_m, OsmId) { return std::abs(z_m - 10); }
+
+/// A square of ground about the tile's origin (0, 0, 10), with its last corner lifted; and a deck of the bridge over
+/// it.
+bake::BakedTile square(float lifted_m, bool has_second_half) {
+  bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kLawn, kBridge}, {}, {}};
+  bake::Primitive ground;
+  ground.material = map::values_of(map::SurfaceClass::kUnknown).material;
+  ground.positions = {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, lifted_m}, {0, 0, -5}, {64, 0, -5}, {64, 64, -5}};
+  ground.features = {1, 1, 1, 1, 2, 2, 2};
+  ground.triangles = {{0, 1, 2}, {4, 5, 6}};
+  if (has_second_half) ground.triangles.push_back({0, 2, 3});
+  tile.primitives = {ground};
+  return tile;
+}
+
+constexpr Box2 kBox{{0, 0}, {64, 64}};
+
+TEST(SampleGround, FindsNothingWrongWithWhatIsRight) {
+  const GroundSamples samples = sample_ground(square(0, true), Standing{{kBridge}, {}}, flat, kBox, 16);
+  EXPECT_EQ(samples.count, 256u);
+  EXPECT_EQ(samples.uncovered, 0u);
+  EXPECT_EQ(samples.error_m, 0);
+}
+
+TEST(SampleGround, FindsPlacesWithoutGround) {
+  const GroundSamples samples = sample_ground(square(0, false), Standing{{kBridge}, {}}, flat, kBox, 16);
+  // the other half, but for squares on the diagonal, which may fall to either side
+  EXPECT_GE(samples.uncovered, (256u - 16u) / 2);
+  EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
+}
+
+TEST(SampleGround, SaysWhatCoversAPlace) {
+  const auto off_m = [](Vec2, double, OsmId feature) { return feature == kLawn ? 1.0 : 2.0; };
+  EXPECT_EQ(sample_ground(square(0, true), Standing{{kBridge}, {}}, off_m, kBox, 16).error_m, 1);
+  EXPECT_EQ(sample_ground(square(0, true), {}, off_m, kBox, 16).error_m, 2);
+}
+
+TEST(SampleGround, FindsGroundThatIsOff) {
+  const GroundSamples samples = sample_ground(square(2, true), Standing{{kBridge}, {}}, flat, kBox, 16);
+  EXPECT_GT(samples.error_m, 1.8);
+  EXPECT_LE(samples.error_m, 2);
+}
+
+TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
+  EXPECT_EQ(sample_ground(square(0, true), {}, flat, kBox, 16).error_m, 5);
+}
+
+// The lower square is a house's that is mapped as a field too, or of another stuff; or it is stairs, which are of
+// stone.
+TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
+  const auto error_m = [](const bake::BakedTile& tile, const Standing& standing) {
+    return sample_ground(tile, standing, flat, kBox, 16).error_m;
+  };
+  bake::BakedTile tile = square(0, true);
+  const materials::Material own = tile.primitives.front().material;
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}}), 0);
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}, {{kBridge, own}}}), 5);
+  EXPECT_EQ(error_m(tile, {{}, {kBridge}, {{kBridge, materials::Material::kSand}}}), 0);
+  EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 5);
+  for (bake::Primitive& primitive : tile.primitives) primitive.material = materials::Material::kStone;
+  EXPECT_EQ(error_m(tile, {{}, {}, {}, {kBridge}}), 0);
+}
+
+TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
+  const Standing leaving{{kBridge}, {}};
+  const bake::BakedTile tile = square(0, true);
+  EXPECT_EQ(border_edges_along_x(tile, leaving, 64).ground,
+            (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
+  EXPECT_EQ(border_edges_along_y(tile, leaving, 0).ground,
+            (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
+  EXPECT_TRUE(border_edges_along_x(tile, leaving, 32).ground.empty());
+}
+
+TEST(BorderEdges, MeetWhereAnUprightFaceStandsBetweenThemAndNotElse) {
+  const Vec3 a{64, 0, 10}, b{64, 1, 10}, c{64, 64, 10}, a_low{64, 0, 9}, b_low{64, 1, 9}, deeper{0, 0, 6};
+  const BorderEdges high{{{a, b}, {b, c}}, {}}, low{{{a_low, b_low}, {b, c}}, {}};
+  const BorderEdges stepped{high.ground, {{a_low, b_low}, {a_low, b}, {a, b}}};
+  const BorderEdges skirted{high.ground, {{a - deeper, b - deeper}, {a - deeper, b}, {a, b}}};
+  EXPECT_TRUE(meet(high, high));
+  EXPECT_TRUE(meet(stepped, low) && meet(low, stepped) && meet(stepped, high));
+  EXPECT_FALSE(meet(high, low) || meet(skirted, low) || meet(low, skirted));
+  EXPECT_FALSE(meet(high, {{{a, c}}, {}}) || meet(high, {{{b, c}}, {}}));
+}
+
+}  // namespace
+}  // namespace citykiln::verify

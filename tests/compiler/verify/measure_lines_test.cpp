@@ -1,0 +1,89 @@
+#include "compiler/verify/measure_lines.h"
+
+#include <gtest/gtest.h>
+
+namespace citykiln::verify {
+namespace {
+
+constexpr map::SurfaceClass kStreet = map::SurfaceClass::kResidentialRoad;
+
+roads::Road road(std::int64_t id, Polyline axis, double from_m, double to_m) {
+  roads::Road road;
+  road.id = {{OsmType::kWay, id}, 0};
+  road.surface = kStreet;
+  road.profile = {{0, from_m, 0}, {length_m(axis), to_m, 0}};
+  road.axis = std::move(axis);
+  return road;
+}
+
+scene::Scene scene_of(scene::Chunk chunk) {
+  scene::Scene scene;
+  scene.header.region = {{0, 0}, {1024, 1024}};
+  scene.chunks = {std::move(chunk)};
+  return scene;
+}
+
+TEST(MeasureGrades, SharesOutWhatIsSteeperThanItsClass) {
+  scene::Chunk chunk;
+  chunk.roads = {road(1, {{0, 8}, {100, 8}}, 0, 10), road(2, {{0, 16}, {100, 16}}, 0, 30)};
+  const Grades grades = measure_grades(scene_of(chunk).header, chunk);
+  EXPECT_EQ(grades.length_m, 200);
+  EXPECT_EQ(grades.over_m, 100);
+}
+
+TEST(MeasureGrades, CountsWhatLiesInTheTile) {
+  scene::Chunk chunk;
+  chunk.roads = {road(1, {{-100, 8}, {0, 8}, {100, 8}}, 0, 60)};
+  const Grades grades = measure_grades(scene_of(chunk).header, chunk);
+  EXPECT_EQ(grades.length_m, 100);
+  EXPECT_EQ(grades.over_m, 100);
+}
+
+TEST(MeasureJumps, FindsRoadsThatMeetAtDifferentHeights) {
+  scene::Chunk chunk;
+  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10), road(2, {{100, 0}, {200, 0}}, 10, 0)};
+  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
+  chunk.roads[1].profile[0].z_m = 10.5;
+  const Jumps jumps = measure_jumps(scene_of(chunk));
+  EXPECT_EQ(jumps.largest_m, 0.5);
+  EXPECT_EQ(jumps.at, (Vec2{100, 0}));
+}
+
+TEST(MeasureJumps, FindsBridgesThatEndInTheAir) {
+  scene::Chunk chunk;
+  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
+  chunk.bridges = {{road(2, {{100, 0}, {200, 0}}, 10.25, 10), {}, {}, {}, {}, {}}};
+  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0.25);
+}
+
+TEST(MeasureJumps, LetsBridgesPassOverVertices) {
+  scene::Chunk chunk;
+  chunk.roads = {road(1, {{0, 0}, {100, 0}}, 0, 10)};
+  chunk.bridges = {{road(2, {{100, -50}, {100, 0}, {100, 50}}, 20, 20), {}, {}, {}, {}, {}}};
+  EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
+}
+
+roads::Strip stream(std::int64_t id, Polyline axis, double passed_m, Profile profile) {
+  return {{{OsmType::kWay, id}, 0}, std::move(axis), map::SurfaceClass::kRiver, 2, 2, std::move(profile), passed_m};
+}
+
+TEST(MeasureRises, FindsWhatFlowsUphill) {
+  scene::Chunk chunk;
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
+  chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, {{0, 5, 0}, {50, 3, 0}, {100, 4, 0}})};
+  EXPECT_EQ(measure_rises(chunk).rising, 1u);
+  chunk.streams[0].profile[2].z_m = 3;
+  EXPECT_EQ(measure_rises(chunk).rising, 0u);
+}
+
+TEST(MeasureRises, CountsTrimmedStreamsFromTheirBeginning) {
+  scene::Chunk chunk;
+  chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
+  const Profile profile = {{0, 9, 0}, {100, 5, 0}, {200, 0, 0}};
+  chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, profile), stream(2, {{100, 0}, {200, 0}}, 100, profile)};
+  EXPECT_EQ(measure_rises(chunk).rising, 0u);
+  EXPECT_EQ(measure_rises(chunk).largest_m, 0);
+}
+
+}  // namespace
+}  // namespace citykiln::verify

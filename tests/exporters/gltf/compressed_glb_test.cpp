@@ -1,0 +1,302 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "compiler/geometry/snap.h"
+#include "exporters/gltf/glb.h"
+#include "exporters/gltf/glb_parts.h"
+#include "exporters/gltf/quantise.h"
+#include "tests/exporters/made_tile.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using bake::Float3;
+using bake::Primitive;
+using Bytes = std::vector<std::byte>;
+
+constexpr Compression kBoth[] = {Compression::kDraco, Compression::kMeshopt};
+
+Bytes encoded(const BakedTile& tile, Compression compression, Instancing instancing = Instancing::kExtension,
+              int threads = 1) {
+  return encode_glb(tile, {}, instancing, compression, threads);
+}
+
+BakedTile through(const BakedTile& tile, Compression compression, Instancing instancing = Instancing::kExtension) {
+  const auto back = decode_glb(encoded(tile, compression, instancing), "tile.glb");
+  EXPECT_TRUE(back) << (back ? "" : to_string(back.error()));
+  return back ? *back : BakedTile{};
+}
+
+// All that a corner is but for its normal; -1 for what it has not.
+using Corner = std::array<float, 10>;
+using Corners = std::array<Corner, 3>;
+
+Corner corner_of(const Primitive& p, std::uint32_t v) {
+  const float feature = p.features.empty() ? -1.0f : static_cast<float>(p.features[v]);
+  const bake::Float2 uv = p.uvs.empty() ? bake::Float2{-1, -1} : p.uvs[v];
+  const auto& [r, g, b, a] = p.colours[v];
+  const Float3& at = p.positions[v];
+  return {at[0], at[1], at[2], feature, uv[0], uv[1], float(r), float(g), float(b), float(a)};
+}
+
+// Triangles in an order of their own, each from its least corner on, with their corners' normals.
+std::multimap<Corners, std::array<Float3, 3>> triangles_of(const Primitive& p) {
+  std::multimap<Corners, std::array<Float3, 3>> triangles;
+  for (auto t : p.triangles) {
+    const auto less = [&](std::uint32_t a, std::uint32_t b) { return corner_of(p, a) < corner_of(p, b); };
+    std::ranges::rotate(t, std::ranges::min_element(t, less));
+    triangles.insert({{corner_of(p, t[0]), corner_of(p, t[1]), corner_of(p, t[2])},
+                      {p.normals[t[0]], p.normals[t[1]], p.normals[t[2]]}});
+  }
+  return triangles;
+}
+
+double degrees_between(const Float3& a, const Float3& b) {
+  double square = 0;
+  for (std::size_t c = 0; c < 3; ++c) square += (double{a[c]} - b[c]) * (double{a[c]} - b[c]);
+  return 2 * std::asin(std::min(1.0, std::sqrt(square) / 2)) * 180 / 3.14159265358979;
+}
+
+void expect_same(const Primitive& found, const Primitive& expected) {
+  EXPECT_EQ(key_of(found), key_of(expected));
+  const auto have = triangles_of(found), want = triangles_of(expected);
+  ASSERT_EQ(have.size(), want.size());
+  for (auto h = have.begin(), w = want.begin(); w != want.end(); ++h, ++w) {
+    ASSERT_EQ(h->first, w->first);
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_LT(degrees_between(h->second[k], w->second[k]), 0.3);
+  }
+}
+
+void expect_same(const std::vector<Primitive>& found, const std::vector<Primitive>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], expected[i]);
+}
+
+// But for the order of vertices and triangles, and for the last bits of normals.
+void expect_same(BakedTile found, BakedTile expected) {
+  expect_same(found.primitives, expected.primitives);
+  ASSERT_EQ(found.instanced.size(), expected.instanced.size());
+  for (std::size_t i = 0; i < found.instanced.size(); ++i) {
+    expect_same(found.instanced[i].primitives, expected.instanced[i].primitives);
+    found.instanced[i].primitives = expected.instanced[i].primitives;
+  }
+  found.primitives = expected.primitives;
+  EXPECT_EQ(found, expected);
+}
+
+// Places as walls and roofs have them: on no grid.
+BakedTile off_grid(std::uint32_t seed) {
+  std::mt19937 dice(seed);
+  BakedTile tile = made_imprinted_tile(seed);
+  const auto jog = [&](std::vector<Primitive>& primitives) {
+    for (Primitive& p : primitives)
+      for (Float3& at : p.positions)
+        for (float& c : at) c += static_cast<float>(dice() % 1000) * 1e-5f;
+  };
+  jog(tile.primitives);
+  for (bake::Instanced& instanced : tile.instanced) jog(instanced.primitives);
+  return tile;
+}
+
+TEST(CompressedGlb, HoldsTheQuantisedTileTriangleForTriangle) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed)
+    for (const Compression compression : kBoth)
+      for (const Instancing instancing : {Instancing::kExtension, Instancing::kNodes})
+        for (const BakedTile& tile : {made_tile(seed), made_marked_tile(seed), made_imprinted_tile(seed),
+                                      made_textured_tile(seed), off_grid(seed)})
+          ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression, instancing), quantised(tile))) << seed;
+}
+
+TEST(CompressedGlb, MoreCornersThan16BitsCount) {
+  std::mt19937 dice(1);
+  BakedTile tile = made_tile(1);
+  tile.primitives = {made_primitive(dice, materials::Material::kRock, 65538, 4)};
+  for (const Compression compression : kBoth)
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+}
+
+TEST(CompressedGlb, NoTriangleGoesEvenIfItsCornersMeet) {
+  BakedTile tile = made_tile(1);
+  Primitive& p = tile.primitives[1];
+  for (std::size_t t = 0; t < 4; ++t) {
+    const Float3 at = p.positions[3 * t];
+    p.positions[3 * t + 1] = {at[0] + 0.0001f, at[1], at[2]};
+    if (t % 2 == 0) p.positions[3 * t + 2] = {at[0], at[1] - 0.0001f, at[2]};
+  }
+  for (const Compression compression : kBoth)
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+}
+
+TEST(CompressedGlb, FarPlacesAreKept) {
+  BakedTile tile = made_tile(1);
+  tile.primitives[0].positions[0] = {-12000.5f, 9000.25f, 3.0f};
+  for (const Compression compression : kBoth)
+    ASSERT_NO_FATAL_FAILURE(expect_same(through(tile, compression), quantised(tile)));
+}
+
+// Places on a border between two tiles, in the plane.
+std::vector<Vec3> border() {
+  std::mt19937 dice(7);
+  std::vector<Vec3> places;
+  for (int i = 0; i < 300; ++i) places.push_back(snapped(Vec3{1024, (dice() % 1024000) / 1000.0, dice() % 9 / 7.0}));
+  return places;
+}
+
+// A tile of its own origin and extent that has the border.
+BakedTile beside_border(std::uint32_t seed, Vec3 origin, double tolerance_m) {
+  std::mt19937 dice(seed);
+  BakedTile tile = off_grid(seed);
+  tile.origin = origin, tile.tolerance_m = tolerance_m;
+  tile.primitives = {made_primitive(dice, materials::Material::kGrass, 900, 4)};
+  Primitive& p = tile.primitives[0];
+  for (std::size_t i = 0; const Vec3& place : border())
+    for (int c = 0; c < 3; ++c) p.positions[i][c] = static_cast<float>((&place.x)[c] - (&origin.x)[c]), i += c == 2;
+  return tile;
+}
+
+std::vector<std::array<double, 3>> border_of(const BakedTile& tile) {
+  std::vector<std::array<double, 3>> places;
+  for (const Float3& p : tile.primitives[0].positions)
+    if (tile.origin.x + p[0] == 1024) places.push_back({1024, tile.origin.y + p[1], tile.origin.z + p[2]});
+  std::ranges::sort(places);
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+TEST(CompressedGlb, BordersOfTilesAndLevelsMeet) {
+  std::vector<std::array<double, 3>> expected;
+  for (const Vec3& p : border()) expected.push_back({p.x, p.y, p.z});
+  std::ranges::sort(expected);
+  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+  for (const Compression compression : kBoth) {
+    EXPECT_EQ(border_of(through(beside_border(1, {512, 512, 431}, 0.1), compression)), expected);
+    EXPECT_EQ(border_of(through(beside_border(2, {1536, 512, -7}, 2.5), compression)), expected);
+  }
+}
+
+TEST(CompressedGlb, SameBytesForAnyThreads) {
+  for (const Compression compression : kBoth)
+    for (const int threads : {2, 7})
+      EXPECT_EQ(encoded(off_grid(3), compression), encoded(off_grid(3), compression, Instancing::kExtension, threads));
+}
+
+TEST(CompressedGlb, NamesWhatReadersMustKnow) {
+  const auto required = [](Compression compression) {
+    return split_glb(encoded(made_tile(1), compression)).gltf["extensionsRequired"];
+  };
+  EXPECT_EQ(required(Compression::kDraco), nlohmann::json({"KHR_draco_mesh_compression"}));
+  EXPECT_EQ(required(Compression::kMeshopt), nlohmann::json({"EXT_meshopt_compression", "KHR_mesh_quantization"}));
+}
+
+TEST(CompressedGlb, ATileWithoutMeshesIsWhole) {
+  BakedTile bare = made_tile(1);
+  bare.instanced.clear(), bare.primitives.clear();
+  for (const Compression compression : kBoth) EXPECT_EQ(through(bare, compression), bare);
+}
+
+double largest_move_m(const std::vector<Primitive>& a, const std::vector<Primitive>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t v = 0; v < a[i].positions.size(); ++v) {
+      double square = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        square += std::pow(double{a[i].positions[v][c]} - double{b[i].positions[v][c]}, 2);
+      largest = std::max(largest, std::sqrt(square));
+    }
+  return largest;
+}
+
+TEST(Quantised, StatesAtLeastTheErrorMeasured) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const BakedTile tile = off_grid(seed), packed = quantised(tile);
+    double measured_m = largest_move_m(tile.primitives, packed.primitives), largest_scale = 1;
+    for (std::size_t i = 0; i < tile.instanced.size(); ++i)
+      for (const float scale : tile.instanced[i].scales) {
+        measured_m =
+            std::max(measured_m, scale * largest_move_m(tile.instanced[i].primitives, packed.instanced[i].primitives));
+        largest_scale = std::max<double>(largest_scale, scale);
+      }
+    EXPECT_GT(measured_m, 0.0005);
+    EXPECT_GE(packed.error_m + 1e-15, tile.error_m + measured_m);
+    EXPECT_LE(packed.error_m, tile.error_m + largest_scale * kPackedPlace_m * std::sqrt(0.75) + 1e-4);
+  }
+}
+
+TEST(Rounding, IsNothingOnTheGridAndHalfALastBitElsewhere) {
+  EXPECT_EQ(rounding_m(made_tile(1).primitives), 0);
+  BakedTile tile = made_tile(1);
+  tile.primitives[0].positions[0] = {300.1f, 0.1f, 0};
+  EXPECT_GE(rounding_m(tile.primitives), std::abs(300.1 - double{300.1f}));
+  EXPECT_LT(rounding_m(tile.primitives), 4e-5);
+}
+
+TEST(Quantised, WhatIsOnTheGridStays) {
+  EXPECT_EQ(quantised(made_textured_tile(1)), made_textured_tile(1));
+  EXPECT_EQ(quantised(made_tile(1)), made_tile(1));
+}
+
+TEST(Quantised, TwiceIsOnce) { EXPECT_EQ(quantised(quantised(off_grid(1))), quantised(off_grid(1))); }
+
+TEST(CompressedGlbDamage, EveryTruncationIsRefused) {
+  for (const Compression compression : kBoth) {
+    const Bytes bytes = encoded(made_tile(2), compression);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      ASSERT_FALSE(decode_glb(std::span(bytes).first(size), "cut")) << size;
+  }
+}
+
+TEST(CompressedGlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
+  std::mt19937 dice(4);
+  for (const Compression compression : kBoth) {
+    const Bytes bytes = encoded(made_marked_tile(3), compression);
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 13) {
+      Bytes changed = bytes;
+      changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
+      const auto tile = decode_glb(changed, "changed");
+      if (!tile) continue;
+      const auto again = decode_glb(encode_glb(*tile, {}, Instancing::kExtension), "again");
+      ASSERT_TRUE(again) << "byte " << at << ": " << to_string(again.error());
+      ASSERT_EQ(*again, *tile) << "byte " << at;
+    }
+  }
+}
+
+// The file with other JSON.
+std::string refusal_with(Compression compression, const std::string& text, const std::string& other) {
+  GlbParts parts = split_glb(encoded(made_tile(1), compression));
+  std::string json = parts.gltf.dump();
+  const auto at = json.find(text);
+  EXPECT_NE(at, std::string::npos) << text << " in " << json;
+  if (at == std::string::npos) return "";
+  parts.gltf = nlohmann::json::parse(json.replace(at, text.size(), other));
+  const auto tile = decode_glb(join_glb(parts), "tile.glb");
+  return tile ? "accepted" : to_string(tile.error());
+}
+
+TEST(CompressedGlbDamage, ViewsThatClaimMoreThanTheyHoldAreRefused) {
+  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"count\":9,\"filter\"", "\"count\":900000000,\"filter\""),
+            "accepted");
+  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"byteStride\":12,\"count\"", "\"byteStride\":252,\"count\""),
+            "accepted");
+  EXPECT_NE(refusal_with(Compression::kMeshopt, "\"OCTAHEDRAL\"", "\"NONE\""), "accepted");
+  EXPECT_NE(refusal_with(Compression::kDraco, "\"POSITION\":", "\"POSITION\":7777"), "accepted");
+}
+
+TEST(CompressedGlbDamage, MeshesAreUnpackedOnce) {
+  GlbParts parts = split_glb(encoded(made_tile(1), Compression::kDraco));
+  nlohmann::json& primitives = parts.gltf["meshes"][0]["primitives"];
+  for (int i = 0; i < 20; ++i) primitives.push_back(primitives[1]);
+  const auto tile = decode_glb(join_glb(parts), "tile.glb");
+  ASSERT_FALSE(tile);
+  EXPECT_NE(to_string(tile.error()).find("each byte of the buffer to be used once"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace citykiln::exporters

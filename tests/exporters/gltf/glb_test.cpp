@@ -1,0 +1,492 @@
+#include "exporters/gltf/glb.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "exporters/gltf/png.h"
+#include "tests/exporters/made_tile.h"
+
+namespace citykiln::exporters {
+namespace {
+
+using bake::BakedTile;
+using Bytes = std::vector<std::byte>;
+
+constexpr Instancing kBoth[] = {Instancing::kExtension, Instancing::kNodes};
+
+scene::Header header() {
+  scene::Header h;
+  h.origin = {7.25, 43.5}, h.attributions = {"© OpenStreetMap contributors", "hills"};
+  return h;
+}
+Bytes encoded(const BakedTile& tile, Instancing instancing) { return encode_glb(tile, header(), instancing); }
+Result<BakedTile> decoded(const Bytes& bytes) { return decode_glb(bytes, "tile.glb"); }
+std::string refusal(const Result<BakedTile>& result) { return result ? "accepted" : to_string(result.error()); }
+
+void put_number(Bytes& bytes, std::size_t at, std::size_t value) {
+  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * i);
+}
+std::string json_of(const Bytes& bytes) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, bytes.data() + 12, 4);
+  return {reinterpret_cast<const char*>(bytes.data()) + 20, size};
+}
+
+// The file with another JSON chunk, padded, and lengths that fit.
+Bytes with_json(const Bytes& bytes, std::string json) {
+  const auto buffer = std::span(bytes).subspan(20 + json_of(bytes).size());
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  Bytes changed(20 + json.size() + buffer.size());
+  std::copy_n(bytes.begin(), 20, changed.begin());
+  std::memcpy(changed.data() + 20, json.data(), json.size());
+  std::copy(buffer.begin(), buffer.end(), changed.end() - static_cast<std::ptrdiff_t>(buffer.size()));
+  put_number(changed, 8, changed.size()), put_number(changed, 12, json.size());
+  return changed;
+}
+
+// What the reader says of a tile in whose JSON a text, which must be there, is another.
+std::string refusal_with(Instancing instancing, const std::string& text, const std::string& other,
+                         const BakedTile& tile = made_tile(1)) {
+  const Bytes bytes = encoded(tile, instancing);
+  std::string json = json_of(bytes);
+  const auto at = json.find(text);
+  EXPECT_NE(at, std::string::npos) << text << " in " << json;
+  if (at == std::string::npos) return "";
+  return refusal(decoded(with_json(bytes, json.replace(at, text.size(), other))));
+}
+
+TEST(Glb, ReadsBackWhatItWroteEitherWayOfInstancing) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed)
+    for (const Instancing instancing : kBoth) {
+      for (const BakedTile& tile :
+           {made_tile(seed), made_marked_tile(seed), made_imprinted_tile(seed), made_textured_tile(seed)}) {
+        const auto back = decoded(encoded(tile, instancing));
+        ASSERT_TRUE(back) << refusal(back);
+        ASSERT_EQ(*back, tile);
+      }
+    }
+}
+
+nlohmann::json gltf_of(const BakedTile& tile) {
+  return nlohmann::json::parse(json_of(encoded(tile, Instancing::kExtension)));
+}
+
+TEST(GlbSheet, IsWrittenOnceForAllThatIsOnIt) {
+  const auto gltf = gltf_of(made_marked_tile(1));
+  EXPECT_EQ(gltf["images"].size(), 1u);
+  EXPECT_EQ(gltf["textures"].size(), 1u);
+  EXPECT_EQ(gltf["images"][0]["mimeType"], "image/png");
+  EXPECT_EQ(gltf["samplers"],
+            nlohmann::json::parse(R"([{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 10497}])"));
+}
+
+TEST(GlbSheet, MarkedMaterialsShowItInMetres) {
+  const BakedTile tile = made_marked_tile(1);
+  const auto gltf = gltf_of(tile);
+  int marked = 0;
+  for (const auto& material : gltf["materials"]) {
+    const bool is_marked = material["name"].get<std::string>().ends_with("Marked");
+    const auto& colours = material["pbrMetallicRoughness"];
+    EXPECT_EQ(colours.contains("baseColorTexture"), is_marked);
+    if (!is_marked) continue;
+    ++marked;
+    EXPECT_EQ(colours.value("baseColorFactor", nlohmann::json({1, 1, 1, 1})), nlohmann::json({1, 1, 1, 1}));
+    const auto scale = colours["baseColorTexture"]["extensions"]["KHR_texture_transform"]["scale"];
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.sheet.columns * tile.sheet.texel_m));
+    EXPECT_EQ(scale[1].get<double>(), 1 / (tile.sheet.rows * tile.sheet.texel_m));
+  }
+  EXPECT_EQ(marked, 3);
+}
+
+TEST(GlbSheet, TilesWithoutOneDoNotMentionIt) {
+  const std::string json = json_of(encoded(made_tile(1), Instancing::kExtension));
+  for (const char* word : {"TEXCOORD_0", "KHR_texture_transform", "images", "textures", "samplers", "Marked"})
+    EXPECT_EQ(json.find(word), std::string::npos) << word;
+}
+
+nlohmann::json material_called(const nlohmann::json& gltf, const std::string& name) {
+  for (const auto& material : gltf["materials"])
+    if (material["name"] == name) return material;
+  ADD_FAILURE() << "no material " << name;
+  return {};
+}
+
+TEST(GlbImprints, SayColourRoughnessAndMetalness) {
+  const BakedTile tile = made_imprinted_tile(1);
+  const auto gltf = gltf_of(tile);
+  const auto pbr = material_called(gltf, "PaintImprinted")["pbrMetallicRoughness"];
+  for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
+    EXPECT_EQ(pbr.value(factor, nlohmann::json(1)).flatten().begin().value(), 1) << factor;
+  const auto picture = [&](const char* place) {
+    const auto scale = pbr[place]["extensions"]["KHR_texture_transform"]["scale"];
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.imprints.colour.columns * tile.imprints.colour.texel_m));
+    const auto texture = gltf["textures"][pbr[place]["index"].get<std::size_t>()];
+    // what lies at the other end of an atlas has nothing to do with this one
+    EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["wrapT"], 33071);
+    return gltf["images"][texture["source"].get<std::size_t>()]["name"].get<std::string>();
+  };
+  EXPECT_EQ(picture("baseColorTexture"), "imprints");
+  EXPECT_EQ(picture("metallicRoughnessTexture"), "imprintsSurface");
+}
+
+TEST(GlbImprints, ShineByAPictureOfTheirOwn) {
+  const auto lit = material_called(gltf_of(made_imprinted_tile(1)), "PaintImprinted");
+  EXPECT_EQ(lit["emissiveFactor"], nlohmann::json({1.0, 1.0, 1.0}));
+  EXPECT_TRUE(lit.contains("emissiveTexture"));
+  const auto dark = material_called(gltf_of(made_imprinted_tile(2)), "PaintImprinted");
+  EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
+}
+
+TEST(GlbImprints, LeanByAPictureOfTheirOwnWithTangents) {
+  for (const auto& [seed, leans] : {std::pair{1u, true}, {2u, false}}) {
+    const auto gltf = gltf_of(made_imprinted_tile(seed));
+    EXPECT_EQ(material_called(gltf, "PaintImprinted").contains("normalTexture"), leans);
+    for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
+      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintImprinted") continue;
+      EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
+    }
+  }
+}
+
+TEST(GlbMaterials, ShineAsTheTableSays) {
+  std::mt19937 dice(5);
+  BakedTile tile = made_tile(1);
+  tile.primitives.push_back(made_primitive(dice, materials::Material::kRoomWall, 9, 4));
+  const auto gltf = gltf_of(tile);
+  const auto own = emission_of(materials::Material::kRoomWall);
+  EXPECT_EQ(material_called(gltf, "RoomWall")["emissiveFactor"].get<std::vector<float>>(),
+            std::vector<float>(own.begin(), own.end()));
+  EXPECT_FALSE(material_called(gltf, "Grass").contains("emissiveFactor"));
+}
+
+TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
+  const BakedTile tile = made_imprinted_tile(1);
+  const auto refused = [&](const char* name, const char* other) {
+    return refusal_with(Instancing::kExtension, name, other, tile);
+  };
+  EXPECT_NE(refused("\"imprints\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"imprintsSurface\"", "\"GrassColour\""), "accepted");
+  EXPECT_NE(refused("\"imprintsNormal\"", "\"imprintsMormal\""), "accepted");
+}
+
+TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
+    for (const auto coloured :
+         {materials::Coloured::kByMaterial, materials::Coloured::kBySheet, materials::Coloured::kByAtlas})
+      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, coloured}, {})).second);
+}
+
+// What the primitive of a material has as its attributes.
+nlohmann::json attributes_of(const nlohmann::json& gltf, const std::string& name) {
+  for (const auto& primitive : gltf["meshes"][0]["primitives"])
+    if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] == name) return primitive["attributes"];
+  ADD_FAILURE() << "no primitive of " << name;
+  return {};
+}
+
+TEST(GlbTextures, RepeatBothWays) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  ASSERT_EQ(gltf["samplers"].size(), 2u);
+  EXPECT_EQ(gltf["samplers"][1]["wrapS"], 10497);
+  EXPECT_EQ(gltf["samplers"][1]["wrapT"], 10497);
+  // the sheet, four colours, and normals of water, rock, masonry and bark
+  EXPECT_EQ(gltf["images"].size(), 9u);
+  EXPECT_EQ(gltf["images"][0]["name"], "sheet");
+  EXPECT_EQ(gltf["textures"][0]["sampler"], 0);
+  for (std::size_t i = 1; i < 9; ++i) EXPECT_EQ(gltf["textures"][i]["sampler"], 1);
+}
+
+TEST(GlbTextures, ShowTheirPictureTimesTheFactor) {
+  const BakedTile tile = made_textured_tile(1);
+  const auto gltf = gltf_of(tile);
+  for (const materials::Texture& texture : tile.textures) {
+    const std::string name(values_of(texture.material).name);
+    const auto material = material_called(gltf, name);
+    const auto factor = colour_factor(texture);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][c].get<double>(), factor[c]) << name;
+    if (texture.colour.texels.empty()) continue;
+    const auto shown = material["pbrMetallicRoughness"]["baseColorTexture"];
+    const auto& image =
+        gltf["images"][gltf["textures"][shown["index"].get<std::size_t>()]["source"].get<std::size_t>()];
+    EXPECT_EQ(image["name"], name + "Colour");
+  }
+}
+
+TEST(GlbTextures, PlacesAreMetresIn16BitsWhereTheyFit) {
+  const BakedTile tile = made_textured_tile(1);
+  const auto gltf = gltf_of(tile);
+  const auto scale_of = [&](const char* name) {
+    const auto transform = material_called(gltf, name)["pbrMetallicRoughness"]["baseColorTexture"]["extensions"];
+    return transform["KHR_texture_transform"]["scale"][0].get<double>();
+  };
+  const auto component = [&](const char* name) {
+    return gltf["accessors"][attributes_of(gltf, name)["TEXCOORD_0"].get<std::size_t>()]["componentType"].get<int>();
+  };
+  EXPECT_EQ(component("Grass"), 5123);
+  EXPECT_EQ(component("Rock"), 5126);
+  EXPECT_EQ(scale_of("Grass"), 65535 * materials::kTexturePlace_m / 8);
+  EXPECT_EQ(scale_of("Rock"), 1.0 / 16);
+}
+
+TEST(GlbTextures, NormalsComeWithTangents) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  for (const char* name : {"Water", "Rock", "Stone"}) {
+    EXPECT_TRUE(material_called(gltf, name).contains("normalTexture")) << name;
+    EXPECT_TRUE(attributes_of(gltf, name).contains("TANGENT")) << name;
+  }
+  EXPECT_FALSE(attributes_of(gltf, "Grass").contains("TANGENT"));
+}
+
+TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
+  const auto gltf = gltf_of(made_textured_tile(1));
+  const auto plain = material_called(gltf, "StonePlain")["pbrMetallicRoughness"];
+  EXPECT_FALSE(plain.contains("baseColorTexture"));
+  EXPECT_EQ(plain["baseColorFactor"][0].get<float>(), values_of(materials::Material::kStone).base_colour[0]);
+}
+
+// DESIGN 8.15: a byte budget a tile. Whatever materials it has, all of them together fit; and all kinds of bark.
+TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
+  std::vector<materials::Material> ground, bark;
+  for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m) {
+    const auto material = static_cast<materials::Material>(m);
+    (is_bark(material) ? bark : ground).push_back(material);
+  }
+  const auto bytes_at = [&](std::span<const materials::Material> materials, double tolerance_m) {
+    std::size_t bytes = 0;
+    for (const materials::Texture& texture : materials::textures_of(materials, tolerance_m, 0))
+      for (const materials::Sheet* sheet : {&texture.colour, &texture.normal})
+        if (!sheet->texels.empty()) bytes += encode_png(*sheet).size();
+    return bytes;
+  };
+  EXPECT_LE(bytes_at(ground, 0.02), 320'000u);
+  EXPECT_LE(bytes_at(ground, 0.1), 64'000u);
+  EXPECT_LE(bytes_at(bark, 0.02), 200'000u);
+  EXPECT_LE(bytes_at(bark, 0.1), 20'000u);
+  EXPECT_EQ(bytes_at(ground, 0.5) + bytes_at(bark, 0.5), 0u);
+}
+
+TEST(Glb, BothWaysOfInstancingAreOneTile) {
+  const auto with_extension = decoded(encoded(made_tile(1), Instancing::kExtension)),
+             with_nodes = decoded(encoded(made_tile(1), Instancing::kNodes));
+  ASSERT_TRUE(with_extension && with_nodes);
+  EXPECT_EQ(*with_extension, *with_nodes);
+}
+
+TEST(Glb, SameTileSameBytes) {
+  for (const Instancing instancing : kBoth)
+    EXPECT_EQ(encoded(made_tile(1), instancing), encoded(made_tile(1), instancing));
+}
+
+TEST(Glb, TheOriginIsNotRoundedToSinglePrecision) {
+  BakedTile tile = made_tile(1);
+  tile.origin = {16777217, -16777219, 4097};
+  const auto back = decoded(encoded(tile, Instancing::kExtension));
+  ASSERT_TRUE(back) << refusal(back);
+  EXPECT_EQ(back->origin, tile.origin);
+}
+
+TEST(Glb, TellsForWhichEyeItWasMade) {
+  BakedTile tile = made_tile(1);
+  tile.seen_from = bake::SeenFrom{{0.1, -16777219.25, 4097}, 869.1171875, 0.96};
+  const auto back = decoded(encoded(tile, Instancing::kExtension));
+  ASSERT_TRUE(back) << refusal(back);
+  EXPECT_EQ(back->seen_from, tile.seen_from);
+}
+
+TEST(Glb, MoreCornersThan16BitsCount) {
+  std::mt19937 dice(1);
+  BakedTile tile = made_tile(1);
+  for (const std::uint32_t corners : {65533u, 65534u, 65535u, 65538u}) {
+    tile.primitives = {made_primitive(dice, materials::Material::kRock, corners, 4)};
+    const auto back = decoded(encoded(tile, Instancing::kExtension));
+    ASSERT_TRUE(back) << refusal(back);
+    EXPECT_EQ(*back, tile) << corners;
+  }
+}
+
+TEST(Glb, ATileWithoutGroundOrInstancesIsWhole) {
+  BakedTile bare = made_tile(1), trees = made_tile(1);
+  bare.instanced.clear(), trees.primitives.clear();
+  for (const BakedTile& tile : {bare, trees}) {
+    const auto back = decoded(encoded(tile, Instancing::kNodes));
+    ASSERT_TRUE(back) << refusal(back);
+    EXPECT_EQ(*back, tile);
+  }
+}
+
+TEST(GlbDamage, EveryTruncationIsRefused) {
+  for (const BakedTile& tile : {made_tile(2), made_marked_tile(2)}) {
+    const Bytes bytes = encoded(tile, Instancing::kExtension);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      ASSERT_FALSE(decoded(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+  }
+}
+
+// Tiles have no checksum, so a changed byte may make another tile: one that can be written and read.
+TEST(GlbDamage, AChangedByteIsRefusedOrMakesAnotherTile) {
+  std::mt19937 dice(4);
+  for (const Instancing instancing : kBoth) {
+    const Bytes bytes = encoded(instancing == Instancing::kNodes ? made_tile(3) : made_marked_tile(3), instancing);
+    for (std::size_t at = 0; at < bytes.size(); at += 1 + dice() % 5) {
+      Bytes changed = bytes;
+      changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
+      const auto tile = decoded(changed);
+      if (!tile) continue;
+      for (const bake::Primitive& p : tile->primitives)
+        for (const auto& triangle : p.triangles)
+          for (const auto corner : triangle) ASSERT_LT(corner, p.positions.size()) << "byte " << at;
+      const auto again = decoded(encoded(*tile, Instancing::kExtension));
+      ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
+      ASSERT_EQ(*again, *tile) << "byte " << at;
+    }
+  }
+}
+
+TEST(GlbDamage, ABufferLongerThanTheFileIsRefused) {
+  Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const std::size_t at = 20 + json_of(bytes).size();
+  put_number(bytes, at, bytes.size() - at - 4);
+  EXPECT_EQ(refusal(decoded(bytes)), "tile.glb: expected two chunks, JSON and its buffer, that fill the file");
+}
+
+TEST(GlbDamage, JsonNestedWithoutEndIsRefused) {
+  const Bytes bytes = encoded(made_tile(1), Instancing::kExtension);
+  const std::string deep = std::string(500000, '['), end(500000, ']');
+  EXPECT_EQ(refusal(decoded(with_json(bytes, "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + end + "}"))),
+            "tile.glb: expected JSON that is not nested deeper than glTF ever is");
+  const std::string text = R"({"asset":{"version":"2.0"},"extras":"\")" + deep + "\"}";
+  EXPECT_EQ(refusal(decoded(with_json(bytes, text))), "tile.glb: expected a node for the tile, and one buffer");
+}
+
+TEST(GlbDamage, OtherFilesAreNotOpened) {
+  const std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"/etc/hostname"}]})";
+  EXPECT_NE(refusal(decoded(with_json(encoded(made_tile(1), Instancing::kExtension), json))).find("FS callback"),
+            std::string::npos);
+}
+
+TEST(GlbDamage, ANodeWithoutMeshIsRefused) {
+  const std::string expected = "tile.glb: expected each mesh for one kind of thing, in order";
+  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mess\":1"), expected);
+  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"mesh\":1", "\"mesh\":0"), expected);
+  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"mesh\":2", "\"mesh\":1"), expected);
+}
+
+TEST(GlbDamage, NumbersBeyondTheirTypeAreRefused) {
+  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"tile\":[-3", "\"tile\":[-3e30"),
+            "tile.glb: expected a whole number");
+  EXPECT_EQ(refusal_with(Instancing::kNodes, "\"translation\":[0.25", "\"translation\":[1e300"),
+            "tile.glb: expected places in single precision");
+}
+
+std::string marked_refusal_with(const std::string& text, const std::string& other) {
+  return refusal_with(Instancing::kExtension, text, other, made_marked_tile(1));
+}
+
+std::string images_of(const BakedTile& tile) { return gltf_of(tile)["images"].dump(); }
+
+TEST(GlbSheetDamage, WhatIsOnASheetThatIsNotThereIsRefused) {
+  const std::string expected = "tile.glb: expected a sheet, and a place on it, for each corner that is on it";
+  EXPECT_EQ(marked_refusal_with("\"images\"", "\"imagos\""), expected);
+  EXPECT_EQ(marked_refusal_with("\"name\":\"Grass\"", "\"name\":\"GrassMarked\""), expected);
+}
+
+TEST(GlbSheetDamage, PlacesForOtherCornersAreRefused) {
+  bake::BakedTile tile = made_marked_tile(1);
+  tile.primitives.back().uvs.pop_back();
+  EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))),
+            "tile.glb: expected as many values in each attribute");
+}
+
+TEST(GlbSheetDamage, PlacesThatAreNotFiniteAreRefused) {
+  for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    bake::BakedTile tile = made_marked_tile(1);
+    tile.primitives.back().uvs.back()[1] = bad;
+    EXPECT_EQ(refusal(decoded(encoded(tile, Instancing::kExtension))), "tile.glb: expected finite numbers");
+  }
+}
+
+TEST(GlbSheetDamage, ASecondSheetIsRefused) {
+  const std::string images = images_of(made_marked_tile(1)), one = images.substr(1, images.size() - 2);
+  EXPECT_EQ(marked_refusal_with(images, "[" + one + "," + one + "]"),
+            "tile.glb: expected pictures named after materials, and one sheet at most");
+}
+
+std::string textured_refusal_with(const std::string& text, const std::string& other) {
+  return refusal_with(Instancing::kExtension, text, other, made_textured_tile(1));
+}
+
+TEST(GlbTextureDamage, PicturesOfNoMaterialTwiceOrOutOfOrderAreRefused) {
+  const std::string named = "tile.glb: expected pictures named after materials, and one sheet at most",
+                    once = "tile.glb: expected each material's pictures once, in order";
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"GrossColour\""), named);
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"Grass\""), named);
+  EXPECT_EQ(textured_refusal_with("\"RockColour\"", "\"RockNormal\""), once);
+  EXPECT_EQ(textured_refusal_with("\"WaterNormal\"", "\"GrassColour\""), once);
+  EXPECT_EQ(textured_refusal_with("\"GrassColour\"", "\"StoneColour\""), once);
+}
+
+TEST(GlbTextureDamage, AChangedByteOfTheJsonIsRefusedOrMakesAnotherTile) {
+  std::mt19937 dice(5);
+  const Bytes bytes = encoded(made_textured_tile(3), Instancing::kExtension);
+  const std::size_t end = 20 + json_of(bytes).size();
+  for (std::size_t at = 0; at < end; at += 1 + dice() % 5) {
+    Bytes changed = bytes;
+    changed[at] ^= static_cast<std::byte>(1 + dice() % 255);
+    const auto tile = decoded(changed);
+    if (!tile) continue;
+    const auto again = decoded(encoded(*tile, Instancing::kExtension));
+    ASSERT_TRUE(again) << "byte " << at << ": " << refusal(again);
+    ASSERT_EQ(*again, *tile) << "byte " << at;
+  }
+}
+
+TEST(GlbSheetDamage, TexelsWithoutASizeAreRefused) {
+  EXPECT_EQ(marked_refusal_with("\"texel_m\"", "\"texel_n\""),
+            "tile.glb: expected the extras and extensions that citykiln writes");
+  for (const char* bad : {"-0.", "0,\"other\":0."})
+    EXPECT_EQ(marked_refusal_with("\"texel_m\":0.", std::string("\"texel_m\":") + bad),
+              "tile.glb: expected texels with a size");
+}
+
+TEST(GlbSheetDamage, APictureThatIsNoneIsRefused) {
+  Bytes bytes = encoded(made_marked_tile(1), Instancing::kExtension);
+  const std::string signature = "\x89PNG", header = "IHDR";
+  const auto find = [&](const std::string& word) {
+    return std::search(bytes.begin(), bytes.end(), word.begin(), word.end(),
+                       [](std::byte b, char c) { return b == static_cast<std::byte>(c); });
+  };
+  for (const std::string& word : {header, signature}) {
+    const auto at = find(word);
+    ASSERT_NE(at, bytes.end());
+    *at ^= std::byte{1};
+    EXPECT_EQ(refusal(decoded(bytes)).substr(0, 52), "tile.glb: expected a picture: expected a PNG picture");
+  }
+}
+
+TEST(GlbSheetDamage, APictureOutsideTheBufferIsRefused) {
+  const std::string expected = "tile.glb: expected a sheet inside the buffer, as citykiln writes it";
+  const auto gltf = gltf_of(made_marked_tile(1));
+  const auto view = gltf["images"][0]["bufferView"].get<std::size_t>();
+  const std::string offset = "\"byteOffset\":" + gltf["bufferViews"][view]["byteOffset"].dump();
+  for (const char* bad : {"\"byteOffset\":99999999", "\"byteOffset\":18446744073709551615", "\"byteOffset\":-1"})
+    EXPECT_EQ(marked_refusal_with(offset, bad), expected) << bad;
+  const std::string number = "\"bufferView\":" + std::to_string(view) + ",\"extras\"";
+  for (const char* bad : {"\"bufferView\":9999,\"extras\"", "\"bufferView\":-1,\"extras\"", "\"extras\""})
+    EXPECT_EQ(marked_refusal_with(number, bad), expected) << bad;
+  EXPECT_EQ(marked_refusal_with("\"buffers\":[{", "\"buffers\":[{\"uri\":\"x\","), expected);
+  EXPECT_EQ(marked_refusal_with("\"buffers\":[{", "\"buffers\":[{},{"), expected);
+}
+
+TEST(GlbDamage, ABufferViewReadTwiceIsRefused) {
+  EXPECT_EQ(refusal_with(Instancing::kExtension, "\"bufferView\":0", "\"bufferView\":5"),
+            "tile.glb: expected each byte of the buffer to be used once");
+}
+
+}  // namespace
+}  // namespace citykiln::exporters

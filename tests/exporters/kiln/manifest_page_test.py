@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+"""exporters/kiln/MANIFEST.md is enough: a reader made of its words alone, down to its table of streams, reads what citykiln writes."""
+import ctypes
+import ctypes.util
+import math
+import re
+import struct
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
+
+from citykiln_program import ROOT, ProgramTest, report_of  # noqa: E402
+
+GOLDEN = ROOT / "tests" / "golden"
+PAGE = (ROOT / "exporters" / "MANIFEST.md").read_text()
+
+
+def stream_names():
+    """The streams by number, from the page's table."""
+    names = {}
+    for row in re.findall(r"^\|(.*)\|$", PAGE, re.MULTILINE):
+        cells = [cell.strip() for cell in row.split("|")]
+        if len(cells) == 6 and cells[0].isdigit():
+            names[int(cells[0])] = cells[1]
+            if cells[3]:
+                names[int(cells[3])] = cells[4]
+    assert sorted(names) == list(range(len(names)))
+    return [names[number] for number in range(len(names))]
+
+
+def fnv(data):
+    value = 0xCBF29CE484222325
+    for byte in data:
+        value = ((value ^ byte) * 0x100000001B3) % 2**64
+    return value
+
+
+ZSTD = ctypes.CDLL(ctypes.util.find_library("zstd"))
+ZSTD.ZSTD_getFrameContentSize.restype = ctypes.c_uint64
+ZSTD.ZSTD_decompress_usingDict.restype = ctypes.c_size_t
+ZSTD.ZSTD_createDCtx.restype = ctypes.c_void_p
+CONTEXT = ctypes.c_void_p(ZSTD.ZSTD_createDCtx())
+
+
+def unzstd(frame, dictionary=b""):
+    size = ZSTD.ZSTD_getFrameContentSize(frame, ctypes.c_size_t(len(frame)))
+    assert size <= 2**28
+    raw = ctypes.create_string_buffer(size)
+    got = ZSTD.ZSTD_decompress_usingDict(CONTEXT, raw, ctypes.c_size_t(size), frame, ctypes.c_size_t(len(frame)),
+                                         dictionary, ctypes.c_size_t(len(dictionary)))
+    assert got == size
+    return raw.raw
+
+
+class Table:
+    """A table of a FlatBuffer."""
+
+    def __init__(self, data, at):
+        self.data, self.at = data, at
+        self.fields = at - struct.unpack_from("<i", data, at)[0]
+
+    def place(self, field):
+        entry = 4 + 2 * field
+        inside = entry < struct.unpack_from("<H", self.data, self.fields)[0]
+        offset = struct.unpack_from("<H", self.data, self.fields + entry)[0] if inside else 0
+        return self.at + offset if offset else None
+
+    def number(self, field, kind):
+        place = self.place(field)
+        return 0 if place is None else struct.unpack_from("<" + kind, self.data, place)[0]
+
+    def vector(self, field):
+        """Where its elements begin, and how many there are."""
+        place = self.place(field)
+        place += struct.unpack_from("<I", self.data, place)[0]
+        return place + 4, struct.unpack_from("<I", self.data, place)[0]
+
+    def bytes(self, field):
+        if self.place(field) is None:
+            return b""
+        at, count = self.vector(field)
+        return self.data[at:at + count]
+
+    def table(self, field):
+        place = self.place(field)
+        return Table(self.data, place + struct.unpack_from("<I", self.data, place)[0])
+
+
+def root_of(data):
+    return Table(data, struct.unpack_from("<I", data, 0)[0])
+
+
+class Stream:
+    def __init__(self, data):
+        self.data, self.at, self.last = data, 0, 0
+
+    def plain(self):
+        value, shift = 0, 0
+        while True:
+            byte = self.data[self.at]
+            self.at, value, shift = self.at + 1, value | (byte & 127) << shift, shift + 7
+            if byte < 128:
+                return value
+
+    def signed(self):
+        value = self.plain()
+        return -(value + 1) // 2 if value % 2 else value // 2
+
+    def step(self):
+        self.last += self.signed()
+        return self.last
+
+    def real(self):
+        self.at += 8
+        return struct.unpack_from("<d", self.data, self.at - 8)[0]
+
+
+class Chunk:
+    """One tile, walked in the page's order; each thing as a tuple of what the page lists."""
+
+    def __init__(self, raw):
+        names, head = stream_names(), Stream(raw)
+        sizes = [head.plain() for _ in names]
+        self.streams, at = {}, head.at
+        for name, size in zip(names, sizes, strict=True):
+            self.streams[name], at = Stream(raw[at:at + size]), at + size
+        assert at == len(raw)
+        self.known, self.last = [], -1
+        self.point_step = 2**-7 if self.plain("point step") else 2**-10
+        self.heights = self.read_heights()
+        self.surfaces = self.all("surfaces", self.surface)
+        self.road_kinds = self.all("road kinds", self.road_kind)
+        self.roads = self.all("roads", self.road)
+        self.narrowed = self.all("narrowed roads", self.narrowed_road)
+        self.junctions = self.all("junctions", self.junction)
+        self.waters = self.all("streams", self.water)
+        self.bridges = self.all("bridges", self.span)
+        self.tunnels = self.all("tunnels", self.span)
+        self.buildings = self.all("buildings", self.building)
+        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree stock")))
+        self.woods = self.all("woods", lambda: (self.id(), self.several("wood", 3)))
+        self.plantings = self.all("plantings", lambda: (self.id(), self.several("planting", 5)))
+        self.tree_rows = self.all("tree rows", lambda: (self.id(), self.points("tree row points"), self.several("tree row", 3)))
+        self.lanes = self.all("power lanes", lambda: (self.id(), self.points("power lane points"), self.plain("power lane")))
+        self.barriers = self.all("barriers", self.barrier)
+        self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
+
+    def plain(self, name):
+        return self.streams[name].plain()
+
+    def several(self, name, count):
+        return [self.plain(name) for _ in range(count)]
+
+    def metres(self, name):
+        return self.streams[name].step() / 1024
+
+    def all(self, name, each):
+        return [each() for _ in range(self.plain(name))]
+
+    def points(self, name):
+        return self.all(name, self.point)
+
+    def id(self):
+        return self.plain("id type"), self.streams["id"].step(), self.plain("part")
+
+    def point(self):
+        code = self.plain("points")
+        if code == 0:
+            self.known.append(tuple(self.streams[axis].step() * self.point_step for axis in "xy"))
+            self.last = len(self.known) - 1
+        else:
+            self.last += {1: 1, 2: -1}[code] if code < 3 else self.streams["point jumps"].signed()
+        assert 0 <= self.last < len(self.known)
+        return self.known[self.last]
+
+    def read_heights(self):
+        field = self.streams["field"]
+        for _ in range(4):
+            field.step()
+        columns, rows = field.plain(), field.plain()
+        field.step()
+        assert field.plain() == columns * rows
+        shift, heights = field.plain(), []
+        for i in range(columns * rows):
+            west = heights[i - 1] if i % columns else 0
+            south = heights[i - columns] if i >= columns else 0
+            foretold = south if i % columns == 0 else west if i < columns else west + south - heights[i - columns - 1]
+            heights.append(foretold + self.streams["heights"].signed() * 2**shift)
+        return [height / 64 for height in heights]
+
+    def surface(self):
+        return (self.id(), self.plain("surface class"), self.plain("surface area"),
+                self.all("surface rings", lambda: self.points("ring points")), self.level(),
+                self.plain("graded"))
+
+    def level(self):
+        return self.streams["water level"].step() / 128 if self.plain("levelled") else None
+
+    def profile(self):
+        return self.all("knots", lambda: (self.plain("knot steps") / 8, self.streams["knot height"].step() / 128,
+                                          self.streams["knot tilt"].step() / 1024))
+
+    def road(self):
+        return (self.id(), self.points("road points"), self.road_kinds[self.plain("road kind")], self.plain("passed") / 1024,
+                self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))), self.profile())
+
+    def narrowed_road(self):
+        return self.plain("narrowed road"), *(self.all("pinches", self.pinch) for side in ("left", "right"))
+
+    def pinch(self):
+        return divmod(self.plain("pinch steps"), 2), self.streams["pinch half"].step() / 32
+
+    def road_kind(self):
+        return (self.plain("road surface"), self.plain("road traits"), self.plain("axis offset") / 2048, self.all("lanes", self.lane))
+
+    def lane(self):
+        kind, raised = divmod(self.plain("lane kind"), 2)
+        return *divmod(kind, 3), raised, self.metres("lane width"), self.plain("lane turns")
+
+    def water(self):
+        return (self.id(), self.points("road points"), self.plain("water class"), self.metres("water sides"),
+                self.metres("water sides"), self.plain("passed") / 1024, self.profile(),
+                16 * self.plain("water reach"))
+
+    def junction(self):
+        return (self.plain("junction family"), self.points("junction places"),
+                self.all("junction arms", lambda: (self.plain("cut lengths") / 4, self.plain("corner radii") / 4)))
+
+    def span(self):
+        return (*self.road(), self.span_end(), self.span_end(), self.plain("bored"),
+                self.plain("span layer") - 10, self.all("openings", self.opening), self.all("openings", self.opening), self.all("piers", self.pier))
+
+    def span_end(self):
+        kind = self.plain("span ends")
+        return kind, self.point() if kind in (1, 3) else None, self.plain("end cut") / 4 if kind == 2 else 0
+
+    def opening(self):
+        return self.plain("opening step") / 4, self.plain("opening step") / 4
+
+    def pier(self):
+        return self.plain("pier step") / 4, self.streams["pier foot"].step() / 4
+
+    def colour(self):
+        return [self.plain("colour values") for _ in range(3)] if self.plain("colours") else None
+
+    def roof_shape(self):
+        form = self.plain("roof form")
+        if form == 0:
+            return form, 0
+        rise, traits, eaves = self.metres("roof rise"), self.plain("roof traits"), self.metres("roof eaves")
+        direction = (self.metres("roof direction"), self.metres("roof direction")) if traits & 1 else None
+        return form, rise, traits & 2, eaves, direction
+
+    def party_wall(self):
+        edge = self.plain("party edge")
+        places = [self.metres("party place") for _ in range(2)]
+        return edge, places, self.metres("party top"), self.plain("party traits")
+
+    def building(self):
+        seen = (self.id(), self.points("footprint points"), self.all("footprint holes", lambda: self.points("hole points")),
+                self.metres("building bottom"), self.metres("building floor"), self.metres("building top"),
+                self.plain("building stands"), self.plain("wall"), self.plain("roof"), self.colour(), self.colour(),
+                self.roof_shape())
+        style = [self.plain(name) for name in ("style", "building class", "storeys", "year", "shop")]
+        return (*seen, style, self.all("fronts", lambda: self.plain("front")), self.all("party walls", self.party_wall))
+
+    def barrier(self):
+        return (self.id(), self.points("barrier points"), self.plain("barrier kind"),
+                self.metres("barrier height"), self.metres("barrier width"))
+
+
+class Manifest:
+    """Tile to Chunk; every hash, size and place on the way is checked."""
+
+    def __init__(self, manifest):
+        assert manifest[:8] == b"CITYKILN"
+        major, _, size, value = struct.unpack_from("<HHIQ", manifest, 8)
+        assert major == 1
+        frame, body = manifest[24:24 + size], manifest[24 + size:]
+        assert fnv(manifest[:16] + frame) == value
+        header = root_of(unzstd(frame))
+        self.dictionary = header.bytes(13)
+        line_m = header.number(14, "d") if header.place(14) else math.nan
+        self.snow_line_m = None if math.isnan(line_m) else line_m
+        self.chunks, end = {}, 0
+        for tile, size, value in tiles_of(header.table(12)):
+            assert not self.chunks or max(self.chunks) < tile
+            frame, end = body[end:end + size], end + size
+            assert fnv(frame) == value
+            self.chunks[tile] = Chunk(unzstd(frame, self.dictionary))
+        assert end == len(body)
+
+
+def tiles_of(index):
+    """Each tile, the size of its frame and the hash of it."""
+    x, y, size = (Stream(index.bytes(field)) for field in range(3))
+    at, count = index.vector(3)
+    tiles = [((x.step(), y.step()), size.plain(), value) for value in struct.unpack_from(f"<{count}Q", index.data, at)]
+    assert all(stream.at == len(stream.data) for stream in (x, y, size))
+    return tiles
+
+
+class Page(ProgramTest):
+    def read(self, case):
+        heights = ["--dem", case / "heights.asc"] if (case / "heights.asc").exists() else []
+        out = self.compiled(case.name, case / "map.osm", *heights, *(case / "args").read_text().split())
+        return Manifest((out / "scene.kiln").read_bytes()).chunks, report_of(out)
+
+    def test_says_all_that_a_reader_needs(self):
+        for case in sorted(path.parent for path in GOLDEN.glob("*/args")):
+            chunks, report = self.read(case)
+            for tile, chunk in chunks.items():
+                unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
+                self.assertEqual(unread, [], f"{case.name} {tile}")
+            for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
+                # bridges and tunnels are in every chunk that they touch
+                read = len({thing[0] for chunk in chunks.values() for thing in getattr(chunk, kind)})
+                self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")
+
+    def test_says_how_tiles_share_a_dictionary(self):
+        town = ROOT / "examples" / "town"
+        out = self.compiled("town", town / "town.osm", "--tile", "128", "--emit", "kiln")
+        manifest = Manifest((out / "scene.kiln").read_bytes())
+        self.assertGreaterEqual(len(manifest.chunks), 64)
+        self.assertTrue(manifest.dictionary)
+        self.assertEqual(sum(len(chunk.buildings) for chunk in manifest.chunks.values()), report_of(out)["counts"]["buildings"])
+
+    def test_says_where_snow_lies(self):
+        for arguments, line_m in ([], None), (["--snow-line", "2200.5"], 2200.5):
+            out = self.compiled("crossing", GOLDEN / "crossing" / "map.osm", "--emit", "kiln", *arguments)
+            self.assertEqual(Manifest((out / "scene.kiln").read_bytes()).snow_line_m, line_m)
+
+    def test_says_where_things_are(self):
+        chunks, _ = self.read(GOLDEN / "crossing")
+        colours = [building[9] for chunk in chunks.values() for building in chunk.buildings]
+        self.assertIn([200, 176, 144], colours)
+        for (x, y), chunk in chunks.items():
+            for _, footprint, *_ in chunk.buildings:
+                self.assertTrue(all((px < 0) == (x < 0) and (py < 0) == (y < 0) for px, py in footprint))
+
+
+if __name__ == "__main__":
+    unittest.main()
