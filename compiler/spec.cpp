@@ -313,8 +313,6 @@ Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles
   return Done{};
 }
 
-std::string to_string(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
-
 Result<double> parse_number(std::string_view text) {
   double number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);

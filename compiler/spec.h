@@ -80,7 +80,6 @@ Result<std::vector<double>> parse_ladder(std::string_view text);
 Result<scene::TileKey> parse_tile(std::string_view text);
 /// "3_-2,0_0": adds them to tiles that are sorted, each once.
 Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles);
-std::string to_string(scene::TileKey tile);
 /// A number and nothing else.
 Result<double> parse_number(std::string_view text);
 /// Exactly `count` numbers with commas between.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "compiler/bake/skirt.h"
+#include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/expand.h"
 #include "compiler/scene/ground_cover.h"
@@ -84,6 +86,10 @@ double finest_needed_m(const View& view, const scene::Chunk& chunk, const Box2& 
 }
 
 }  // namespace
+
+double focal_length_px(int height_px, double vertical_fov_deg) {
+  return snapped(height_px / 2.0 / std::tan(vertical_fov_deg * std::numbers::pi / 360));
+}
 
 double tolerance_m_for(const View& view, const Bounds& bounds) {
   const double most_m = view.pixel_error * distance_m(bounds, view.eye) / view.focal_px;

@@ -24,6 +24,10 @@ struct View {
   double finest_m = 0.02;  ///< Nothing is made finer than this, however near. > 0.
 };
 
+/// The focal length of a picture in pixels: a thing as long as it is far away is this many pixels long in the middle of
+/// the picture. Rounded to 2^-10 pixels.
+double focal_length_px(int height_px, double vertical_fov_deg);
+
 /// The tolerance of what lies within the bounds: the largest power of two times the finest whose error is not longer
 /// than the view's pixels at the nearest place; the finest where even that is.
 double tolerance_m_for(const View& view, const Bounds& bounds);

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "compiler/charts/chart.h"
-#include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/water/level_waters.h"
 #include "compiler/ground/plan.h"
+#include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/water/level_waters.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_osm.h"

@@ -6,7 +6,6 @@
 
 #include "compiler/bake/view_levels.h"
 #include "compiler/charts/chart.h"
-#include "compiler/commands/eye_options.h"
 #include "compiler/map/heightfield.h"
 #include "compiler/scene/ground_carving.h"
 #include "compiler/scene/ground_cover.h"
@@ -18,6 +17,7 @@ namespace {
 /// Errors asked for, in pixels of a picture of the preview's size and field of view.
 constexpr double kPixels[] = {0.5, 1, 2, 4, 8, 16};
 constexpr double kFov_deg = 45;
+constexpr int kHeight_px = 720;
 
 /// The eye where none is given: so high over the middle of the map.
 constexpr double kOver_m = 100;
@@ -76,7 +76,7 @@ double pixels_at_nearest(const scene::Scene& scene, const bake::View& view, doub
 Result<std::vector<Chart>> chart_view(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  bake::View view{request.eye.value_or(over_the_middle(*scene)), focal_px({}, kFov_deg)};
+  bake::View view{request.eye.value_or(over_the_middle(*scene)), bake::focal_length_px(kHeight_px, kFov_deg)};
   Chart chart{"view_triangles",
               fmt::format("Triangles of the ground for one eye at {:.0f}, {:.0f}, {:.0f} m: {:.0f} km²", view.eye.x,
                           view.eye.y, view.eye.z, scene->header.region.width() * scene->header.region.height() * 1e-6),

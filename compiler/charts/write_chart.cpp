@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "compiler/charts/chart.h"
-#include "exporters/output_folder.h"
 #include "exporters/file.h"
+#include "exporters/output_folder.h"
 
 namespace citykiln::charts {
 namespace {
@@ -72,7 +72,7 @@ Result<Done> write_chart(const Chart& chart, const std::string& folder) {
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   const std::string path = folder + "/" + chart.name;
-  if (Result<Done> csv = exporters::write_file(path + ".csv", bytes_of(csv_of(chart))); !csv) return csv;
+  if (Result<Done> csv = exporters::write_file(path + ".csv", exporters::bytes_of(csv_of(chart))); !csv) return csv;
   return draw(chart, path + ".svg");
 }
 

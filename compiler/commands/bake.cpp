@@ -10,13 +10,14 @@
 
 #include "compiler/commands/eye_options.h"
 #include "compiler/commands/join_tiles.h"
-#include "exporters/output_folder.h"
-#include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
 #include "compiler/pipeline.h"
+#include "compiler/verify/run_report.h"
 #include "exporters/file.h"
+#include "exporters/gltf/encode_tile.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/output_folder.h"
 #include "preview/preview.h"
 
 namespace citykiln::commands {
@@ -49,8 +50,9 @@ Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m
 /// Writes the one file, and returns the error that it states.
 Result<double> write_whole(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
-  const EncodedTile encoded =
-      encode_tile(tile, header, outputs.instances_as_nodes, outputs.compress, request.spec.threads);
+  const exporters::EncodedTile encoded =
+      exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
+                             verify::compression_of(outputs.compress), request.spec.threads);
   if (const Result<Done> done = exporters::write_file(request.out_path, encoded.glb); !done) return done.error();
   return encoded.error_m;
 }
@@ -65,16 +67,17 @@ Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<double> error_m = write_whole(request, scene->header, *tile);
   if (!error_m) return error_m.error();
   console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
-                          triangles_of(*tile), *error_m));
+                          exporters::triangles_of(*tile), *error_m));
   console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
-                             triangles_of(*tile), *error_m));
+                             exporters::triangles_of(*tile), *error_m));
   return Exit::kDone;
 }
 
 Result<bake::View> view_of(const Request& request, const scene::Header& header) {
   const Result<std::optional<Vec3>> eye = point_of(request.eye, request.eye_lonlat, header);
   if (!eye) return eye.error();
-  bake::View view{**eye, focal_px(request.size, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
+  bake::View view{
+      **eye, bake::focal_length_px(request.size.height, request.fov_deg.value_or(preview::Camera{}.vertical_fov_deg))};
   view.pixel_error = request.pixel_error;
   view.finest_m = request.tolerance_m.value_or(view.finest_m);
   return view;
@@ -107,26 +110,26 @@ Result<Exit> bake_for_eye(const Request& request, const Console& console) {
   const Result<double> error_m = write_whole(request, scene->header, *tile);
   if (!error_m) return error_m.error();
   console.say(fmt::format("{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m",
-                          request.out_path, triangles_of(*tile), tile->seen_from->pixel_error, view->pixel_error,
-                          view->finest_m));
+                          request.out_path, exporters::triangles_of(*tile), tile->seen_from->pixel_error,
+                          view->pixel_error, view->finest_m));
   console.answer(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
-                             triangles_of(*tile), *error_m, view->focal_px, tile->seen_from->pixel_error));
+                             exporters::triangles_of(*tile), *error_m, view->focal_px, tile->seen_from->pixel_error));
   return Exit::kDone;
 }
 
 Result<Exit> bake_to_folder(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
-  Result<OutputFolder> folder = OutputFolder::open(request.out_path);
+  Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(request.out_path);
   if (!folder) return folder.error();
 
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<Written> written =
+  const Result<verify::Written> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
-  const std::string json =
-      report_json(scene->header, *scene, report, *written, outputs, {measure_heights(*scene, request.spec.threads)});
+  const std::string json = verify::report_json(scene->header, *scene, report, *written, outputs,
+                                               {verify::measure_heights(*scene, request.spec.threads)});
   if (const Result<Done> done = folder->commit(json); !done) return done.error();
 
   console.say(fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));

@@ -18,13 +18,14 @@ namespace {
 /// The charts there are. One row a chart.
 struct Kind {
   const char* name;
-  Result<std::vector<Chart>> (*make)(const ChartRequest& request);
+  Result<std::vector<charts::Chart>> (*make)(const charts::ChartRequest& request);
 };
-constexpr std::array kKinds = {
-    Kind{"plane", chart_plane},     Kind{"terrain", chart_terrain}, Kind{"junctions", chart_junctions},
-    Kind{"roads", chart_roads},     Kind{"ground", chart_ground},   Kind{"view", chart_view},
-    Kind{"profile", chart_profile}, Kind{"roof", chart_roof},       Kind{"facade", chart_facade},
-    Kind{"woods", chart_woods},     Kind{"plant", chart_plant},     Kind{"lsystem", chart_lsystem}};
+constexpr std::array kKinds = {Kind{"plane", charts::chart_plane},         Kind{"terrain", charts::chart_terrain},
+                               Kind{"junctions", charts::chart_junctions}, Kind{"roads", charts::chart_roads},
+                               Kind{"ground", charts::chart_ground},       Kind{"view", charts::chart_view},
+                               Kind{"profile", charts::chart_profile},     Kind{"roof", charts::chart_roof},
+                               Kind{"facade", charts::chart_facade},       Kind{"woods", charts::chart_woods},
+                               Kind{"plant", charts::chart_plant},         Kind{"lsystem", charts::chart_lsystem}};
 
 std::string known_names() {
   std::string names;
@@ -32,27 +33,27 @@ std::string known_names() {
   return names;
 }
 
-Result<std::vector<Chart>> make(const std::string& name, const ChartRequest& request) {
+Result<std::vector<charts::Chart>> make(const std::string& name, const charts::ChartRequest& request) {
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
   if (kind != kKinds.end()) return kind->make(request);
   return Error{"chart", fmt::format("expected one of {}, found \"{}\"", known_names(), name)};
 }
 
-Result<Exit> run(const ChartRequest& request, const Console& console) {
+Result<Exit> run(const charts::ChartRequest& request, const Console& console) {
   if (request.names.empty()) return Error{"", "no chart is named (" + known_names() + ")"};
   if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
   for (const std::string& name : request.names) {
-    const Result<std::vector<Chart>> charts = make(name, request);
+    const Result<std::vector<charts::Chart>> charts = make(name, request);
     if (!charts) return charts.error();
-    for (const Chart& chart : *charts) {
-      if (const Result<Done> written = write_chart(chart, request.folder); !written) return written.error();
+    for (const charts::Chart& chart : *charts) {
+      if (const Result<Done> written = charts::write_chart(chart, request.folder); !written) return written.error();
       console.say(fmt::format("{0}/{1}.csv, {0}/{1}.svg: {2}", request.folder, chart.name, chart.title));
     }
   }
   return Exit::kDone;
 }
 
-Result<Done> take_bbox(const std::string& text, ChartRequest& request) {
+Result<Done> take_bbox(const std::string& text, charts::ChartRequest& request) {
   const Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
   request.bbox = {(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
@@ -71,7 +72,7 @@ Result<Done> take_number(const std::string& text, double least, double most, dou
 }  // namespace
 
 Verb chart_verb() {
-  const auto request = std::make_shared<ChartRequest>();
+  const auto request = std::make_shared<charts::ChartRequest>();
   Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
   verb.options = {
       {"names", "NAME...", known_names(), true, onto(request->names)},

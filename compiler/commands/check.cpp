@@ -7,10 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/verify/check_tile.h"
-#include "compiler/verify/standing.h"
+#include "compiler/commands/print_findings.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/for_each_slot.h"
+#include "compiler/verify/check_tile.h"
+#include "compiler/verify/standing.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
@@ -19,69 +20,70 @@ namespace {
 // A step that nobody sees.
 constexpr double kNoJump_m = 0.01;
 
-Result<Subject> open_subject(const std::string& folder) {
-  Result<RunRecord> record = read_report(folder);
+Result<verify::Subject> open_subject(const std::string& folder) {
+  Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  Standing standing = standing_of(*scene);
-  Subject subject{folder, std::move(*record), std::move(*scene), std::move(standing), nullptr};
+  verify::Standing standing = verify::standing_of(*scene);
+  verify::Subject subject{folder, std::move(*record), std::move(*scene), std::move(standing), nullptr};
   subject.grove = std::make_shared<const bake::Grove>(subject.scene.header);
   return subject;
 }
 
 // What the manifest alone says.
-void check_recipes(const scene::Scene& scene, int threads, Findings& findings) {
-  findings.clearances = measure_clearances(scene, threads);
-  const Jumps jumps = measure_jumps(scene);
+void check_recipes(const scene::Scene& scene, int threads, verify::Findings& findings) {
+  findings.clearances = verify::measure_clearances(scene, threads);
+  const verify::Jumps jumps = verify::measure_jumps(scene);
   findings.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
                           fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
   for (const scene::Chunk& chunk : scene.chunks) {
-    const Rises rises = measure_rises(chunk);
+    const verify::Rises rises = verify::measure_rises(chunk);
     findings.rivers.test_all(
         rises.streams, rises.rising == 0,
         fmt::format("{}: {} streams, by {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
-    const Grades grades = measure_grades(scene.header, chunk);
+    const verify::Grades grades = verify::measure_grades(scene.header, chunk);
     findings.grades.length_m += grades.length_m, findings.grades.over_m += grades.over_m;
   }
 }
 
 // The files of each tile, in the order of tiles and levels.
-std::vector<std::vector<WrittenTile>> by_tile(std::vector<WrittenTile> written) {
-  const auto key = [](const WrittenTile& w) { return std::pair(w.tile, w.level); };
+std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::WrittenTile> written) {
+  const auto key = [](const verify::WrittenTile& w) { return std::pair(w.tile, w.level); };
   std::ranges::stable_sort(written, {}, key);
-  std::vector<std::vector<WrittenTile>> tiles;
-  for (WrittenTile& each : written) {
+  std::vector<std::vector<verify::WrittenTile>> tiles;
+  for (verify::WrittenTile& each : written) {
     if (tiles.empty() || tiles.back().front().tile != each.tile) tiles.emplace_back();
     tiles.back().push_back(std::move(each));
   }
   return tiles;
 }
 
-using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, Borders>;
+using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, verify::Borders>;
 
-void check_seams(const BordersByTile& borders, Findings& findings) {
+void check_seams(const BordersByTile& borders, verify::Findings& findings) {
   for (const auto& [key, own] : borders) {
     const auto [level, tile] = key;
     if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
-      findings.seams.test(meet(own.east, east->second.west),
+      findings.seams.test(verify::meet(own.east, east->second.west),
                           fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
     }
     if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
-      findings.seams.test(meet(own.north, north->second.south),
+      findings.seams.test(verify::meet(own.north, north->second.south),
                           fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
     }
   }
 }
 
-Result<Findings> check_tiles(const Subject& subject, int threads, const OnProgress& on_progress, Findings findings) {
-  const std::vector<std::vector<WrittenTile>> tiles = by_tile(subject.record.tiles);
-  std::vector<std::optional<Result<CheckedTile>>> slots(tiles.size());
+Result<verify::Findings> check_tiles(const verify::Subject& subject, int threads, const OnProgress& on_progress,
+                                     verify::Findings findings) {
+  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(subject.record.tiles);
+  std::vector<std::optional<Result<verify::CheckedTile>>> slots(tiles.size());
   BordersByTile borders;
   Result<Done> done = Done{};
   const auto take = [&](std::size_t i) {
     on_progress("check", static_cast<double>(i) / static_cast<double>(tiles.size()));
-    const Result<CheckedTile> checked = *std::exchange(slots[i], std::nullopt);
+    const Result<verify::CheckedTile> checked = *std::exchange(slots[i], std::nullopt);
     if (!checked) done = checked.error();
     if (!checked) return false;
     add(findings, checked->findings);
@@ -90,7 +92,7 @@ Result<Findings> check_tiles(const Subject& subject, int threads, const OnProgre
     return true;
   };
   for_each_in_order(
-      tiles.size(), threads, [&](std::size_t i) { slots[i] = check_tile(subject, tiles[i]); }, take);
+      tiles.size(), threads, [&](std::size_t i) { slots[i] = verify::check_tile(subject, tiles[i]); }, take);
   if (!done) return done.error();
   check_seams(borders, findings);
   return findings;
@@ -103,15 +105,16 @@ struct Request {
 
 Result<Exit> run(const Request& request, const Console& console) {
   if (request.folder.empty()) return Error{"", "no folder of a run is given"};
-  const Result<Subject> subject = open_subject(request.folder);
+  const Result<verify::Subject> subject = open_subject(request.folder);
   if (!subject) return subject.error();
-  Findings recipes;
+  verify::Findings recipes;
   recipes.ledger.tests = 1, recipes.ledger.breaches = subject->record.unbalanced;
   check_recipes(subject->scene, request.threads, recipes);
-  const Result<Findings> findings = check_tiles(*subject, request.threads, console.progress(), std::move(recipes));
+  const Result<verify::Findings> findings =
+      check_tiles(*subject, request.threads, console.progress(), std::move(recipes));
   if (!findings) return findings.error();
-  tell(*findings, console);
-  for (const Finding* finding : all_of(*findings)) {
+  print(*findings, console);
+  for (const verify::Finding* finding : verify::all_of(*findings)) {
     if (!finding->breaches.empty())
       return Error{request.folder,
                    fmt::format("breaks a promise: {} ({})", finding->promise, finding->breaches.front())};

@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
-#include "exporters/output_folder.h"
-#include "compiler/commands/run_report.h"
 #include "compiler/commands/verb.h"
 #include "compiler/commands/write_tiles.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
+#include "compiler/verify/run_report.h"
+#include "exporters/output_folder.h"
 
 namespace citykiln::commands {
 namespace {
@@ -35,7 +35,7 @@ Result<CompileSpec> spec_of(const Request& request) {
   return spec;
 }
 
-void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const Written& written,
+void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const verify::Written& written,
                        const std::vector<StageCost>& costs, const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
@@ -52,7 +52,7 @@ void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const 
 }
 
 Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) {
-  Result<OutputFolder> folder = OutputFolder::open(spec.outputs.folder);
+  Result<exporters::OutputFolder> folder = exporters::OutputFolder::open(spec.outputs.folder);
   if (!folder) return folder.error();
 
   const OnProgress on_progress = console.progress();
@@ -60,26 +60,26 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   if (!compiled) return compiled.error();
 
   // what a level leaves out is what was asked for: strictness looks at the map alone
-  const Exit exit = spec.is_strict && has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
+  const Exit exit = spec.is_strict && verify::has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
 
   StageWatch watch(on_progress);
   watch.enter("bake, write, measure heights");
-  Result<Written> written = Written{};
-  HeightsRecord heights{{}, compiled->profiles};
+  Result<verify::Written> written = verify::Written{};
+  verify::HeightsRecord heights{{}, compiled->profiles};
   do_beside(
       spec.threads,
       [&] {
         written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
       },
-      [&] { heights.recipes = measure_heights(compiled->scene, spec.threads); });
+      [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
   std::vector<StageCost> costs = compiled->costs;
   for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
 
   const std::string report =
-      report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs, heights);
-  const std::string timing = timing_json(costs, spec.threads);
-  if (const Result<Done> done = folder->write("timing.json", bytes_of(timing)); !done) return done.error();
+      verify::report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs, heights);
+  const std::string timing = verify::timing_json(costs, spec.threads);
+  if (const Result<Done> done = folder->write("timing.json", exporters::bytes_of(timing)); !done) return done.error();
   if (const Result<Done> done = folder->commit(report); !done) return done.error();
 
   say_what_was_made(spec, *compiled, *written, costs, console);

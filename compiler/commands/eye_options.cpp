@@ -55,8 +55,4 @@ Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const 
   return std::optional<Vec3>(at_height(at, lonlat->z));
 }
 
-double focal_px(const PictureSize& size, double vertical_fov_deg) {
-  return snapped(size.height / 2.0 / std::tan(vertical_fov_deg * std::numbers::pi / 360));
-}
-
 }  // namespace citykiln::commands

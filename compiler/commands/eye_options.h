@@ -32,7 +32,4 @@ Result<Done> take_positive(const std::string& text, double& number);
 Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
                                      const std::optional<scene::Header>& header);
 
-/// So many pixels long, in the middle of a picture, is what is as long as it is far off. To 2^-10 pixels.
-double focal_px(const PictureSize& size, double vertical_fov_deg);
-
 }  // namespace citykiln::commands

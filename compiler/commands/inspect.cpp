@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/commands/geojson.h"
-#include "exporters/output_folder.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/write_tiles.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_osm.h"
 #include "exporters/file.h"
+#include "exporters/gltf/encode_tile.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
+#include "exporters/output_folder.h"
 
 namespace citykiln::commands {
 namespace {
@@ -64,8 +64,8 @@ Json describe(const bake::BakedTile& tile) {
                {"origin_m", {tile.origin.x, tile.origin.y, tile.origin.z}},
                {"tolerance_m", tile.tolerance_m},
                {"error_m", tile.error_m},
-               {"triangles", triangles_of(tile)},
-               {"instances", instances_of(tile)},
+               {"triangles", exporters::triangles_of(tile)},
+               {"instances", exporters::instances_of(tile)},
                {"features", tile.features.size() - 1}};
   json["materials"] = Json::object();
   for (const bake::Primitive& primitive : tile.primitives) {
@@ -111,7 +111,7 @@ void say(const Json& json, const Console& console) {
 Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
                          const std::vector<std::string>& attributions) {
   if (!layer) return layer.error();
-  return exporters::write_file(request.geojson_path, bytes_of(geojson_of(*layer, plane, attributions)));
+  return exporters::write_file(request.geojson_path, exporters::bytes_of(geojson_of(*layer, plane, attributions)));
 }
 
 Result<Json> inspect_manifest(const Request& request) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "compiler/commands/run_report.h"
 #include "compiler/pipeline.h"
 #include "compiler/sky/plan.h"
+#include "compiler/verify/run_report.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/kiln/manifest.h"
 
@@ -65,10 +65,10 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
 
 Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_progress) {
   const std::string& folder = request.paths.front();
-  const Result<RunRecord> record = read_report(folder);
+  const Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
   std::vector<std::string> paths;
-  for (const WrittenTile& tile : record->tiles) {
+  for (const verify::WrittenTile& tile : record->tiles) {
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
     if (tile.level == request.level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }

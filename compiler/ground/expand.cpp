@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/ground/mesh/bend_borders.h"
-#include "compiler/ground/grading/carve_lines.h"
-#include "compiler/ground/mesh/follow_carving.h"
-#include "compiler/ground/grading/follow_lines.h"
 #include "compiler/ground/cover/partition.h"
-#include "compiler/ground/mesh/refine.h"
 #include "compiler/ground/cover/simplify_borders.h"
+#include "compiler/ground/grading/carve_lines.h"
+#include "compiler/ground/grading/follow_lines.h"
+#include "compiler/ground/mesh/bend_borders.h"
+#include "compiler/ground/mesh/follow_carving.h"
+#include "compiler/ground/mesh/refine.h"
 #include "compiler/ground/mesh/step_mesh.h"
 
 namespace citykiln::ground {

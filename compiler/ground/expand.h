@@ -22,12 +22,12 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/mesh.h"
 #include "compiler/ground/cover/border.h"
-#include "compiler/ground/grading/carved_normals.h"
-#include "compiler/ground/grading/carving.h"
-#include "compiler/ground/recipe.h"
-#include "compiler/ground/mesh/reference.h"
 #include "compiler/ground/cover/surface_map.h"
 #include "compiler/ground/cover/yield_slivers.h"
+#include "compiler/ground/grading/carved_normals.h"
+#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/mesh/reference.h"
+#include "compiler/ground/recipe.h"
 
 namespace citykiln::ground {
 

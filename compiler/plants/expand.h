@@ -8,8 +8,8 @@
 
 #include "compiler/contract/report.h"
 #include "compiler/geometry/placement.h"
-#include "compiler/ground/grading/carving.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/plants/recipe.h"
 
 namespace citykiln::plants {

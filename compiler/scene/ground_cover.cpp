@@ -5,9 +5,9 @@
 
 #include "compiler/ground/plan.h"
 #include "compiler/roads/junctions/corner_pavements.h"
-#include "compiler/roads/pieces/islands.h"
-#include "compiler/roads/network.h"
 #include "compiler/roads/junctions/through_road.h"
+#include "compiler/roads/network.h"
+#include "compiler/roads/pieces/islands.h"
 
 namespace citykiln::scene {
 namespace {

@@ -1,9 +1,12 @@
 #include "compiler/scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace citykiln::scene {
+
 plants::Month month_of(const Header& header) { return plants::month_for(header.sky.time, header.origin.lat_deg); }
 
 Box2 box_of(const Header& header, TileKey tile) {
@@ -39,5 +42,7 @@ std::vector<roads::Junction> anchored_junctions(const Header& header, const Chun
   }
   return anchored;
 }
+
+std::string to_string(TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
 
 }  // namespace citykiln::scene

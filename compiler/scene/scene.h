@@ -28,6 +28,9 @@ struct TileKey {
   auto operator<=>(const TileKey&) const = default;
 };
 
+/// "3_-2".
+std::string to_string(TileKey tile);
+
 /// How far beyond a tile its chunk knows the ground: the largest reach of any expansion (plants), a whole number of
 /// metres.
 inline constexpr double kHalo_m = 48;

@@ -4,8 +4,8 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/grading/road_field.h"
-#include "compiler/roads/pieces/lane_strips.h"
 #include "compiler/roads/markings/markings.h"
+#include "compiler/roads/pieces/lane_strips.h"
 
 namespace citykiln::structures {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/ground/plan.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/plan.h"
 #include "compiler/structures/supports.h"
 
 namespace citykiln::structures {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "compiler/geometry/mesh.h"
-#include "compiler/ground/grading/carving.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/grading/carving.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::structures {

@@ -9,18 +9,17 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/fire_ground.h"
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/expand.h"
+#include "compiler/scene/ground_carving.h"
+#include "compiler/scene/ground_cover.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_road_faces.h"
 #include "compiler/verify/measure_trunks.h"
-#include "compiler/commands/write_tiles.h"
-#include "compiler/geometry/snap.h"
-#include "compiler/ground/expand.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
 #include "exporters/file.h"
-#include "exporters/gltf/glb.h"
+#include "exporters/gltf/encode_tile.h"
 
 namespace citykiln::verify {
 namespace {
@@ -167,8 +166,9 @@ bool is_baked(const Subject& subject, bake::PreparedTile& prepared, std::size_t 
   Report ignored;
   const RunRecord& record = subject.record;
   const bake::BakedTile baked = bake::fire_prepared(prepared, level, kOneThread, ignored);
-  const EncodedTile encoded =
-      encode_tile(baked, subject.scene.header, record.instances_as_nodes, record.compress, kOneThread);
+  const exporters::EncodedTile encoded =
+      exporters::encode_tile(baked, subject.scene.header, instancing_of(record.instances_as_nodes),
+                             compression_of(record.compress), kOneThread);
   return std::ranges::equal(encoded.glb, bytes);
 }
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "compiler/bake/grove.h"
-#include "compiler/verify/findings.h"
-#include "compiler/verify/measure_ground.h"
-#include "compiler/commands/run_report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
+#include "compiler/verify/findings.h"
+#include "compiler/verify/measure_ground.h"
+#include "compiler/verify/run_report.h"
 
 namespace citykiln::verify {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "compiler/commands/console.h"
 #include "compiler/verify/measure_clearances.h"
 #include "compiler/verify/measure_following.h"
 #include "compiler/verify/measure_lines.h"
@@ -48,8 +47,5 @@ std::vector<const Finding*> all_of(const Findings& findings);
 
 /// Counts what a tile was found to be to what is known of others; its breaches come after theirs.
 void add(Findings& findings, const Findings& of_tile);
-
-/// A line a promise for people, the same as JSON for machines.
-void tell(const Findings& findings, const Console& console);
 
 }  // namespace citykiln::verify

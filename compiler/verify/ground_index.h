@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compiler/bake/baked.h"
-#include "compiler/verify/measure_ground.h"
 #include "compiler/geometry/box_grid.h"
+#include "compiler/verify/measure_ground.h"
 
 namespace citykiln::verify {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "compiler/contract/draw.h"
-#include "compiler/ground/grading/follow_lines.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/grading/follow_lines.h"
 
 namespace citykiln::verify {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "compiler/bake/baked.h"
-#include "compiler/verify/ground_index.h"
 #include "compiler/scene/scene.h"
+#include "compiler/verify/ground_index.h"
 
 namespace citykiln::verify {
 

@@ -3,12 +3,12 @@
 
 #include <optional>
 
+#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/verify/measure_clearances.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_lakes.h"
 #include "compiler/verify/measure_lines.h"
 #include "compiler/verify/measure_road_faces.h"
-#include "compiler/ground/profiles/measure_profiles.h"
 
 namespace citykiln::verify {
 

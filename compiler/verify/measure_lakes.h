@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "compiler/verify/ground_index.h"
 #include "compiler/scene/scene.h"
+#include "compiler/verify/ground_index.h"
 
 namespace citykiln::verify {
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/water/measure_waters.h"
 #include "compiler/ground/profiles/profile_knots.h"
+#include "compiler/ground/water/measure_waters.h"
 
 namespace citykiln::verify {
 namespace {

@@ -1,8 +1,8 @@
 // What of a scene stands on the ground or leaves it, by name: what measures of the ground overlook.
 #pragma once
 
-#include "compiler/verify/measure_ground.h"
 #include "compiler/scene/scene.h"
+#include "compiler/verify/measure_ground.h"
 
 namespace citykiln::verify {
 

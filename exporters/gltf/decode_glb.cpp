@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
+#include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/decode_pictures.h"
 #include "exporters/gltf/decode_primitives.h"
-#include "exporters/file.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_doubts.h"
 #include "exporters/gltf/glb_source.h"

@@ -3,9 +3,9 @@
 #include <limits>
 #include <sstream>
 
+#include "exporters/file.h"
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/encode_pictures.h"
-#include "exporters/file.h"
 #include "exporters/gltf/glb.h"
 #include "exporters/gltf/glb_filling.h"
 #include "exporters/gltf/glb_frame.h"

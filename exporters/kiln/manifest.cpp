@@ -12,11 +12,11 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/map/building_classes.h"
 #include "compiler/map/locate.h"
-#include "exporters/kiln/chunk_codec.h"
 #include "exporters/file.h"
-#include "exporters/manifest_generated.h"
+#include "exporters/kiln/chunk_codec.h"
 #include "exporters/kiln/streams.h"
 #include "exporters/kiln/zstd_frame.h"
+#include "exporters/manifest_generated.h"
 
 namespace citykiln::exporters {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "grammars/derivation/occlusion.h"
 #include "grammars/derivation/roof_builder.h"
-#include "grammars/shapes/shape.h"
 #include "grammars/language/syntax.h"
+#include "grammars/shapes/shape.h"
 
 namespace citykiln::grammars {
 

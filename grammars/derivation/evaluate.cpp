@@ -6,8 +6,8 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "grammars/language/builtin.h"
-#include "grammars/shapes/measure.h"
 #include "grammars/language/text.h"
+#include "grammars/shapes/measure.h"
 
 namespace citykiln::grammars {
 namespace {

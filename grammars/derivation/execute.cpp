@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/operations/table.h"
 #include "grammars/derivation/sizes.h"
+#include "grammars/operations/table.h"
 
 namespace citykiln::grammars {
 namespace {

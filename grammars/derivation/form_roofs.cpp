@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "grammars/roofs/expand_roof.h"
 #include "grammars/shapes/border_ring.h"
 #include "grammars/shapes/cut.h"
-#include "grammars/roofs/expand_roof.h"
 
 namespace citykiln::grammars {
 namespace {

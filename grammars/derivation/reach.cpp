@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grammars/derivation/evaluate.h"
+#include "grammars/derivation/run.h"
 #include "grammars/language/body_marks.h"
 #include "grammars/language/builtin.h"
-#include "grammars/derivation/evaluate.h"
 #include "grammars/operations/table.h"
-#include "grammars/derivation/run.h"
 
 namespace citykiln::grammars {
 namespace {

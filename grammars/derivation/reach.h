@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "grammars/derivation/displacement.h"
-#include "grammars/shapes/shape.h"
 #include "grammars/language/syntax.h"
+#include "grammars/shapes/shape.h"
 
 namespace citykiln::grammars {
 

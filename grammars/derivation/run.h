@@ -8,9 +8,9 @@
 #include "compiler/contract/draw.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/displacement.h"
-#include "grammars/shapes/few.h"
 #include "grammars/derivation/memo.h"
 #include "grammars/derivation/reach.h"
+#include "grammars/shapes/few.h"
 #include "grammars/shapes/tables.h"
 
 namespace citykiln::grammars {

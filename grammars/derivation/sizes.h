@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "grammars/shapes/few.h"
 #include "grammars/language/syntax.h"
+#include "grammars/shapes/few.h"
 
 namespace citykiln::grammars {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "grammars/operations/table.h"
 #include "grammars/derivation/run.h"
+#include "grammars/operations/table.h"
 
 namespace citykiln::grammars {
 

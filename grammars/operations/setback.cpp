@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "compiler/geometry/offset_polygon.h"
-#include "grammars/shapes/cut.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
+#include "grammars/shapes/cut.h"
 
 namespace citykiln::grammars {
 namespace {

@@ -1,11 +1,11 @@
 // split: pieces along an axis of the scope.
 #include <algorithm>
 
-#include "grammars/shapes/cut.h"
 #include "grammars/derivation/evaluate.h"
+#include "grammars/derivation/sizes.h"
 #include "grammars/operations/operations.h"
 #include "grammars/operations/widen.h"
-#include "grammars/derivation/sizes.h"
+#include "grammars/shapes/cut.h"
 
 namespace citykiln::grammars {
 namespace {

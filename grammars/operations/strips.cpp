@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/shapes/cut.h"
 #include "grammars/operations/face_parts.h"
 #include "grammars/operations/operations.h"
+#include "grammars/shapes/cut.h"
 
 namespace citykiln::grammars {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compiler/contract/stable_id.h"
-#include "grammars/shapes/scope.h"
 #include "grammars/language/value.h"
+#include "grammars/shapes/scope.h"
 
 namespace citykiln::grammars {
 

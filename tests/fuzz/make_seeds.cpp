@@ -5,8 +5,8 @@
 
 #include "exporters/file.h"
 #include "exporters/gltf/glb.h"
-#include "exporters/kiln/manifest.h"
 #include "exporters/gltf/png.h"
+#include "exporters/kiln/manifest.h"
 #include "tests/exporters/made_tile.h"
 #include "tests/fuzz/unpacked.h"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "exporters/kiln/chunk_codec.h"
-#include "exporters/manifest_generated.h"
 #include "exporters/kiln/streams.h"
 #include "exporters/kiln/zstd_frame.h"
+#include "exporters/manifest_generated.h"
 
 namespace citykiln::exporters::fuzz {
 

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/height_layer.h"
-#include "compiler/ground/recipe.h"
+#include "compiler/ground/cover/surface_map.h"
 #include "compiler/ground/grading/road_field.h"
 #include "compiler/ground/grading/span_field.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/height_layer.h"
+#include "compiler/ground/recipe.h"
 #include "compiler/ground/water/water_height.h"
 #include "compiler/map/heightfield.h"
 

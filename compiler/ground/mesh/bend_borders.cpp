@@ -4,8 +4,8 @@
 #include <array>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/mesh/refine.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/mesh/refine.h"
 
 namespace citykiln::ground {
 namespace {

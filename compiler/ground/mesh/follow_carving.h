@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "compiler/ground/grading/carved_heights.h"
 #include "compiler/ground/cover/partition.h"
+#include "compiler/ground/grading/carved_heights.h"
 
 namespace citykiln::ground {
 

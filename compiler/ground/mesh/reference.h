@@ -9,8 +9,8 @@
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
-#include "compiler/ground/mesh/height_error.h"
 #include "compiler/ground/height_layer.h"
+#include "compiler/ground/mesh/height_error.h"
 #include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {

@@ -5,8 +5,8 @@
 //                  └─── carriageway
 #pragma once
 
-#include "compiler/ground/grading/carved_normals.h"
 #include "compiler/ground/expand.h"
+#include "compiler/ground/grading/carved_normals.h"
 #include "compiler/ground/mesh/refine.h"
 
 namespace citykiln::ground {

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <tuple>
 
-#include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/grading/carving.h"
+#include "compiler/ground/plan.h"
+#include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/lacks.h"
 #include "compiler/ground/profiles/line_heights.h"
-#include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/roads/plan.h"
 

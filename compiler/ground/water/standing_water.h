@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "compiler/contract/report.h"
-#include "compiler/ground/recipe.h"
 #include "compiler/ground/cover/shared_borders.h"
+#include "compiler/ground/recipe.h"
 #include "compiler/map/heightfield.h"
 
 namespace citykiln::ground {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/recipe.h"
 #include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/recipe.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {

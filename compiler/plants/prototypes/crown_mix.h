@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "compiler/plants/season.h"
 #include "compiler/plants/placing/wood_map.h"
+#include "compiler/plants/season.h"
 
 namespace citykiln::plants {
 

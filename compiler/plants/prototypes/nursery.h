@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "compiler/plants/prototypes/foliage.h"
 #include "compiler/plants/looks.h"
+#include "compiler/plants/prototypes/foliage.h"
 #include "compiler/plants/species_texts.h"
 
 namespace citykiln::plants {

@@ -6,8 +6,8 @@
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/junctions/arm_lines.h"
 #include "compiler/roads/expand.h"
+#include "compiler/roads/junctions/arm_lines.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/junctions/junction_ring.h"
 

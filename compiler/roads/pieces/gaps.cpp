@@ -1,8 +1,8 @@
 // Where junctions lie on roads, and what drivers meet there.
 #include <algorithm>
 
-#include "compiler/roads/pieces/stretches.h"
 #include "compiler/roads/junctions/through_road.h"
+#include "compiler/roads/pieces/stretches.h"
 
 namespace citykiln::roads {
 namespace {

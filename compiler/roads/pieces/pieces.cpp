@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/pieces/cross_lines.h"
 #include "compiler/roads/markings/markings.h"
+#include "compiler/roads/pieces/cross_lines.h"
 #include "compiler/roads/width_limits/squeeze.h"
 
 namespace citykiln::roads {

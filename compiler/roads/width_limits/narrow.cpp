@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/roads/width_limits/buildings_beside.h"
 #include "compiler/roads/network.h"
+#include "compiler/roads/width_limits/buildings_beside.h"
 #include "compiler/roads/width_limits/pinches.h"
 #include "compiler/roads/width_limits/squeeze.h"
 

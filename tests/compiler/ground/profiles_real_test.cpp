@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/ground/plan.h"
+#include "compiler/ground/profiles/measure_profiles.h"
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/roads/real_map.h"

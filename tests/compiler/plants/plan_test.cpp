@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compiler/plants/placing/contour.h"
 #include "compiler/plants/habit.h"
+#include "compiler/plants/placing/contour.h"
 
 namespace citykiln::plants {
 namespace {

@@ -6,10 +6,10 @@
 #include <set>
 
 #include "compiler/map/locate.h"
-#include "compiler/roads/width_limits/buildings_beside.h"
 #include "compiler/roads/expand.h"
-#include "compiler/roads/width_limits/narrow.h"
 #include "compiler/roads/plan.h"
+#include "compiler/roads/width_limits/buildings_beside.h"
+#include "compiler/roads/width_limits/narrow.h"
 #include "compiler/roads/width_limits/squeeze.h"
 #include "compiler/source/read_osm.h"
 #include "tests/compiler/roads/junction_claims.h"

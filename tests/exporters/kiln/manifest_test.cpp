@@ -7,9 +7,9 @@
 #include <random>
 
 #include "exporters/kiln/chunk_codec.h"
-#include "exporters/manifest_generated.h"
 #include "exporters/kiln/streams.h"
 #include "exporters/kiln/zstd_frame.h"
+#include "exporters/manifest_generated.h"
 #include "tests/exporters/made_scene.h"
 
 namespace citykiln::exporters {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/grading/carve_lines.h"
 #include "compiler/ground/cover/partition.h"
+#include "compiler/ground/grading/carve_lines.h"
 #include "tests/compiler/ground/made_references.h"
 
 namespace citykiln::ground {

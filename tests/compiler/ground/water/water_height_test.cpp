@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compiler/ground/water/level_waters.h"
 #include "compiler/ground/plan.h"
+#include "compiler/ground/water/level_waters.h"
 #include "compiler/roads/trim.h"
 #include "tests/compiler/ground/made_water.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "compiler/roads/pieces/stretches.h"
 #include "compiler/roads/junctions/through_road.h"
+#include "compiler/roads/pieces/stretches.h"
 #include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::roads {

@@ -7,10 +7,10 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_classes.h"
-#include "compiler/roads/width_limits/buildings_beside.h"
 #include "compiler/roads/expand.h"
-#include "compiler/roads/width_limits/squeeze.h"
 #include "compiler/roads/trim.h"
+#include "compiler/roads/width_limits/buildings_beside.h"
+#include "compiler/roads/width_limits/squeeze.h"
 #include "tests/compiler/roads/junction_claims.h"
 #include "tests/compiler/roads/made_footprint.h"
 #include "tests/compiler/roads/made_road.h"

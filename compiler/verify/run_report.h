@@ -8,14 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "compiler/verify/measure_heights.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
 #include "compiler/stage_watch.h"
+#include "compiler/verify/measure_heights.h"
+#include "exporters/gltf/compression.h"
+#include "exporters/gltf/glb.h"
 
-namespace citykiln::commands {
+namespace citykiln::verify {
 
 /// A file a run wrote.
 struct WrittenFile {
@@ -50,6 +52,10 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
                         const Written& written, const Outputs& outputs, const HeightsRecord& heights);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
+/// The settings of a run as the writer of .glb files has them.
+exporters::Compression compression_of(Compress compress);
+exporters::Instancing instancing_of(bool instances_as_nodes);
+
 /// True where something was mended or dropped: what --strict objects to.
 bool has_objections(const Report& report);
 
@@ -63,4 +69,4 @@ struct RunRecord {
 };
 Result<RunRecord> read_report(const std::string& folder);
 
-}  // namespace citykiln::commands
+}  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-#include "compiler/commands/run_report.h"
+#include "compiler/verify/run_report.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace citykiln::commands {
+namespace citykiln::verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -239,6 +239,15 @@ std::string timing_json(std::span<const StageCost> costs, int threads) {
   return json.dump(1) + "\n";
 }
 
+exporters::Compression compression_of(Compress compress) {
+  if (compress == Compress::kDraco) return exporters::Compression::kDraco;
+  return compress == Compress::kMeshopt ? exporters::Compression::kMeshopt : exporters::Compression::kNone;
+}
+
+exporters::Instancing instancing_of(bool instances_as_nodes) {
+  return instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
+}
+
 bool has_objections(const Report& report) {
   return std::ranges::any_of(report.diagnoses(),
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
@@ -255,4 +264,4 @@ Result<RunRecord> read_report(const std::string& folder) {
   }
 }
 
-}  // namespace citykiln::commands
+}  // namespace citykiln::verify

@@ -1,10 +1,10 @@
-#include "compiler/commands/run_report.h"
+#include "compiler/verify/run_report.h"
 
 #include <gtest/gtest.h>
 
 #include "tests/scratch_folder.h"
 
-namespace citykiln::commands {
+namespace citykiln::verify {
 namespace {
 
 /// The folder of a run that ended with a report.
@@ -84,4 +84,4 @@ TEST(RunReport, OnlyWhatIsLostOrMendedIsObjectedTo) {
 }
 
 }  // namespace
-}  // namespace citykiln::commands
+}  // namespace citykiln::verify

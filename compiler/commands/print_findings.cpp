@@ -1,0 +1,70 @@
+#include "compiler/commands/print_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compiler/ground/grading/follow_lines.h"
+
+namespace citykiln::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json told(const verify::Finding& finding, const Console& console) {
+  const bool holds = finding.breaches.empty();
+  console.say(fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", finding.promise,
+                          holds ? fmt::format("not falsified by {} tests", finding.tests) : finding.breaches.front()));
+  if (finding.breaches.size() > 1) console.say(fmt::format("       and {} breaches more", finding.breaches.size() - 1));
+  return {{"promise", finding.promise}, {"tests", finding.tests}, {"breaches", finding.breaches}};
+}
+
+Json stated(const verify::Grades& grades, const Console& console) {
+  console.say(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
+                          grades.over_m / 1000, grades.length_m / 1000));
+  return {{"stated", "length of graded roads over their class's limit"},
+          {"length_m", grades.length_m},
+          {"over_m", grades.over_m}};
+}
+
+Json stated(const verify::Clearances& c, const Console& console) {
+  console.say(fmt::format(
+      "stated {} of {} crossings lack clearance, {} over 1 m, {} over 3 m; most, {:.2f} m, {} over {} at {}, {}",
+      c.lacking, c.crossings, c.lacking_over_1_m, c.lacking_over_3_m, c.largest_lack_m, to_string(c.upper),
+      to_string(c.lower), c.at.x, c.at.y));
+  return {{"stated", "crossings that lack clearance"},
+          {"crossings", c.crossings},
+          {"lacking", c.lacking},
+          {"lacking_over_1_m", c.lacking_over_1_m},
+          {"lacking_over_3_m", c.lacking_over_3_m},
+          {"largest_lack_m", c.largest_lack_m},
+          {"upper", to_string(c.upper)},
+          {"lower", to_string(c.lower)},
+          {"at", {c.at.x, c.at.y}}};
+}
+
+Json stated(const verify::Following& f, const Console& console) {
+  const double share = static_cast<double>(f.over) / static_cast<double>(std::max<std::uint64_t>(f.places, 1));
+  console.say(
+      fmt::format("stated {:.2f} % of {} places stray from the carved heights by over {} m, the worst by {:.2f} m at "
+                  "{:.2f}, {:.2f}",
+                  100 * share, f.places, 2 * ground::kFollow_m, f.largest_m, f.at.x, f.at.y));
+  return {{"stated", "places where the triangulated ground strays from the carved heights"},
+          {"places", f.places},
+          {"over", f.over},
+          {"largest_m", f.largest_m}};
+}
+
+}  // namespace
+
+void print(const verify::Findings& findings, const Console& console) {
+  Json json = Json::array();
+  for (const verify::Finding* finding : verify::all_of(findings)) json.push_back(told(*finding, console));
+  json.push_back(stated(findings.grades, console));
+  json.push_back(stated(findings.clearances, console));
+  json.push_back(stated(findings.following, console));
+  console.answer(json.dump(1));
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,12 @@
+// The findings of `check` on the console.
+#pragma once
+
+#include "compiler/commands/console.h"
+#include "compiler/verify/findings.h"
+
+namespace citykiln::commands {
+
+/// Prints one line a promise for people, or the same as one JSON array for machines.
+void print(const verify::Findings& findings, const Console& console);
+
+}  // namespace citykiln::commands

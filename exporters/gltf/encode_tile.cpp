@@ -1,0 +1,36 @@
+#include "exporters/gltf/encode_tile.h"
+
+#include <fmt/format.h>
+
+#include "exporters/gltf/quantise.h"
+
+namespace citykiln::exporters {
+
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
+                        Compression compression, int threads) {
+  if (compression == Compression::kNone) return {encode_glb(tile, header, instancing), tile.error_m};
+  const bake::BakedTile packed = quantised(tile);
+  return {encode_glb(packed, header, instancing, compression, threads), packed.error_m};
+}
+
+std::string glb_name(scene::TileKey tile, std::size_t level) {
+  return fmt::format("glb/{}_L{}.glb", to_string(tile), level);
+}
+
+std::uint64_t triangles_of(const bake::BakedTile& tile) {
+  std::uint64_t count = 0;
+  for (const bake::Primitive& primitive : tile.primitives) count += primitive.triangles.size();
+  for (const bake::Instanced& instanced : tile.instanced) {
+    for (const bake::Primitive& primitive : instanced.primitives)
+      count += primitive.triangles.size() * instanced.translations.size();
+  }
+  return count;
+}
+
+std::uint64_t instances_of(const bake::BakedTile& tile) {
+  std::uint64_t count = 0;
+  for (const bake::Instanced& instanced : tile.instanced) count += instanced.translations.size();
+  return count;
+}
+
+}  // namespace citykiln::exporters

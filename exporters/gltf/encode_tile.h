@@ -1,0 +1,33 @@
+// A baked tile as the bytes of its .glb, packed or not, and what report.json says of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compiler/bake/baked.h"
+#include "compiler/scene/scene.h"
+#include "exporters/gltf/compression.h"
+#include "exporters/gltf/glb.h"
+
+namespace citykiln::exporters {
+
+/// A .glb and the error that it states: the error of packing is included.
+struct EncodedTile {
+  std::vector<std::byte> glb;
+  double error_m = 0;
+};
+
+/// Returns the .glb of a tile. Packed tiles are quantised first, so that their stated error holds.
+EncodedTile encode_tile(const bake::BakedTile& tile, const scene::Header& header, Instancing instancing,
+                        Compression compression, int threads);
+
+/// "glb/3_-2_L0.glb".
+std::string glb_name(scene::TileKey tile, std::size_t level);
+
+/// Returns the number of triangles of a baked tile; each instance's triangles are counted.
+std::uint64_t triangles_of(const bake::BakedTile& tile);
+std::uint64_t instances_of(const bake::BakedTile& tile);
+
+}  // namespace citykiln::exporters
