@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "compiler/bake/skirt.h"
+#include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/expand.h"
@@ -88,7 +88,7 @@ double finest_needed_m(const View& view, const scene::Chunk& chunk, const Box2& 
 }  // namespace
 
 double focal_length_px(int height_px, double vertical_fov_deg) {
-  return snapped(height_px / 2.0 / std::tan(vertical_fov_deg * std::numbers::pi / 360));
+  return snapped(height_px / 2.0 / tangent(vertical_fov_deg / 2));
 }
 
 double tolerance_m_for(const View& view, const Bounds& bounds) {
