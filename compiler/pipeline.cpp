@@ -12,15 +12,15 @@
 #include "compiler/contract/once.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/plan_profiles.h"
-#include "compiler/ground/water/level_waters.h"
+#include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
-#include "compiler/roads/layers.h"
+#include "compiler/roads/junctions/layers.h"
 #include "compiler/roads/plan.h"
-#include "compiler/roads/width_limits/narrow.h"
+#include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/sky/plan.h"
 #include "compiler/source/join_rasters.h"
 #include "compiler/source/read_osm.h"
@@ -28,7 +28,7 @@
 #include "compiler/source/read_texts.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "compiler/structures/plan.h"
-#include "compiler/structures/plan_openings.h"
+#include "compiler/structures/plan_parapet_gaps.h"
 #include "compiler/structures/plan_piers.h"
 
 namespace citykiln {
@@ -45,10 +45,10 @@ Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 
 /// The land as what stands on it sees it: without the rounded corners of streets.
-ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region);
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region);
 
 /// What piers must not stand on, and what else covers the ground.
-std::vector<ground::Surface> standing_surfaces(const scene::Recipes& recipes, const map::Features& features);
+std::vector<ground::LandCoverPolygon> standing_surfaces(const scene::Recipes& recipes, const map::Features& features);
 
 }  // namespace
 
@@ -78,30 +78,30 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   watch.enter("roads");
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
-  recipes.roads = roads::narrow(std::move(recipes.roads), recipes.junctions, features.footprints, report);
+  recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
   // off the ground they are counted only, until they have heights
   roads::plan_layers(features, report);
   watch.enter("ground");
   recipes.surfaces = ground::plan(features, report);
-  recipes.streams = ground::plan_streams(features, report);
-  ground::Waters waters = ground::level_waters(std::move(recipes.surfaces), std::move(recipes.streams),
-                                               ground::covered_waterways(features), recipes.heights, report);
-  recipes.surfaces = std::move(waters.surfaces), recipes.streams = std::move(waters.streams);
+  recipes.watercourses = ground::plan_streams(features, report);
+  ground::Waters waters = ground::plan_water_heights(std::move(recipes.surfaces), std::move(recipes.watercourses),
+                                                     ground::covered_waterways(features), recipes.heights, report);
+  recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
   watch.enter("profiles");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
-                                                    recipes.streams, recipes.surfaces, recipes.heights, report);
+                                                    recipes.watercourses, recipes.surfaces, recipes.heights, report);
   const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
 
   // what leaves it, and what stands on it
   watch.enter("structures");
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
-  recipes.structures.bridges = structures::find_openings(std::move(recipes.structures.bridges));
-  const ground::Carving carving = carved_land(recipes, features.region);
-  recipes.structures.bridges = structures::place_piers(std::move(recipes.structures.bridges), carving,
+  recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
+  const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
+  recipes.structures.bridges = structures::place_piers(std::move(recipes.structures.bridges), graded,
                                                        standing_surfaces(recipes, features), report);
   watch.enter("buildings");
-  recipes.buildings = buildings::plan(features, carving, report);
+  recipes.buildings = buildings::plan(features, graded, report);
   watch.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
   watch.enter("props");
@@ -114,7 +114,7 @@ Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress)
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
-  header->species = plants::species_for(recipes.plants, has_hedges(recipes.props));
+  header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
   return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
 }
@@ -151,15 +151,16 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   std::vector<Report> reports(steps.size());
   std::vector<TileUnderWay> under_way(scene.chunks.size());
   Result<Done> done = Done{};
-  const auto grove = std::make_shared<const bake::Grove>(scene.header);
+  const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   const auto make = [&](std::size_t i) {
     TileUnderWay& tile = under_way[steps[i].tile];
     // whoever comes first prepares the tile, the others help
-    tile.once.call(
-        [&] { tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, grove); });
+    tile.once.call([&] {
+      tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes);
+    });
     if (!steps[i].level) return;
     const FiredLevel at{steps[i].tile, *steps[i].level};
-    make_of(at, bake::fire_prepared(*tile.prepared, at.level, threads, reports[i]));
+    make_of(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
@@ -244,21 +245,22 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   return heights;
 }
 
-ground::Carving carved_land(const scene::Recipes& recipes, const Box2& region) {
-  std::vector<ground::Surface> wet = recipes.surfaces;
-  for (const roads::Strip& stream : recipes.streams) wet.push_back(ground::surface_of(stream));
+ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {
+  std::vector<ground::LandCoverPolygon> wet = recipes.surfaces;
+  for (const roads::Strip& stream : recipes.watercourses) wet.push_back(ground::surface_of(stream));
   const std::vector<structures::Span>&bridges = recipes.structures.bridges, &tunnels = recipes.structures.tunnels;
   const std::vector<roads::Road> decks(bridges.begin(), bridges.end());
   std::vector<roads::Road> bores;
   for (const structures::Span& tunnel : tunnels)
     if (tunnel.is_bored) bores.push_back(tunnel);
-  return ground::carve(recipes.heights, {recipes.roads, recipes.streams, wet, region, false, decks, bores});
+  return ground::grade_terrain(recipes.heights,
+                               {recipes.roads, recipes.watercourses, wet, region, false, decks, bores});
 }
 
-std::vector<ground::Surface> standing_surfaces(const scene::Recipes& recipes, const map::Features& features) {
-  std::vector<ground::Surface> standing = recipes.surfaces;
-  for (const roads::Strip& stream : recipes.streams) standing.push_back(ground::surface_of(stream));
-  const std::vector<roads::Ends> ends = roads::ends_of(recipes.roads);
+std::vector<ground::LandCoverPolygon> standing_surfaces(const scene::Recipes& recipes, const map::Features& features) {
+  std::vector<ground::LandCoverPolygon> standing = recipes.surfaces;
+  for (const roads::Strip& stream : recipes.watercourses) standing.push_back(ground::surface_of(stream));
+  const std::vector<roads::StripEnds> ends = roads::ends_of(recipes.roads);
   for (std::size_t i = 0; i < recipes.roads.size(); ++i) {
     standing.push_back(ground::surface_of(recipes.roads[i], ends[i]));
     standing.push_back(ground::pavement_of(recipes.roads[i], ends[i]));
@@ -267,7 +269,7 @@ std::vector<ground::Surface> standing_surfaces(const scene::Recipes& recipes, co
   for (std::size_t j = 0; j < recipes.junctions.size(); ++j)
     standing.push_back(scene::junction_surface(recipes.junctions[j], recipes.roads, arms[j]));
   for (const map::Footprint& footprint : features.footprints) {
-    standing.push_back({footprint.id, map::SurfaceClass::kBuilding, 0, {footprint.polygon.outer}});
+    standing.push_back({footprint.id, map::LandCoverClass::kBuilding, 0, {footprint.polygon.outer}});
     for (const Ring& hole : footprint.polygon.holes) standing.back().rings.push_back(hole);
   }
   return standing;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/ground/profiles/measure_profiles.h"

@@ -14,11 +14,11 @@ namespace {
 constexpr std::uint64_t kMostSymbols = 1u << 27;  // so that places and dice are counted in 32 bits
 
 // two strings that take turns, and what became of them so far
-struct Growth {
+struct DerivationState {
   const LSystem& system;
   const DeriveOptions& options;
   Derivation result;
-  Stream now, next;
+  ModuleBuffer now, next;
 
   Draw chance_of(const char* purpose, int step, int pass) const {
     const StableId of_step = stable_id(options.plant, purpose, static_cast<std::uint64_t>(step));
@@ -39,7 +39,7 @@ struct Growth {
                                 : kind == LimitKind::kWritten ? limits.written
                                 : kind == LimitKind::kWork    ? limits.work
                                                               : limits.steps;
-    result.cut = Cut{kind, limit, step};
+    result.cut = LimitExceeded{kind, limit, step};
   }
 
   // false where nothing changed or a limit cut
@@ -64,7 +64,7 @@ struct Growth {
   void begin(Rewriter& rewriter) {
     next.most = std::min(options.limits.symbols, kMostSymbols);
     const Draw chance = chance_of("axiom", 0, 0);
-    Dice dice{&chance, 0, 0};
+    RandomSource dice{&chance, 0, 0};
     if (!write_successor(rewriter, system.axiom, nullptr, dice, next)) cut(LimitKind::kSymbols, 0);
     result.written += next.size;
     std::swap(now, next);
@@ -105,46 +105,46 @@ struct Growth {
 }  // namespace
 
 Derivation derive(const LSystem& system, const DeriveOptions& options) {
-  Growth growth{system, options, {}, {}, {}};
-  Rewriter productions = rewriter_of(system, system.productions, growth.result.troubles, options.limits);
-  Rewriter decomposition = rewriter_of(system, system.decomposition, growth.result.troubles, options.limits);
-  growth.begin(productions);
-  growth.decompose(decomposition, 0);
-  growth.answer(0);
+  DerivationState state{system, options, {}, {}, {}};
+  Rewriter productions = rewriter_of(system, system.productions, state.result.warnings, options.limits);
+  Rewriter decomposition = rewriter_of(system, system.decomposition, state.result.warnings, options.limits);
+  state.begin(productions);
+  state.decompose(decomposition, 0);
+  state.answer(0);
   const int steps = options.steps.value_or(system.steps);
-  for (int step = 1; step <= steps && !growth.result.cut; ++step) {
+  for (int step = 1; step <= steps && !state.result.cut; ++step) {
     if (static_cast<std::uint64_t>(step) > options.limits.steps) {
-      growth.cut(LimitKind::kSteps, step);
+      state.cut(LimitKind::kSteps, step);
       break;
     }
-    growth.apply(productions, "production", step, 0);
-    if (growth.result.cut) break;
-    growth.decompose(decomposition, step);
-    growth.answer(step);
-    if (!growth.result.cut) growth.result.steps = step;
+    state.apply(productions, "production", step, 0);
+    if (state.result.cut) break;
+    state.decompose(decomposition, step);
+    state.answer(step);
+    if (!state.result.cut) state.result.steps = step;
   }
-  return growth.finish();
+  return state.finish();
 }
 
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options) {
-  Growth growth{system, options, {}, {}, {}};
-  growth.now.room = string;
-  growth.now.size = string.kinds.size();
-  growth.now.value_count = string.values.size();
-  Rewriter rules = rewriter_of(system, system.interpretation, growth.result.troubles, options.limits);
+  DerivationState state{system, options, {}, {}, {}};
+  state.now.room = string;
+  state.now.size = string.kinds.size();
+  state.now.value_count = string.values.size();
+  Rewriter rules = rewriter_of(system, system.interpretation, state.result.warnings, options.limits);
   if (!system.interpretation.rules.empty())
-    for (int pass = 0; pass < system.interpretation.most_depth && !growth.result.cut; ++pass)
-      if (!growth.apply(rules, "interpretation", 0, pass)) break;
-  return growth.finish();
+    for (int pass = 0; pass < system.interpretation.most_depth && !state.result.cut; ++pass)
+      if (!state.apply(rules, "interpretation", 0, pass)) break;
+  return state.finish();
 }
 
-std::string trouble_line(const LSystem& system, const Trouble& trouble) {
-  const std::string times = trouble.times == 1 ? "" : fmt::format(" ({} times)", trouble.times);
-  if (trouble.place.line == 0) return fmt::format("{}: {}{}", system.file, trouble.message, times);
-  return fmt::format("{}:{}:{}: {}{}", system.file, trouble.place.line, trouble.place.column, trouble.message, times);
+std::string warning_line(const LSystem& system, const Warning& warning) {
+  const std::string times = warning.times == 1 ? "" : fmt::format(" ({} times)", warning.times);
+  if (warning.place.line == 0) return fmt::format("{}: {}{}", system.file, warning.message, times);
+  return fmt::format("{}:{}:{}: {}{}", system.file, warning.place.line, warning.place.column, warning.message, times);
 }
 
-std::string cut_line(const LSystem& system, const Cut& cut) {
+std::string limit_line(const LSystem& system, const LimitExceeded& cut) {
   const std::string start = fmt::format("{}: cut at step {}: ", system.file, cut.step);
   if (cut.kind == LimitKind::kSteps) return start + fmt::format("no more than {} steps are done", cut.limit);
   if (cut.kind == LimitKind::kWork)

@@ -33,8 +33,8 @@ struct DeriveOptions {
 };
 
 /// Something a rule asked for that cannot be, and what was done instead. Once a place and text.
-struct Trouble {
-  Place place;
+struct Warning {
+  TextPosition place;
   std::string message;
   std::uint64_t times = 0;
 };
@@ -42,7 +42,7 @@ struct Trouble {
 enum class LimitKind : std::uint8_t { kSymbols, kWritten, kSteps, kWork };
 
 /// A derivation that ended early: its string is the last one that was whole.
-struct Cut {
+struct LimitExceeded {
   LimitKind kind = LimitKind::kSymbols;
   std::uint64_t limit = 0;
   int step = 0;  ///< That was not finished, from 1.
@@ -52,8 +52,8 @@ struct Derivation {
   ModuleString string;
   int steps = 0;              ///< Finished.
   std::uint64_t written = 0;  ///< Symbols, in all strings together.
-  std::vector<Trouble> troubles;
-  std::optional<Cut> cut;
+  std::vector<Warning> warnings;
+  std::optional<LimitExceeded> cut;
 };
 
 /// Rewrites the axiom as often as asked.
@@ -72,8 +72,8 @@ Derivation derive(const LSystem& system, const DeriveOptions& options = {});
 Derivation interpret(const LSystem& system, const ModuleString& string, const DeriveOptions& options = {});
 
 /// "x.lsys:12:5: message (3 times)".
-std::string trouble_line(const LSystem& system, const Trouble& trouble);
+std::string warning_line(const LSystem& system, const Warning& warning);
 /// "x.lsys: cut at step 9: its string would have more than 8000000 symbols".
-std::string cut_line(const LSystem& system, const Cut& cut);
+std::string limit_line(const LSystem& system, const LimitExceeded& cut);
 
 }  // namespace citykiln::lsystems

@@ -13,7 +13,7 @@ namespace {
 double remainder_of(double a, double b) { return b == 0 ? a / b : std::fmod(a, b); }
 
 // Box and Muller 1958
-double normal(double mean, double deviation, Dice& dice) {
+double normal(double mean, double deviation, RandomSource& dice) {
   const double far = std::sqrt(-2 * logarithm(1 - dice.next()));
   return mean + deviation * far * cosine(360 * dice.next());
 }
@@ -64,7 +64,7 @@ int arity_of(Op op) {
   }
 }
 
-double applied(Op op, double a, double b, Dice& dice) {
+double applied(Op op, double a, double b, RandomSource& dice) {
   switch (op) {
     case Op::kNegative:
       return -a;
@@ -84,7 +84,7 @@ double applied(Op op, double a, double b, Dice& dice) {
 
 }  // namespace
 
-double run(const Instruction* code, std::uint32_t count, const double* slots, Dice& dice) {
+double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& dice) {
   double stack[kStackLimit];
   int top = 0;
   for (const Instruction* at = code; at != code + count; ++at) {

@@ -1,8 +1,8 @@
 // Numbers of successors, conditions and probabilities.
 #pragma once
 
-#include "lsystems/dice.h"
 #include "lsystems/lsystem.h"
+#include "lsystems/random_source.h"
 
 namespace citykiln::lsystems {
 
@@ -11,9 +11,9 @@ inline constexpr int kStackLimit = 64;
 
 /// Runs code that the reader made. Only + - * / and the square root, so the same bits on every CPU. What has no value
 /// (1/0, the root of -1) is infinite or no number: the caller decides. Allocates nothing. O(count).
-double run(const Instruction* code, std::uint32_t count, const double* slots, Dice& dice);
+double run(const Instruction* code, std::uint32_t count, const double* slots, RandomSource& dice);
 
-inline double evaluate(const LSystem& system, const Value& value, const double* slots, Dice& dice) {
+inline double evaluate(const LSystem& system, const Value& value, const double* slots, RandomSource& dice) {
   switch (value.form) {
     case ValueForm::kConstant:
       return value.constant;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lsystems/joint_shape.h"
+#include "lsystems/joint_stencils.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -40,7 +40,7 @@ Heights heights_of(const Stem& parent, const Stem& upper, std::span<const Stem> 
   double low = 1e300, high = -1e300, part = 0;
   for (const Stem& side : sides) {
     const double middle = leaving(side, axis, radius).height;
-    const double half = std::min(side.radius, radius) * kCornerReach * std::sqrt(0.5);
+    const double half = std::min(side.radius, radius) * kCornerScale * std::sqrt(0.5);
     low = std::min(low, middle - half);
     high = std::max(high, middle + half);
     part = std::max(part, parting(side, upper));
@@ -59,7 +59,7 @@ Ring ring_of(const Stem& stem, Vec3 node, double distance, Vec3 first) {
   Ring ring;
   ring.at = node + stem.direction * distance;
   ring.axis = stem.direction;
-  ring.x = square_to(stem.direction, first);
+  ring.x = perpendicular_to(stem.direction, first);
   ring.radius = std::max(0.0, stem.radius - stem.slope * distance);
   ring.slope = stem.slope;
   return ring;
@@ -99,16 +99,16 @@ Vec3 first_of_side(Vec3 direction, const Compass& compass, int side) {
   return (cross(up, direction) + up) * -1.0;
 }
 
-double reach_of(const Joint& joint) {
+double extent_of(const Joint& joint) {
   Vec3 middle;
   for (const Vec3 corner : joint.box) middle = middle + corner * 0.125;
-  double reach = 0;
-  for (const Vec3 corner : joint.box) reach = std::max(reach, length(corner - middle));
+  double extent_m = 0;
+  for (const Vec3 corner : joint.box) extent_m = std::max(extent_m, length(corner - middle));
   for (std::size_t i = 0; i < joint.stems; ++i) {
     const Ring& ring = joint.rings[i];
-    reach = std::max(reach, length(ring.at - middle) + ring.radius * kCornerReach);
+    extent_m = std::max(extent_m, length(ring.at - middle) + ring.radius * kCornerScale);
   }
-  return reach;
+  return extent_m;
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ double reach_of(const Joint& joint) {
 Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<const Stem> sides) {
   const Vec3 both = parent.direction + upper.direction;
   const Vec3 axis = length(both) > 1e-3 ? unit(both) : parent.direction;
-  const Vec3 x = square_to(axis, sides[0].direction);
+  const Vec3 x = perpendicular_to(axis, sides[0].direction);
   const Compass compass{axis, x, cross(axis, x)};
   const Heights heights = heights_of(parent, upper, sides, axis);
   const Vec3 corner = (compass.x - compass.y) * std::sqrt(0.5);
@@ -125,7 +125,7 @@ Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<co
   joint.rings[1] = ring_of(upper, node, heights.upper_ring, corner);
   joint.names = {parent.name, upper.name};
   for (int k = 0; k < 4; ++k) {
-    const Vec3 out = (compass.towards(k) - compass.towards((k + 1) % 4)) * std::sqrt(0.5) * kCornerReach;
+    const Vec3 out = (compass.towards(k) - compass.towards((k + 1) % 4)) * std::sqrt(0.5) * kCornerScale;
     joint.box[k] = node + axis * heights.low + out * parent.radius;
     joint.box[4 + k] = node + axis * heights.high + out * std::max(upper.radius, parent.radius * 0.8);
   }
@@ -138,7 +138,7 @@ Joint place_joint(Vec3 node, const Stem& parent, const Stem& upper, std::span<co
     joint.names[joint.stems] = stem.name;
     joint.rings[joint.stems++] = ring_of(stem, node, distance, first_of_side(stem.direction, compass, k));
   }
-  joint.reach = reach_of(joint);
+  joint.extent_m = extent_of(joint);
   return joint;
 }
 

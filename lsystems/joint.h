@@ -24,8 +24,8 @@ struct Joint {
   std::array<Ring, 2 + kMostSideStems> rings;  ///< Lower, upper, those of open sides from 0 to 3; sides are not set.
   std::array<std::int32_t, 2 + kMostSideStems> names{};
   std::size_t stems = 2;
-  unsigned open = 0;  ///< As in make_joint_shape.
-  double reach = 0;   ///< All points of the cage are so near to the box's middle.
+  unsigned open = 0;    ///< As in make_joint_stencils.
+  double extent_m = 0;  ///< All points of the cage are so near to the box's middle.
 };
 
 /// @param node     Where the axes meet; the parent arrives here.

@@ -54,7 +54,7 @@ Plane plane_of(std::span<const Vec3> corners) {
   return plane;
 }
 
-struct Frames {
+struct Bounds {
   Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
   void add(Vec2 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -71,7 +71,7 @@ bool add_polygon(std::span<const Vec3> corners, double tolerance_m, std::vector<
   const Plane plane = plane_of(corners);
   if (!(length(plane.normal) > 0.5)) return false;
   ring.clear();
-  Frames frame;
+  Bounds frame;
   for (const Vec3 corner : corners) frame.add(ring.emplace_back(plane.of(corner - corners[0])));
   if (frame.extent() <= tolerance_m) return false;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -109,7 +109,7 @@ bool add_instance(const Instance& instance, const LeafSurface& surface, double t
   double extent = 0;
   for (const Vec3 p : surface.positions) extent = std::max(extent, length(p - surface.positions[0]));
   if (!(extent * std::abs(instance.size) > tolerance_m)) return false;
-  const Frame& f = instance.frame;
+  const TurtleFrame& f = instance.frame;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
     const Vec3 p = surface.positions[i] * instance.size;

@@ -13,7 +13,7 @@
 namespace citykiln::lsystems {
 
 /// A character of a file.
-struct Place {
+struct TextPosition {
   std::uint32_t line = 0;    ///< From 1.
   std::uint32_t column = 0;  ///< From 1, in bytes.
 };
@@ -70,7 +70,7 @@ struct Value {
   std::uint16_t slot = 0;
   double constant = 0;
   std::uint32_t first = 0, count = 0;  ///< Of kCode: into LSystem::code.
-  Place place;
+  TextPosition place;
 };
 
 /// A run of rows in one of LSystem's arrays.
@@ -86,7 +86,7 @@ struct Successor {
 };
 
 struct Rule {
-  Place place;
+  TextPosition place;
   Kind predecessor = 0;
   Range left, right;  ///< Into LSystem::contexts, in the order written. `right` may hold brackets.
   bool has_condition = false, has_probability = false;
@@ -113,7 +113,7 @@ struct LSystem {
   std::vector<Value> values;
   std::vector<Instruction> code;
   Successor axiom;
-  Place axiom_place;
+  TextPosition axiom_place;
   RuleSet productions, decomposition, interpretation;
   Kind push = 0, pop = 0, cut = 0;  ///< [ ] %, always there.
   bool has_cuts = false;            ///< Some rule writes %.

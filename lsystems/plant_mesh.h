@@ -8,7 +8,8 @@
 
 namespace citykiln::lsystems {
 
-/// One entry a vertex in the first three; triangles counter-clockwise from outside. Frame and unit are the skeleton's.
+/// One entry a vertex in the first three; triangles counter-clockwise from outside. TurtleFrame and unit are the
+/// skeleton's.
 struct PartMesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  ///< Of length 1.
@@ -24,8 +25,9 @@ struct PlantMesh {
 
   /// From the bark to what it stands for (see mesh_plant), Hausdorff, both ways; without what was left out.
   double error_m = 0;
-  std::size_t joints = 0;    ///< Smooth ones, of three stems and more.
-  std::size_t unjoined = 0;  ///< Stems that are closed alone: roots, those behind f, and more than four from one place.
+  std::size_t joints = 0;  ///< Smooth ones, of three stems and more.
+  std::size_t separate_stems =
+      0;                     ///< Stems that are closed alone: roots, those behind f, and more than four from one place.
   std::size_t left_out = 0;  ///< Segments, polygons and instances that are thinner or smaller than the tolerance.
 };
 

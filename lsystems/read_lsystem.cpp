@@ -19,14 +19,14 @@ struct Statement {
 enum class Section { kProductions, kDecomposition, kInterpretation, kEnd };
 
 // what the statements say before all of them are read
-struct Gathered {
+struct FileState {
   Section section = Section::kProductions;
   std::set<std::string> ignored;
   bool only_considered = false;  // `ignored` names what is considered
   bool has_axiom = false;
 };
 
-using ReadDirective = void (*)(Reader&, Gathered&);
+using ReadDirective = void (*)(Reader&, FileState&);
 
 struct Directive {
   std::string_view name;
@@ -90,7 +90,7 @@ std::vector<std::size_t> line_starts_of(std::string_view text) {
 
 double read_number_of(Reader& reader, std::string_view what, double least, double most) {
   reader.skip_space();
-  const Place place = reader.place();
+  const TextPosition place = reader.place();
   const double number = read_constant(reader, what);
   if (!reader.failed && !(number >= least && number <= most))
     reader.fail(place, fmt::format("expected {}, {} to {}, found {}", what, least, most, number));
@@ -100,32 +100,32 @@ double read_number_of(Reader& reader, std::string_view what, double least, doubl
 constexpr std::size_t kLongNames = 1000;
 constexpr double kLargest = 1e9;  // of lengths and angles: beyond that a plant's metres have lost their digits
 
-void read_steps(Reader& reader, Gathered&) {
+void read_steps(Reader& reader, FileState&) {
   reader.system.steps = static_cast<int>(read_number_of(reader, "the number of steps", 0, 1e9));
 }
-void read_angle(Reader& reader, Gathered&) {
+void read_angle(Reader& reader, FileState&) {
   reader.system.angle_deg = read_number_of(reader, "an angle in degrees", -kLargest, kLargest);
 }
-void read_step(Reader& reader, Gathered&) {
+void read_step(Reader& reader, FileState&) {
   reader.system.step = read_number_of(reader, "a length", -kLargest, kLargest);
 }
-void read_width(Reader& reader, Gathered&) { reader.system.width = read_number_of(reader, "a width", 0, kLargest); }
-void read_width_unit(Reader& reader, Gathered&) {
+void read_width(Reader& reader, FileState&) { reader.system.width = read_number_of(reader, "a width", 0, kLargest); }
+void read_width_unit(Reader& reader, FileState&) {
   reader.system.width_unit = read_number_of(reader, "a length", 0, kLargest);
 }
-void read_height(Reader& reader, Gathered&) { reader.system.height = read_number_of(reader, "a height", 0, kLargest); }
-void read_seed(Reader& reader, Gathered&) {
+void read_height(Reader& reader, FileState&) { reader.system.height = read_number_of(reader, "a height", 0, kLargest); }
+void read_seed(Reader& reader, FileState&) {
   reader.system.seed = static_cast<std::uint64_t>(read_number_of(reader, "a seed", 0, 1e15));
 }
-void read_bark(Reader& reader, Gathered&) {
+void read_bark(Reader& reader, FileState&) {
   reader.system.bark = take_name(reader);
   if (reader.system.bark.empty()) reader.fail_expected("the bark's name");
 }
-void read_elasticity(Reader& reader, Gathered&) {
+void read_elasticity(Reader& reader, FileState&) {
   reader.system.elasticity = read_number_of(reader, "an elasticity", -1e3, 1e3);
 }
 
-void read_tropism(Reader& reader, Gathered&) {
+void read_tropism(Reader& reader, FileState&) {
   const auto part = [&] { return read_number_of(reader, "a part of a direction", -kLargest, kLargest); };
   reader.system.tropism.x = part();
   reader.expect(",", "between the parts x, y and z of the tropism");
@@ -134,21 +134,21 @@ void read_tropism(Reader& reader, Gathered&) {
   reader.system.tropism.z = part();
 }
 
-void read_axiom(Reader& reader, Gathered& gathered) {
+void read_axiom(Reader& reader, FileState& state) {
   reader.skip_space();
-  if (gathered.has_axiom) return reader.fail(reader.place(), "the axiom is given twice");
-  gathered.has_axiom = true;
+  if (state.has_axiom) return reader.fail(reader.place(), "the axiom is given twice");
+  state.has_axiom = true;
   reader.system.axiom_place = reader.place();
-  reader.may_throw = true;
+  reader.may_draw = true;
   reader.dice = 0;
   reader.system.axiom = read_successor(reader);
-  reader.may_throw = false;
+  reader.may_draw = false;
   // the axiom's dice are a module's at place 0
   if (reader.dice > 16) reader.fail(reader.system.axiom_place, "an axiom throws at most 16 dice");
 }
 
-void read_define(Reader& reader, Gathered&) {
-  const Place place = reader.place();
+void read_define(Reader& reader, FileState&) {
+  const TextPosition place = reader.place();
   const std::string name = take_name(reader);
   if (name.empty()) return reader.fail_expected("the constant's name");
   const double value = read_constant(reader, "the constant's value");
@@ -157,21 +157,21 @@ void read_define(Reader& reader, Gathered&) {
   if (!is_new) reader.fail(place, fmt::format("the constant '{}' is defined twice", name));
 }
 
-void read_ignored(Reader& reader, Gathered& gathered) {
+void read_ignored(Reader& reader, FileState& state) {
   for (std::string name = take_module_name(reader); !name.empty(); name = take_module_name(reader)) {
     if (name == "[" || name == "]")
       return reader.fail(reader.place(), "contexts follow brackets: they cannot be ignored");
-    gathered.ignored.insert(name);
+    state.ignored.insert(name);
   }
 }
 
-void read_considered(Reader& reader, Gathered& gathered) {
-  gathered.only_considered = true;
-  read_ignored(reader, gathered);
+void read_considered(Reader& reader, FileState& state) {
+  state.only_considered = true;
+  read_ignored(reader, state);
 }
 
 // module plant, seg
-void read_module(Reader& reader, Gathered&) {
+void read_module(Reader& reader, FileState&) {
   do {
     const std::string name = take_name(reader);
     if (name.empty()) return reader.fail_expected("a module's name");
@@ -183,18 +183,18 @@ void read_module(Reader& reader, Gathered&) {
                    [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
 }
 
-void read_depth(Reader& reader, Gathered& gathered) {
+void read_depth(Reader& reader, FileState& state) {
   const auto depth = static_cast<int>(read_number_of(reader, "a depth", 1, kDepthLimit));
-  if (gathered.section == Section::kDecomposition) reader.system.decomposition.most_depth = depth;
-  if (gathered.section == Section::kInterpretation) reader.system.interpretation.most_depth = depth;
+  if (state.section == Section::kDecomposition) reader.system.decomposition.most_depth = depth;
+  if (state.section == Section::kInterpretation) reader.system.interpretation.most_depth = depth;
 }
 
 template <Section kSection>
-void begin_section(Reader&, Gathered& gathered) {
-  gathered.section = kSection;
+void begin_section(Reader&, FileState& state) {
+  state.section = kSection;
 }
 
-void read_cpfg_start(Reader& reader, Gathered&) { read_number_of(reader, "the system's number", 0, 1e9); }
+void read_cpfg_start(Reader& reader, FileState&) { read_number_of(reader, "the system's number", 0, 1e9); }
 
 constexpr Directive kDirectives[] = {
     {"#define", read_define},
@@ -251,7 +251,7 @@ bool has_modules(const Directive& directive) {
   return directive.read == read_axiom || directive.read == read_ignored || directive.read == read_considered;
 }
 
-void read_directive(Reader& reader, Gathered& gathered) {
+void read_directive(Reader& reader, FileState& state) {
   reader.skip_space();
   const std::string_view line = reader.text.substr(reader.at, reader.end - reader.at);
   const Directive* directive = directive_of(line);
@@ -260,7 +260,7 @@ void read_directive(Reader& reader, Gathered& gathered) {
   if (!has_modules(*directive)) reader.end = reader.at + std::min(line.find("//"), line.size());
   reader.at += directive->name.size();
   if (!reader.accept(":")) reader.accept("=");
-  directive->read(reader, gathered);
+  directive->read(reader, state);
   reader.skip_space();
   if (!reader.failed && !reader.done()) reader.fail_expected("the end of the line");
 }
@@ -272,12 +272,12 @@ RuleSet& set_of(LSystem& system, Section section) {
   return section == Section::kInterpretation ? system.interpretation : system.productions;
 }
 
-void read_statement(Reader& reader, Gathered& gathered, const Statement& statement) {
+void read_statement(Reader& reader, FileState& state, const Statement& statement) {
   reader.at = statement.begin;
   reader.end = statement.end;
-  if (!statement.has_arrow) return read_directive(reader, gathered);
-  reader.may_query = gathered.section != Section::kInterpretation;
-  read_rule(reader, set_of(reader.system, gathered.section), gathered.section == Section::kProductions);
+  if (!statement.has_arrow) return read_directive(reader, state);
+  reader.may_query = state.section != Section::kInterpretation;
+  read_rule(reader, set_of(reader.system, state.section), state.section == Section::kProductions);
   reader.may_query = true;
 }
 
@@ -291,8 +291,8 @@ void sort_rules(RuleSet& set, std::size_t kinds) {
   }
 }
 
-void note_ignored(LSystem& system, const Gathered& gathered) {
-  for (ModuleKind& kind : system.kinds) kind.ignored = gathered.ignored.contains(kind.name) != gathered.only_considered;
+void note_ignored(LSystem& system, const FileState& state) {
+  for (ModuleKind& kind : system.kinds) kind.ignored = state.ignored.contains(kind.name) != state.only_considered;
 }
 
 // a context of what contexts look past would never fit
@@ -313,9 +313,9 @@ bool writes_cuts(const LSystem& system) {
          system.successor_kinds.end();
 }
 
-void finish(Reader& reader, const Gathered& gathered) {
+void finish(Reader& reader, const FileState& state) {
   LSystem& system = reader.system;
-  note_ignored(system, gathered);
+  note_ignored(system, state);
   refuse_ignored_contexts(reader);
   system.has_cuts = writes_cuts(system);
   for (RuleSet* set : {&system.productions, &system.decomposition, &system.interpretation})
@@ -338,19 +338,19 @@ Result<LSystem> read_lsystem(std::string_view text, std::string_view file,
   reader.given = given;
   reader.system.file = name;
   if (open_comment)
-    return Error{place_name(name, reader.place_at(*open_comment)),
+    return Error{position_name(name, reader.position_at(*open_comment)),
                  "expected */ that ends the comment, found the end of the file"};
   reader.system.push = kind_named(reader, "[", 0);
   reader.system.pop = kind_named(reader, "]", 0);
   reader.system.cut = kind_named(reader, "%", 0);
-  Gathered gathered;
+  FileState state;
   for (const Statement& statement : statements_of(blanked)) {
-    if (gathered.section == Section::kEnd || reader.failed) break;
-    read_statement(reader, gathered, statement);
+    if (state.section == Section::kEnd || reader.failed) break;
+    read_statement(reader, state, statement);
   }
   if (reader.failed) return *reader.failed;
-  if (!gathered.has_axiom) return Error{name, "expected an axiom, found the end of the file"};
-  finish(reader, gathered);
+  if (!state.has_axiom) return Error{name, "expected an axiom, found the end of the file"};
+  finish(reader, state);
   if (reader.failed) return *reader.failed;
   return std::move(reader.system);
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lsystems/dice.h"
+#include "lsystems/random_source.h"
 #include "lsystems/read_lsystem.h"
 #include "lsystems/reader.h"
 
@@ -79,9 +79,9 @@ std::size_t read_list(Reader& reader, ReadOne read_one) {
 
 // an open bracket's place, to name it when nothing closes it
 struct Brackets {
-  std::vector<Place> open;
+  std::vector<TextPosition> open;
 
-  void take(Reader& reader, const std::string& name, Place place) {
+  void take(Reader& reader, const std::string& name, TextPosition place) {
     if (name == "[") open.push_back(place);
     if (name != "]") return;
     if (open.empty()) return reader.fail(place, "this ']' closes no '['");
@@ -109,12 +109,12 @@ bool has_prose(const Reader& reader) {
 }
 
 // who means a comment would get letters as modules, and never know
-void refuse_comment(Reader& reader, Place place) {
+void refuse_comment(Reader& reader, TextPosition place) {
   if (!reader.starts_with("// ") || !has_prose(reader)) return;
   reader.fail(place, "// is two modules here: comments among modules are /* */");
 }
 
-void check_arity(Reader& reader, const std::string& name, std::size_t arity, Place place) {
+void check_arity(Reader& reader, const std::string& name, std::size_t arity, TextPosition place) {
   const int answers = answers_of(op_of(name));
   if (is_unary(name) && arity > 0) reader.fail(place, fmt::format("'{}' has no parameters", name));
   if (answers > 0 && arity != static_cast<std::size_t>(answers))
@@ -151,7 +151,7 @@ Range appended(std::vector<Kind>& to, const std::vector<Kind>& kinds) {
   return range;
 }
 
-void read_predecessor(Reader& reader, Rule& rule, Place place, const std::vector<Kind>& pattern) {
+void read_predecessor(Reader& reader, Rule& rule, TextPosition place, const std::vector<Kind>& pattern) {
   const LSystem& system = reader.system;
   if (pattern.size() != 1) {
     const char* long_names = pattern.size() > 1 ? "; `module` declares names of more than one letter" : "";
@@ -164,9 +164,9 @@ void read_predecessor(Reader& reader, Rule& rule, Place place, const std::vector
 }
 
 // left < predecessor > right
-void read_side(Reader& reader, Rule& rule, bool contexts_allowed) {
+void read_left_side(Reader& reader, Rule& rule, bool contexts_allowed) {
   reader.skip_space();
-  Place place = reader.place();
+  TextPosition place = reader.place();
   std::vector<Kind> pattern = read_pattern(reader);
   if (reader.accept("<")) {
     if (!contexts_allowed) return reader.fail(place, "these rules look at no context");
@@ -208,7 +208,7 @@ void read_probability(Reader& reader, Rule& rule) {
   rule.has_probability = true;
 }
 
-void read_made(Reader& reader, Rule& rule) {
+void read_successor_part(Reader& reader, Rule& rule) {
   if (reader.accept("(")) {
     read_probability(reader, rule);
     reader.expect(")", "after the probability");
@@ -254,7 +254,7 @@ Successor read_successor(Reader& reader) {
   Brackets brackets;
   while (!reader.failed) {
     reader.skip_space();
-    const Place place = reader.place();
+    const TextPosition place = reader.place();
     refuse_comment(reader, place);
     const std::string name = take_module_name(reader);
     if (name.empty()) break;
@@ -275,7 +275,7 @@ std::vector<Kind> read_pattern(Reader& reader) {
   Brackets brackets;
   while (!reader.failed) {
     reader.skip_space();
-    const Place place = reader.place();
+    const TextPosition place = reader.place();
     const std::string name = take_module_name(reader);
     if (name.empty()) break;
     const std::size_t arity = read_list(reader, [&] { reader.slots.push_back(take_parameter(reader)); });
@@ -291,17 +291,17 @@ std::vector<Kind> read_pattern(Reader& reader) {
 void read_rule(Reader& reader, RuleSet& set, bool contexts_allowed) {
   reader.slots.clear();
   reader.dice = 1;  // one chooses between rules
-  reader.may_throw = true;
+  reader.may_draw = true;
   skip_label(reader);
   reader.skip_space();
   Rule rule;
   rule.place = reader.place();
-  read_side(reader, rule, contexts_allowed);
+  read_left_side(reader, rule, contexts_allowed);
   read_condition(reader, rule);
-  if (!reader.failed && take_arrow(reader)) read_made(reader, rule);
+  if (!reader.failed && take_arrow(reader)) read_successor_part(reader, rule);
   rule.slots = static_cast<std::uint16_t>(reader.slots.size());
-  if (reader.dice > static_cast<int>(kDicePerModule))
-    reader.fail(rule.place, fmt::format("a production throws at most {} dice", kDicePerModule - 1));
+  if (reader.dice > static_cast<int>(kDrawsPerModule))
+    reader.fail(rule.place, fmt::format("a production throws at most {} dice", kDrawsPerModule - 1));
   set.has_contexts |= rule.left.count + rule.right.count > 0;
   set.rules.push_back(rule);
   reader.slots.clear();

@@ -18,7 +18,7 @@ namespace {
 
 struct Word {
   std::string text;
-  Place place;
+  TextPosition place;
 };
 
 struct Production {
@@ -76,7 +76,7 @@ std::vector<Word> words_of(std::string_view text) {
 }
 
 void fail(Config& config, const Word& word, const std::string& message) {
-  if (!config.failed) config.failed = Error{place_name(config.file, word.place), message};
+  if (!config.failed) config.failed = Error{position_name(config.file, word.place), message};
 }
 
 double number_of(Config& config, const Word& word) {
@@ -208,7 +208,7 @@ bool is_rpforest(std::string_view text, std::string_view file) {
   return words.size() > 1 && (is_numbers || (is_named && words[1].text != ":" && words[1].text != "="));
 }
 
-Result<std::string> as_our_notation(std::string_view text, std::string_view file) {
+Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file) {
   if (text.size() > kTextLimit)
     return Error{std::string(file), fmt::format("expected at most {} bytes, found {}", kTextLimit, text.size())};
   const Form form = form_of(file);
@@ -219,7 +219,7 @@ Result<std::string> as_our_notation(std::string_view text, std::string_view file
 }
 
 Result<LSystem> read_rpforest(std::string_view text, std::string_view file) {
-  const Result<std::string> ours = as_our_notation(text, file);
+  const Result<std::string> ours = rpforest_to_lsystem_text(text, file);
   if (!ours) return ours.error();
   Result<LSystem> system = read_lsystem(*ours, file);
   // places would be those of a text that nobody has seen

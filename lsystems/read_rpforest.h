@@ -19,9 +19,9 @@ bool is_rpforest(std::string_view text, std::string_view file);
 /// form, five values without names. .honda: R1 R2 A0 A2 D Wr. .family: Delta LA RA LB RB PD. ConeBasePoints and
 /// Material mean nothing here. Height scales the plant; RPForest's own values stand where a file has none. Errors: a
 /// name that RPForest does not know, a value that is no number, an N or angle or axiom that is missing.
-Result<std::string> as_our_notation(std::string_view text, std::string_view file);
+Result<std::string> rpforest_to_lsystem_text(std::string_view text, std::string_view file);
 
-/// as_our_notation, read.
+/// rpforest_to_lsystem_text, read.
 Result<LSystem> read_rpforest(std::string_view text, std::string_view file);
 
 }  // namespace citykiln::lsystems

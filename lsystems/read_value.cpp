@@ -54,7 +54,7 @@ void emit_applied(Reader& reader, Op op, int arity) {
   if (op == Op::kRandom || op == Op::kNormalRandom || static_cast<int>(code.size()) < arity + 1) return;
   const auto first = code.end() - arity - 1;
   if (!std::all_of(first, code.end() - 1, [](const Instruction& i) { return i.op == Op::kConstant; })) return;
-  Dice none;
+  RandomSource none;
   const double value = run(&*first, static_cast<std::uint32_t>(arity + 1), nullptr, none);
   code.erase(first, code.end());
   emit(reader, {Op::kConstant, 0, value});
@@ -79,19 +79,19 @@ void read_arguments(Reader& reader, const FunctionRow& function) {
                 fmt::format("after the {} of '{}'", function.arity == 1 ? "argument" : "arguments", function.name));
 }
 
-void read_call(Reader& reader, const std::string& name, Place place) {
+void read_call(Reader& reader, const std::string& name, TextPosition place) {
   const auto* function = std::find_if(std::begin(kFunctions), std::end(kFunctions),
                                       [&](const FunctionRow& row) { return row.name == name; });
   if (function == std::end(kFunctions)) return reader.fail(place, fmt::format("there is no function '{}'", name));
   const bool throws = function->op == Op::kRandom || function->op == Op::kNormalRandom;
-  if (throws && !reader.may_throw) return reader.fail(place, "no dice are thrown here: expected a value that is known");
+  if (throws && !reader.may_draw) return reader.fail(place, "no dice are thrown here: expected a value that is known");
   reader.dice += throws ? function->arity : 0;
   read_arguments(reader, *function);
   emit_applied(reader, function->op, function->arity);
 }
 
 void read_named(Reader& reader) {
-  const Place place = reader.place();
+  const TextPosition place = reader.place();
   const std::string name = take_name(reader);
   if (reader.accept("(")) return read_call(reader, name, place);
   const auto slot = std::find(reader.slots.begin(), reader.slots.end(), name);
@@ -222,11 +222,11 @@ Value read_value(Reader& reader) {
 }
 
 double read_constant(Reader& reader, std::string_view what) {
-  const bool could_throw = std::exchange(reader.may_throw, false);
+  const bool could_draw = std::exchange(reader.may_draw, false);
   reader.skip_space();
-  const Place place = reader.place();
+  const TextPosition place = reader.place();
   const Value value = read_value(reader);
-  reader.may_throw = could_throw;
+  reader.may_draw = could_draw;
   if (!reader.failed && value.form != ValueForm::kConstant)
     reader.fail(place, fmt::format("expected {}, a number that is known when the file is read", what));
   return value.constant;

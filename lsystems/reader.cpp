@@ -8,7 +8,7 @@ namespace citykiln::lsystems {
 namespace {
 
 // the rest of a word, or one sign; bytes beyond ASCII go together
-std::string shown(const Reader& reader) {
+std::string found_text(const Reader& reader) {
   if (reader.done()) return "the end of the line";
   std::size_t to = reader.at + 1;
   const auto at = [&](std::size_t i) { return reader.text[i]; };
@@ -24,7 +24,7 @@ std::string shown(const Reader& reader) {
 
 }  // namespace
 
-std::string place_name(std::string_view file, Place place) {
+std::string position_name(std::string_view file, TextPosition place) {
   return fmt::format("{}:{}:{}", file, place.line, place.column);
 }
 
@@ -45,7 +45,7 @@ bool Reader::expect(std::string_view word, std::string_view why) {
   return false;
 }
 
-Place Reader::place_at(std::size_t byte) const {
+TextPosition Reader::position_at(std::size_t byte) const {
   const auto line = std::upper_bound(line_starts.begin(), line_starts.end(), byte) - line_starts.begin();
   return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(byte - line_starts[line - 1] + 1)};
 }
@@ -53,11 +53,11 @@ Place Reader::place_at(std::size_t byte) const {
 void Reader::fail_expected(std::string_view what) {
   if (failed) return;
   skip_space();
-  fail(place(), fmt::format("expected {}, found {}", what, shown(*this)));
+  fail(place(), fmt::format("expected {}, found {}", what, found_text(*this)));
 }
 
-void Reader::fail(Place where, std::string message) {
-  if (!failed) failed = Error{place_name(file, where), std::move(message)};
+void Reader::fail(TextPosition where, std::string message) {
+  if (!failed) failed = Error{position_name(file, where), std::move(message)};
   at = end;
 }
 

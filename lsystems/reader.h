@@ -15,7 +15,7 @@
 namespace citykiln::lsystems {
 
 /// "file:line:column".
-std::string place_name(std::string_view file, Place place);
+std::string position_name(std::string_view file, TextPosition place);
 
 struct Reader {
   std::string_view text;  ///< Comments are blank already.
@@ -32,7 +32,7 @@ struct Reader {
   std::vector<std::string> slots;                        ///< Parameters of the rule that is read.
   int depth = 0;                                         ///< Parentheses in each other.
   int dice = 0;                                          ///< Thrown by the rule that is read.
-  bool may_throw = false;                                ///< Dice.
+  bool may_draw = false;                                 ///< RandomSource.
   bool may_query = true;                                 ///< ?-modules: not in interpretations.
 
   char peek(std::size_t ahead = 0) const { return at + ahead < end ? text[at + ahead] : '\0'; }
@@ -44,11 +44,11 @@ struct Reader {
   /// Takes the word, or fails with "expected `word` `why`, found …".
   bool expect(std::string_view word, std::string_view why);
 
-  Place place() const { return place_at(at); }
-  Place place_at(std::size_t byte) const;
+  TextPosition place() const { return position_at(at); }
+  TextPosition position_at(std::size_t byte) const;
   /// Notes the first error, here: "expected `what`, found …".
   void fail_expected(std::string_view what);
-  void fail(Place where, std::string message);
+  void fail(TextPosition where, std::string message);
 };
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }

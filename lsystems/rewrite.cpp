@@ -16,10 +16,10 @@ struct Spot {
 
 struct Step {
   Rewriter& rewriter;
-  const Stream& in;
+  const ModuleBuffer& in;
   const Draw& chance;
-  Stream& out;
-  Dice dice;
+  ModuleBuffer& out;
+  RandomSource dice;
   const double* slots = nullptr;  // of the rule that was tried last
 
   void spend(std::uint64_t work) { rewriter.work_left -= std::min(work, rewriter.work_left); }
@@ -51,7 +51,7 @@ struct Step {
     double sum = 0;
     for (const Rule* rule = first; rule != end; ++rule)
       if (rule->has_probability && fits(*rule, spot)) sum += weight(*rule);
-    double left = sum * chance.unit(static_cast<std::uint32_t>(spot.at) * kDicePerModule);
+    double left = sum * chance.unit(static_cast<std::uint32_t>(spot.at) * kDrawsPerModule);
     const Rule* last = nullptr;
     for (const Rule* rule = first; rule != end && sum > 0; ++rule) {
       if (!rule->has_probability || !fits(*rule, spot)) continue;
@@ -129,23 +129,23 @@ Rewritten Step::run() {
 
 }  // namespace
 
-void note(std::vector<Trouble>& troubles, Place place, const char* message) {
-  const auto known = std::find_if(troubles.begin(), troubles.end(), [&](const Trouble& trouble) {
-    return trouble.place.line == place.line && trouble.place.column == place.column && trouble.message == message;
+void add_warning(std::vector<Warning>& warnings, TextPosition place, const char* message) {
+  const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const Warning& warning) {
+    return warning.place.line == place.line && warning.place.column == place.column && warning.message == message;
   });
-  if (known != troubles.end()) {
+  if (known != warnings.end()) {
     ++known->times;
-  } else if (troubles.size() < kMostTroubles) {
-    troubles.push_back({place, message, 1});
-  } else if (troubles.size() == kMostTroubles) {
-    troubles.push_back({{}, "more troubles, elsewhere", 1});
+  } else if (warnings.size() < kMostWarnings) {
+    warnings.push_back({place, message, 1});
+  } else if (warnings.size() == kMostWarnings) {
+    warnings.push_back({{}, "more troubles, elsewhere", 1});
   } else {
-    ++troubles.back().times;
+    ++warnings.back().times;
   }
 }
 
-Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trouble>& troubles, const Limits& limits) {
-  Rewriter rewriter{system, set, troubles, {}, {}, {}, limits.work};
+Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Warning>& warnings, const Limits& limits) {
+  Rewriter rewriter{system, set, warnings, {}, {}, {}, limits.work};
   rewriter.slots.resize((2 * kArityLimit + 1) * kArityLimit);
   for (const ModuleKind& kind : system.kinds) rewriter.plain.push_back(kind.arity);
   for (const Rule& rule : set.rules) rewriter.plain[rule.predecessor] = kActive;
@@ -154,7 +154,8 @@ Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trou
   return rewriter;
 }
 
-bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, Dice& dice, Stream& out) {
+bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& dice,
+                     ModuleBuffer& out) {
   const LSystem& system = rewriter.system;
   if (!out.make_room(successor.kinds.count, successor.values.count)) return false;
   out.append(std::span(system.successor_kinds).subspan(successor.kinds.first, successor.kinds.count), {});
@@ -164,13 +165,13 @@ bool write_successor(Rewriter& rewriter, const Successor& successor, const doubl
     to[i] = evaluate(system, value[i], slots, dice);
     if (std::isfinite(to[i])) continue;
     to[i] = 0;
-    note(rewriter.troubles, value[i].place, "no number comes of this: 0 stands for it");
+    add_warning(rewriter.warnings, value[i].place, "no number comes of this: 0 stands for it");
   }
   out.value_count += successor.values.count;
   return true;
 }
 
-Rewritten rewrite(Rewriter& rewriter, const Stream& in, const Draw& chance, Stream& out) {
+Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out) {
   out.size = out.value_count = 0;
   if (rewriter.set.has_contexts) find_neighbours(rewriter.system, in.kinds(), rewriter.neighbours);
   Step step{rewriter, in, chance, out, {}};

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "lsystems/derive.h"
-#include "lsystems/dice.h"
+#include "lsystems/module_buffer.h"
 #include "lsystems/neighbours.h"
-#include "lsystems/stream.h"
+#include "lsystems/random_source.h"
 
 namespace citykiln::lsystems {
 
@@ -14,7 +14,7 @@ namespace citykiln::lsystems {
 struct Rewriter {
   const LSystem& system;
   const RuleSet& set;
-  std::vector<Trouble>& troubles;
+  std::vector<Warning>& warnings;
   Neighbours neighbours;
   std::vector<double> slots;        ///< Of a rule with contexts.
   std::vector<std::uint8_t> plain;  ///< Of each kind: its arity, or kActive where a rule or % may want it.
@@ -23,20 +23,21 @@ struct Rewriter {
 
 inline constexpr std::uint8_t kActive = 0xff;
 
-Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Trouble>& troubles, const Limits& limits);
+Rewriter rewriter_of(const LSystem& system, const RuleSet& set, std::vector<Warning>& warnings, const Limits& limits);
 
 enum class Rewritten : std::uint8_t { kSame, kChanged, kTooLong, kTooMuchWork };
 
 /// Writes into `out`, up to out.most symbols; then it is kTooLong and `out` is of no use. So it is where work_left is
 /// used up.
 /// @param chance  Of this step.
-Rewritten rewrite(Rewriter& rewriter, const Stream& in, const Draw& chance, Stream& out);
+Rewritten rewrite(Rewriter& rewriter, const ModuleBuffer& in, const Draw& chance, ModuleBuffer& out);
 
 /// Writes a successor: the axiom.
-bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, Dice& dice, Stream& out);
+bool write_successor(Rewriter& rewriter, const Successor& successor, const double* slots, RandomSource& dice,
+                     ModuleBuffer& out);
 
-/// Counts a trouble; at most kMostTroubles different ones, the others together without place.
-void note(std::vector<Trouble>& troubles, Place place, const char* message);
-inline constexpr std::size_t kMostTroubles = 100;
+/// Counts a trouble; at most kMostWarnings different ones, the others together without place.
+void add_warning(std::vector<Warning>& warnings, TextPosition place, const char* message);
+inline constexpr std::size_t kMostWarnings = 100;
 
 }  // namespace citykiln::lsystems

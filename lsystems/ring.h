@@ -30,10 +30,10 @@ inline Vec3 normal_on(const Ring& ring, Vec3 outward) {
 }
 
 /// v, made square to an axis of length 1, of length 1; some such direction where v is along the axis.
-Vec3 square_to(Vec3 axis, Vec3 v);
+Vec3 perpendicular_to(Vec3 axis, Vec3 v);
 
 /// x, square to `from`, turned with it to `to` the shortest way.
-Vec3 carried(Vec3 x, Vec3 from, Vec3 to);
+Vec3 parallel_transported(Vec3 x, Vec3 from, Vec3 to);
 
 /// How far the chords of a circle lie inside of it, in radii.
 double sagitta(int sides);

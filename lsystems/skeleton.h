@@ -10,7 +10,7 @@
 namespace citykiln::lsystems {
 
 /// A turtle: where it is, and three directions of length 1 that stand square to each other; heading × left = up.
-struct Frame {
+struct TurtleFrame {
   Vec3 at;
   Vec3 heading{0, 0, 1}, left{-1, 0, 0}, up{0, -1, 0};
 };
@@ -19,7 +19,7 @@ inline constexpr std::int32_t kNoParent = -1;
 
 /// What F and G draw. It keeps its directions from end to end; what turns, turns between segments.
 struct Segment {
-  Frame start;
+  TurtleFrame start;
   double length = 0;
   double start_radius = 0;  ///< The parent's end radius where the axis goes on, so that it tapers; else end_radius.
   double end_radius = 0;
@@ -27,7 +27,7 @@ struct Segment {
   std::int32_t parent = kNoParent;  ///< The segment drawn before on this branch, or the one it branches from.
   std::int32_t order = 0;           ///< 0 of the trunk, one more at each branch.
 
-  Frame end() const { return {start.at + start.heading * length, start.heading, start.left, start.up}; }
+  TurtleFrame end() const { return {start.at + start.heading * length, start.heading, start.left, start.up}; }
 };
 
 /// What { and } enclose; flat or nearly so, as the rules make it.
@@ -41,7 +41,7 @@ struct FlatPolygon {
 /// ~X, @O, @o: something of a name, here.
 struct Instance {
   Kind kind = 0;  ///< Into LSystem::kinds: its name says what.
-  Frame frame;
+  TurtleFrame frame;
   double size = 1;
   std::int32_t colour = 0;
   std::int32_t parent = kNoParent;
@@ -54,7 +54,7 @@ struct Skeleton {
   std::vector<FlatPolygon> polygons;
   std::vector<Vec3> vertices;
   std::vector<Instance> instances;
-  std::vector<Trouble> troubles;  ///< Without a place: what a string asked for that cannot be.
+  std::vector<Warning> warnings;  ///< Without a place: what a string asked for that cannot be.
 };
 
 }  // namespace citykiln::lsystems

@@ -8,8 +8,8 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "lsystems/joint.h"
-#include "lsystems/joint_bark.h"
-#include "lsystems/joint_shape.h"
+#include "lsystems/joint_bark_uv.h"
+#include "lsystems/joint_stencils.h"
 #include "lsystems/leaves.h"
 #include "lsystems/ring.h"
 
@@ -75,11 +75,11 @@ Branching branching_of(const Skeleton& skeleton, double tolerance_m) {
 }
 
 // a ring whose points, sides + 1 of them, stand in the mesh from `first` on
-struct Drawn {
+struct DrawnRing {
   Ring ring;
   std::uint32_t first = kNotDrawn;
   double turn = 0;  // of the ring's first point, which need not be the first that is drawn
-  Around around{};  // of the stem
+  BarkWrap wrap{};  // of the stem
 };
 
 // two sums at once; all of x86-64 has these
@@ -97,8 +97,8 @@ struct Mesher {
   const Circle circle = make_circle();
   const double unit_m = options.bark_m > 0 ? options.bark_m : 1;  // of u
   Branching branching;
-  std::vector<Drawn> begins;  // of each segment, as its parent left it
-  std::unique_ptr<JointShape> shapes[kLevels][16];
+  std::vector<DrawnRing> begins;  // of each segment, as its parent left it
+  std::unique_ptr<JointStencils> shapes[kLevels][16];
   std::array<Spread, kMostPoints> points;  // of one joint's cage
   std::vector<Vec3> positions, normals;    // of its rows
   PlantMesh out;
@@ -109,28 +109,28 @@ struct Mesher {
   }
   void bound(double error_m) { out.error_m = std::max(out.error_m, error_m); }
 
-  std::uint32_t draw_ring(const Ring& ring, const Around& around, int shift = 0, double turn = 0);
-  void weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double turn);
+  std::uint32_t draw_ring(const Ring& ring, const BarkWrap& wrap, int shift = 0, double turn = 0);
+  void weld(const DrawnRing& lower, const Ring& upper, std::uint32_t upper_first, double turn);
   void bound_strip(const Ring& lower, const Ring& upper);
-  Drawn draw_tube(const Drawn& lower, Ring upper, bool turned);
+  DrawnRing draw_tube(const DrawnRing& lower, Ring upper, bool turned);
   void cap(const Ring& ring, Vec3 normal);
-  Drawn draw_foot(const Segment& root, const Around& around);
-  Drawn begin_alone(std::size_t i);
-  void end_in_tip(std::size_t i, const Drawn& begin);
-  void go_on(std::size_t i, const Drawn& begin);
-  void end_in_joint(std::size_t i, const Drawn& begin);
+  DrawnRing draw_foot(const Segment& root, const BarkWrap& wrap);
+  DrawnRing begin_with_cap(std::size_t i);
+  void end_in_cap(std::size_t i, const DrawnRing& begin);
+  void end_in_bend(std::size_t i, const DrawnRing& begin);
+  void end_in_joint(std::size_t i, const DrawnRing& begin);
   double pictures_around(std::size_t i) const;
-  void lay_around(const Joint& joint, const Drawn& end);
-  JointBark bark_of(const Joint& joint, const Around& arriving) const;
-  void draw_joint(const Joint& joint, const Around& arriving);
+  void lay_around(const Joint& joint, const DrawnRing& end);
+  JointBarkUv bark_of(const Joint& joint, const BarkWrap& arriving) const;
+  void draw_joint(const Joint& joint, const BarkWrap& arriving);
   void spread_points(const Joint& joint);
-  void evaluate(const JointShape& shape, const Joint& joint);
+  void evaluate(const JointStencils& shape, const Joint& joint);
   void reserve();
   void draw_bark();
 };
 
 // points from `shift` on, which lies at `turn`
-std::uint32_t Mesher::draw_ring(const Ring& ring, const Around& around, int shift, double turn) {
+std::uint32_t Mesher::draw_ring(const Ring& ring, const BarkWrap& wrap, int shift, double turn) {
   const auto first = static_cast<std::uint32_t>(out.bark.positions.size());
   const Vec3 y = cross(ring.axis, ring.x);
   const int stride = kMostSides / ring.sides;
@@ -140,13 +140,13 @@ std::uint32_t Mesher::draw_ring(const Ring& ring, const Around& around, int shif
     const Vec3 out_of = outward(ring, y, circle[(i + shift) % ring.sides * stride]);
     out.bark.positions.push_back(point_on(ring, out_of));
     out.bark.normals.push_back(out_of * scale + lean);
-    out.bark.uvs.push_back({around.u(turn + i * step) * unit_m, ring.along_m});
+    out.bark.uvs.push_back({wrap.u(turn + i * step) * unit_m, ring.along_m});
   }
   return first;
 }
 
 // merges two rings by their angles; the upper begins at `turn` where the lower begins at 0
-void Mesher::weld(const Drawn& lower, const Ring& upper, std::uint32_t upper_first, double turn) {
+void Mesher::weld(const DrawnRing& lower, const Ring& upper, std::uint32_t upper_first, double turn) {
   const int m = lower.ring.sides, n = upper.sides;
   const double step_a = 1.0 / m, step_b = 1.0 / n;
   std::uint32_t a = lower.first, b = upper_first;
@@ -172,8 +172,8 @@ void Mesher::bound_strip(const Ring& lower, const Ring& upper) {
 }
 
 // @param turned  The upper ring has a first point of its own; else the lower one's is carried on.
-Drawn Mesher::draw_tube(const Drawn& lower, Ring upper, bool turned) {
-  const Vec3 x = carried(lower.ring.x, lower.ring.axis, upper.axis);
+DrawnRing Mesher::draw_tube(const DrawnRing& lower, Ring upper, bool turned) {
+  const Vec3 x = parallel_transported(lower.ring.x, lower.ring.axis, upper.axis);
   upper.along_m = lower.ring.along_m + length(upper.at - lower.ring.at);
   int shift = 0;
   double from = 0, turn = 0;
@@ -186,10 +186,10 @@ Drawn Mesher::draw_tube(const Drawn& lower, Ring upper, bool turned) {
   } else {
     upper.x = x;
   }
-  const std::uint32_t first = draw_ring(upper, lower.around, shift, from);
+  const std::uint32_t first = draw_ring(upper, lower.wrap, shift, from);
   weld(lower, upper, first, from);
   bound_strip(lower.ring, upper);
-  return {upper, first, turn, lower.around};
+  return {upper, first, turn, lower.wrap};
 }
 
 void Mesher::cap(const Ring& ring, Vec3 normal) {
@@ -204,7 +204,7 @@ Ring ring_on(const Segment& segment, double radius, double tolerance_m) {
   Ring ring;
   ring.at = segment.start.at;
   ring.axis = direction(segment);
-  ring.x = square_to(ring.axis, segment.start.left);
+  ring.x = perpendicular_to(ring.axis, segment.start.left);
   ring.radius = radius;
   ring.slope = slope(segment);
   ring.sides = sides_of(radius, tolerance_m);
@@ -220,19 +220,19 @@ bool has_foot(const Segment& root, double flare) {
 }
 
 // a parabola from the ground to the trunk, in pieces; less where the trunk is too short for it
-Drawn Mesher::draw_foot(const Segment& root, const Around& around) {
+DrawnRing Mesher::draw_foot(const Segment& root, const BarkWrap& wrap) {
   const double height = foot_height(root), radius = root.start_radius;
   const double more = options.flare * height / 3;
   const double error_m = options.tolerance_m / 4;
   const int pieces = error_m > 0 ? std::clamp(static_cast<int>(std::sqrt(more / (4 * error_m))) + 1, 1, 64) : 64;
-  Drawn foot{{}, kNotDrawn, 0, around};
+  DrawnRing foot{{}, kNotDrawn, 0, wrap};
   for (int i = 0; i <= pieces; ++i) {
     const double up = static_cast<double>(i) / pieces, rest = 1 - up;
     Ring ring = ring_on(root, radius + more * rest * rest - slope(root) * height * up, options.tolerance_m * 0.75);
     ring.at = ring.at + ring.axis * (height * up);
     ring.slope += 2 * more * rest / height;
     if (i == 0) cap(ring, ring.axis * -1.0);
-    foot = i == 0 ? Drawn{ring, draw_ring(ring, around), 0, around} : draw_tube(foot, ring, false);
+    foot = i == 0 ? DrawnRing{ring, draw_ring(ring, wrap), 0, wrap} : draw_tube(foot, ring, false);
   }
   bound(foot.ring.radius * sagitta(foot.ring.sides) + more / (4.0 * pieces * pieces));
   bound((radius + more) * sagitta(sides_of(radius + more, options.tolerance_m * 0.75)) +
@@ -240,17 +240,17 @@ Drawn Mesher::draw_foot(const Segment& root, const Around& around) {
   return foot;
 }
 
-Drawn Mesher::begin_alone(std::size_t i) {
-  ++out.unjoined;
-  const Around around{pictures_around(i), kFirst};
-  if (has_foot(segment(i), options.flare)) return draw_foot(segment(i), around);
+DrawnRing Mesher::begin_with_cap(std::size_t i) {
+  ++out.separate_stems;
+  const BarkWrap wrap{pictures_around(i), kFirst};
+  if (has_foot(segment(i), options.flare)) return draw_foot(segment(i), wrap);
   Ring ring = ring_on(segment(i), segment(i).start_radius, options.tolerance_m);
   ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
   cap(ring, ring.axis * -1.0);
-  return {ring, draw_ring(ring, around), 0, around};
+  return {ring, draw_ring(ring, wrap), 0, wrap};
 }
 
-void Mesher::end_in_tip(std::size_t i, const Drawn& begin) {
+void Mesher::end_in_cap(std::size_t i, const DrawnRing& begin) {
   Ring ring = ring_on(segment(i), segment(i).end_radius, options.tolerance_m);
   ring.at = segment(i).end().at;
   ring.sides = sides_of(thickest(segment(i)), options.tolerance_m);
@@ -258,7 +258,7 @@ void Mesher::end_in_tip(std::size_t i, const Drawn& begin) {
 }
 
 // the ring lies across the bend
-void Mesher::go_on(std::size_t i, const Drawn& begin) {
+void Mesher::end_in_bend(std::size_t i, const DrawnRing& begin) {
   const std::uint32_t child = children_of(i)[0];
   Ring ring = ring_on(segment(i), segment(i).end_radius, 0);
   ring.at = segment(i).end().at;
@@ -284,14 +284,14 @@ void Mesher::spread_points(const Joint& joint) {
     const std::size_t first = 8 + s * kRingPoints;
     for (std::size_t k = 0; k < 8; ++k) {
       const Vec3 out_of = outward(ring, y, circle[k * (kMostSides / 8)]) * ring.radius;
-      put(first + k, ring.at + out_of * kRingReach);
-      if (k % 2 == 0) put(first + 8 + k / 2, ring.at + out_of * kCornerReach);
+      put(first + k, ring.at + out_of * kRingScale);
+      if (k % 2 == 0) put(first + 8 + k / 2, ring.at + out_of * kCornerScale);
     }
   }
 }
 
 // OpenSubdiv's weights, our sums
-void Mesher::evaluate(const JointShape& shape, const Joint& joint) {
+void Mesher::evaluate(const JointStencils& shape, const Joint& joint) {
   spread_points(joint);
   const std::size_t rows = shape.starts.size() - 1;
   positions.resize(rows);
@@ -300,7 +300,7 @@ void Mesher::evaluate(const JointShape& shape, const Joint& joint) {
     Pair x{}, y{}, z{}, second_xy{};
     double second_z = 0;
     for (std::uint32_t w = shape.starts[row]; w < shape.starts[row + 1]; ++w) {
-      const JointShape::Weight& weight = shape.weights[w];
+      const JointStencils::Weight& weight = shape.weights[w];
       const Spread& p = points[weight.point];
       const Pair first{weight.position, weight.tangent_1}, second{weight.tangent_2, weight.tangent_2};
       x += first * p.xx;
@@ -325,30 +325,29 @@ double Mesher::pictures_around(std::size_t i) const {
 }
 
 // u of what leaves a joint
-void Mesher::lay_around(const Joint& joint, const Drawn& end) {
-  begins[joint.names[1]].around = going_on(end.around, end.turn, pictures_around(joint.names[1]));
-  for (std::size_t s = 2; s < joint.stems; ++s)
-    begins[joint.names[s]].around = {pictures_around(joint.names[s]), kFirst};
+void Mesher::lay_around(const Joint& joint, const DrawnRing& end) {
+  begins[joint.names[1]].wrap = continue_wrap(end.wrap, end.turn, pictures_around(joint.names[1]));
+  for (std::size_t s = 2; s < joint.stems; ++s) begins[joint.names[s]].wrap = {pictures_around(joint.names[s]), kFirst};
 }
 
-JointBark Mesher::bark_of(const Joint& joint, const Around& arriving) const {
-  std::array<Around, 2 + kMostSideStems> around{arriving};
-  for (std::size_t s = 1; s < joint.stems; ++s) around[s] = begins[joint.names[s]].around;
-  return lay_bark(joint, around);
+JointBarkUv Mesher::bark_of(const Joint& joint, const BarkWrap& arriving) const {
+  std::array<BarkWrap, 2 + kMostSideStems> wrap{arriving};
+  for (std::size_t s = 1; s < joint.stems; ++s) wrap[s] = begins[joint.names[s]].wrap;
+  return joint_bark_uv(joint, wrap);
 }
 
-void Mesher::draw_joint(const Joint& joint, const Around& arriving) {
+void Mesher::draw_joint(const Joint& joint, const BarkWrap& arriving) {
   const int level = std::bit_width(static_cast<unsigned>(joint.rings[0].sides)) - 3;
-  std::unique_ptr<JointShape>& made = shapes[level][joint.open];
-  if (!made) made = std::make_unique<JointShape>(make_joint_shape(joint.rings[0].sides, joint.open));
-  const JointShape& shape = *made;
+  std::unique_ptr<JointStencils>& made = shapes[level][joint.open];
+  if (!made) made = std::make_unique<JointStencils>(make_joint_stencils(joint.rings[0].sides, joint.open));
+  const JointStencils& shape = *made;
   evaluate(shape, joint);
   const auto first = static_cast<std::uint32_t>(out.bark.positions.size());
   const int stride = kMostSides / joint.rings[0].sides;
   std::array<Vec3, 2 + kMostSideStems> y;
   for (int s = 0; s < shape.stems; ++s) y[s] = cross(joint.rings[s].axis, joint.rings[s].x);
-  const JointBark bark = bark_of(joint, arriving);
-  for (const JointShape::Vertex& vertex : shape.vertices) {
+  const JointBarkUv bark = bark_of(joint, arriving);
+  for (const JointStencils::Vertex& vertex : shape.vertices) {
     const Vec2 at = bark.at(vertex);
     out.bark.uvs.push_back({at.x * unit_m, at.y});
     if (vertex.stem < 0) {
@@ -387,11 +386,11 @@ std::vector<Stem>& sort_stems(std::vector<Stem>& stems, Vec3 arriving) {
 // @param radius  The thickest of its stems, anywhere.
 int joint_sides(const Joint& joint, double radius, double tolerance_m) {
   int level = 0;
-  while (level + 1 < kLevels && kJointBend[level] * joint.reach + kRoundness * radius > tolerance_m) ++level;
+  while (level + 1 < kLevels && kJointBend[level] * joint.extent_m + kRoundness * radius > tolerance_m) ++level;
   return std::max(4 << level, sides_of(radius, tolerance_m));
 }
 
-void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
+void Mesher::end_in_joint(std::size_t i, const DrawnRing& begin) {
   std::vector<Stem> stems;
   for (const std::uint32_t child : children_of(i))
     stems.push_back(stem_of(segment(child), segment(child).start_radius, kRoomLeaving, child));
@@ -403,17 +402,17 @@ void Mesher::end_in_joint(std::size_t i, const Drawn& begin) {
   for (std::size_t s = 1; s < joint.stems; ++s) radius = std::max(radius, thickest(segment(joint.names[s])));
   const int sides = joint_sides(joint, radius, options.tolerance_m);
   for (Ring& ring : joint.rings) ring.sides = sides;
-  const Drawn end = draw_tube(begin, joint.rings[0], true);
+  const DrawnRing end = draw_tube(begin, joint.rings[0], true);
   const double low_m = end.ring.along_m;
   joint.rings[0].along_m = low_m;
   for (std::size_t s = 1; s < joint.stems; ++s)
     joint.rings[s].along_m = low_m + length(joint.rings[s].at - joint.rings[0].at);
   lay_around(joint, end);
-  draw_joint(joint, {end.around.per_turn, end.around.u(end.turn)});
+  draw_joint(joint, {end.wrap.per_turn, end.wrap.u(end.turn)});
   for (std::size_t s = 1; s < joint.stems; ++s) begins[joint.names[s]].ring = joint.rings[s];
   for (std::size_t s = joined; s < stems.size(); ++s) branching.attached[stems[s].name] = false;
   const int level = std::bit_width(static_cast<unsigned>(sides)) - 3;
-  bound(kJointBend[level] * joint.reach + kRoundness * radius);
+  bound(kJointBend[level] * joint.extent_m + kRoundness * radius);
   ++out.joints;
 }
 
@@ -440,11 +439,11 @@ void Mesher::draw_bark() {
       ++out.left_out;
       continue;
     }
-    Drawn begin = branching.attached[i] ? begins[i] : begin_alone(i);
-    if (begin.first == kNotDrawn) begin.first = draw_ring(begin.ring, begin.around);
+    DrawnRing begin = branching.attached[i] ? begins[i] : begin_with_cap(i);
+    if (begin.first == kNotDrawn) begin.first = draw_ring(begin.ring, begin.wrap);
     const std::size_t children = children_of(i).size();
-    if (children == 0) end_in_tip(i, begin);
-    if (children == 1) go_on(i, begin);
+    if (children == 0) end_in_cap(i, begin);
+    if (children == 1) end_in_bend(i, begin);
     if (children >= 2) end_in_joint(i, begin);
   }
 }
@@ -458,7 +457,7 @@ void clear(PlantMesh& mesh) {
     part->triangles.clear();
   }
   mesh.error_m = 0;
-  mesh.joints = mesh.unjoined = mesh.left_out = 0;
+  mesh.joints = mesh.separate_stems = mesh.left_out = 0;
 }
 
 }  // namespace

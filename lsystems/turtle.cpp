@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "compiler/geometry/trig.h"
-#include "lsystems/frame.h"
 #include "lsystems/rewrite.h"
+#include "lsystems/turtle_frame.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kThinner = 0.70710678118654752440;  // two branches of equal wi
 
 // what brackets keep
 struct State {
-  Frame frame;
+  TurtleFrame frame;
   double width = 0;
   std::int32_t colour = 0;
   std::int32_t parent = kNoParent;
@@ -67,12 +67,12 @@ struct Turtle {
   }
   double radius() const { return now.width * system.width_unit / 2; }
 
-  void trouble(const std::string& message) { note(out.troubles, {}, message.c_str()); }
+  void warning(const std::string& message) { add_warning(out.warnings, {}, message.c_str()); }
 
-  void turn(void (*how)(Frame&, Vec2), double angle_deg) {
+  void turn(void (*how)(TurtleFrame&, Vec2), double angle_deg) {
     how(now.frame, turns.of(angle_deg));
     // so often that rounding stays below 1e-13
-    if (++now.turns % 64 == 0) square(now.frame);
+    if (++now.turns % 64 == 0) orthonormalise(now.frame);
   }
 
   void draw(double length) {
@@ -104,17 +104,17 @@ struct Turtle {
   }
 
   void open_polygon() {
-    if (polygons.size() >= kBranchLimit) return trouble("polygons nest too deeply: a '{' is passed over");
+    if (polygons.size() >= kBranchLimit) return warning("polygons nest too deeply: a '{' is passed over");
     polygons.push_back({corners.size(), now.parent, order(), now.colour});
   }
 
   void mark() {
-    if (polygons.empty()) return trouble("a '.' outside of a polygon is passed over");
+    if (polygons.empty()) return warning("a '.' outside of a polygon is passed over");
     corners.push_back(now.frame.at);
   }
 
   void close_polygon() {
-    if (polygons.empty()) return trouble("a '}' that closes no polygon is passed over");
+    if (polygons.empty()) return warning("a '}' that closes no polygon is passed over");
     const OpenPolygon polygon = polygons.back();
     polygons.pop_back();
     const auto count = static_cast<std::uint32_t>(corners.size() - polygon.first);
@@ -124,7 +124,7 @@ struct Turtle {
       out.vertices.insert(out.vertices.end(), corners.begin() + static_cast<std::ptrdiff_t>(polygon.first),
                           corners.end());
     } else {
-      trouble("a polygon of fewer than three corners is left out");
+      warning("a polygon of fewer than three corners is left out");
     }
     corners.resize(polygon.first);
   }
@@ -134,7 +134,7 @@ struct Turtle {
   }
 
   // a function's answer, or 0
-  double told(const std::function<double(Vec3)>& function, double otherwise) const {
+  double environment_value(const std::function<double(Vec3)>& function, double otherwise) const {
     const double answer = function ? function(now.frame.at) : otherwise;
     return std::isfinite(answer) ? answer : 0;
   }
@@ -143,8 +143,8 @@ struct Turtle {
     if (environment == nullptr) return;
     const Vec3 at = now.frame.at;
     if (op == TurtleOp::kQueryPosition) answers.insert(answers.end(), {at.x, at.y, at.z});
-    if (op == TurtleOp::kQueryHeight) answers.push_back(told(environment->height_above_ground, at.z));
-    if (op == TurtleOp::kQueryShade) answers.push_back(told(environment->shade, 0));
+    if (op == TurtleOp::kQueryHeight) answers.push_back(environment_value(environment->height_above_ground, at.z));
+    if (op == TurtleOp::kQueryShade) answers.push_back(environment_value(environment->shade, 0));
   }
 
   void act(Kind kind, const double* values, int count);
@@ -224,7 +224,7 @@ void Turtle::act(Kind k, const double* values, int count) {
 bool Turtle::are_sound(const ModuleKind& kind, const double* values) {
   for (int i = 0; i < kind.arity; ++i) {
     if (std::abs(values[i]) <= kWalkLimit) continue;
-    trouble(fmt::format("'{}' with a number beyond {} is passed over", kind.name, kWalkLimit));
+    warning(fmt::format("'{}' with a number beyond {} is passed over", kind.name, kWalkLimit));
     return false;
   }
   return true;
@@ -253,7 +253,7 @@ void Turtle::walk(const ModuleString& string) {
     const double* values = string.values.data() + value;
     value += kind.arity;
     const bool too_deep = kind.op == TurtleOp::kPush && stack.size() >= kBranchLimit;
-    if (too_deep) trouble("branches nest too deeply: one is left out");
+    if (too_deep) warning("branches nest too deeply: one is left out");
     if (too_deep || kind.op == TurtleOp::kCut) {
       // the ] that ends a cut branch is walked; that of one that was left out is not
       at = pass_branch(string, at + 1, value) - (too_deep ? 0 : 1);
@@ -262,7 +262,7 @@ void Turtle::walk(const ModuleString& string) {
       if (asks || are_sound(kind, values)) act(k, values, kind.arity);
     }
   }
-  if (!polygons.empty()) trouble("a polygon that nothing closes is left out");
+  if (!polygons.empty()) warning("a polygon that nothing closes is left out");
 }
 
 double top_of(const Skeleton& skeleton) {
@@ -313,7 +313,7 @@ Plant grow(const LSystem& system, const DeriveOptions& options) {
   }
   Derivation interpreted = interpret(system, plant.derivation.string, options);
   plant.skeleton = walk(system, interpreted.string);
-  std::move(interpreted.troubles.begin(), interpreted.troubles.end(), std::back_inserter(plant.derivation.troubles));
+  std::move(interpreted.warnings.begin(), interpreted.warnings.end(), std::back_inserter(plant.derivation.warnings));
   if (!plant.derivation.cut) plant.derivation.cut = interpreted.cut;
   return plant;
 }

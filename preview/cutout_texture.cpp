@@ -9,9 +9,9 @@ constexpr std::size_t kLevels = 2;
 
 }  // namespace
 
-CutoutTexture::CutoutTexture(const imprint::Cutout& cutout)
-    : cutout_(&cutout), colour_(cutout.colour, Texels::kColours, Sides::kGoOn, kLevels) {
-  if (!cutout.normal.texels.empty()) normal_.emplace(cutout.normal, Texels::kNormals, Sides::kGoOn, kLevels);
+CutoutTexture::CutoutTexture(const impostor::Cutout& cutout)
+    : cutout_(&cutout), colour_(cutout.colour, TexelMeaning::kColours, WrapMode::kClamp, kLevels) {
+  if (!cutout.normal.texels.empty()) normal_.emplace(cutout.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
 }
 
 double CutoutTexture::opacity(std::int64_t column, std::int64_t row) const {
@@ -26,10 +26,10 @@ bool CutoutTexture::is_there(Vec2 at_m) const {
   const auto column = static_cast<std::int64_t>(left), row = static_cast<std::int64_t>(top);
   const double above = opacity(column, row) * (1 - u) + opacity(column + 1, row) * u;
   const double below = opacity(column, row + 1) * (1 - u) + opacity(column + 1, row + 1) * u;
-  return above * (1 - v) + below * v >= imprint::kCutoff - 0.5;
+  return above * (1 - v) + below * v >= impostor::kAlphaCutoff - 0.5;
 }
 
-Vec3 CutoutTexture::normal(const Patch& patch) const {
+Vec3 CutoutTexture::normal(const TextureFootprint& patch) const {
   const auto [u, v, out] = normal_->mean(patch);
   return unit(Vec3{u, v, out});
 }

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "compiler/imprint/cutout.h"
-#include "preview/sheet_texture.h"
+#include "compiler/impostor/cutout.h"
+#include "preview/mip_texture.h"
 
 namespace citykiln::preview {
 
@@ -12,22 +12,22 @@ namespace citykiln::preview {
 class CutoutTexture {
  public:
   /// @param cutout  With texels.
-  explicit CutoutTexture(const imprint::Cutout& cutout);
+  explicit CutoutTexture(const impostor::Cutout& cutout);
 
-  /// Opacity between the middles of four texels, at least kCutoff. Single rays ask: many of them see the mean.
+  /// Opacity between the middles of four texels, at least kAlphaCutoff. Single rays ask: many of them see the mean.
   bool is_there(Vec2 at_m) const;
   /// Linear reflectance, mean over a patch.
-  std::array<double, 3> colour(const Patch& patch) const { return colour_.mean(patch); }
+  std::array<double, 3> colour(const TextureFootprint& patch) const { return colour_.mean(patch); }
   /// Unit: along u, against v, outwards.
-  Vec3 normal(const Patch& patch) const;
+  Vec3 normal(const TextureFootprint& patch) const;
   bool has_normals() const { return normal_.has_value(); }
 
  private:
   double opacity(std::int64_t column, std::int64_t row) const;
 
-  const imprint::Cutout* cutout_;
-  SheetTexture colour_;
-  std::optional<SheetTexture> normal_;
+  const impostor::Cutout* cutout_;
+  MipTexture colour_;
+  std::optional<MipTexture> normal_;
 };
 
 }  // namespace citykiln::preview

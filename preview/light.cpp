@@ -62,12 +62,12 @@ Vec3 around(Vec3 n, double cos_angle, double turn) {
   return unit(tangent * (s * std::cos(angle)) + other * (s * std::sin(angle)) + n * cos_angle);
 }
 
-Drawn draw_cosine(Vec3 normal, UnitPair chance) {
+DirectionSample sample_cosine(Vec3 normal, UnitPair chance) {
   const double cos_angle = std::sqrt(1 - chance.u);
   return {around(normal, cos_angle, chance.v), cos_angle / kPi};
 }
 
-Lights::Lights(const sky::Dome& dome)
+Lights::Lights(const sky::SkyModel& dome)
     : dome_(dome), cells_(kCells), ring_(kAcross + 1), row_sums_(kDown), sums_(kCells) {
   if (luminance(dome.sun_radiance) > 0) sun_solid_angle_ = 2 * kPi * (1 - dome.sun_cos_radius);
   double total = 0;
@@ -91,7 +91,7 @@ Lights::Lights(const sky::Dome& dome)
 
 const Rgb& Lights::falling(Vec3 direction) const { return direction.z < 0 ? below_ : cells_[cell_of(direction)]; }
 
-Drawn Lights::draw_sky(UnitPair chance) const {
+DirectionSample Lights::sample_sky(UnitPair chance) const {
   if (row_sums_.back() <= 0) return {};
   const Step row = step_at(row_sums_.data(), kDown, chance.u);
   const Step column = step_at(&sums_[row.index * kAcross], kAcross, chance.v);
@@ -104,7 +104,7 @@ double Lights::sky_pdf(Vec3 direction) const {
   return luminance(cells_[cell_of(direction)]) / row_sums_.back() * (kCells / (2 * kPi));
 }
 
-Vec3 Lights::draw_sun(UnitPair chance) const {
+Vec3 Lights::sample_sun(UnitPair chance) const {
   return around(dome_.to_sun, 1 - chance.u * (1 - dome_.sun_cos_radius), chance.v);
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "compiler/sky/expand.h"
+#include "compiler/sky/generate.h"
 #include "preview/samples.h"
 
 namespace citykiln::preview {
@@ -21,32 +21,32 @@ inline double luminance(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0
 Vec3 around(Vec3 axis, double cos_angle, double turn);
 
 /// A drawn direction: pdf per steradian.
-struct Drawn {
+struct DirectionSample {
   Vec3 direction;
   double pdf = 0;
 };
 
 /// Cosine-weighted about a unit vector.
-Drawn draw_cosine(Vec3 normal, UnitPair chance);
+DirectionSample sample_cosine(Vec3 normal, UnitPair chance);
 
 /// What a ray sees that meets nothing, and where light comes from.
 class Lights {
  public:
-  explicit Lights(const sky::Dome& dome);
+  explicit Lights(const sky::SkyModel& dome);
 
-  const sky::Dome& dome() const { return dome_; }
+  const sky::SkyModel& dome() const { return dome_; }
 
   /// The sky for light that falls on surfaces, piecewise constant: 128 by 64 cells of equal solid angle. From below the
   /// horizon comes what darker ground throws back.
   const Rgb& falling(Vec3 direction) const;
   /// A direction of the sky, bright ones more often, from above the horizon only; pdf 0 if the sky is black.
-  Drawn draw_sky(UnitPair chance) const;
-  /// How often draw_sky draws this direction, per steradian.
+  DirectionSample sample_sky(UnitPair chance) const;
+  /// How often sample_sky draws this direction, per steradian.
   double sky_pdf(Vec3 direction) const;
 
   bool has_sun() const { return sun_solid_angle_ > 0; }
   /// A direction of the sun's disk, evenly.
-  Vec3 draw_sun(UnitPair chance) const;
+  Vec3 sample_sun(UnitPair chance) const;
   double sun_solid_angle() const { return sun_solid_angle_; }
 
   /// The sky as the eye sees it. Below the horizon, beyond the ground's edge, there is haze: a dark or sharp edge would
@@ -58,7 +58,7 @@ class Lights {
  private:
   Rgb haze(Vec3 direction) const;
 
-  sky::Dome dome_;
+  sky::SkyModel dome_;
   double sun_solid_angle_ = 0;
   std::vector<Rgb> cells_, ring_;
   Rgb below_{}, haze_mean_{};

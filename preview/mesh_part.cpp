@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/sky/expand.h"
+#include "compiler/sky/generate.h"
 
 namespace citykiln::preview {
 namespace {
@@ -32,8 +32,8 @@ Vec2 in_uvs(Vec3 v, Vec3 edge1, Vec3 edge2, Vec2 uv_edge1, Vec2 uv_edge2) {
 }
 
 // What a beam covers of the sheet: the flatter it comes, the longer.
-Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
-               const Beam& beam) {
+TextureFootprint patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
+                          const RayFootprint& beam) {
   constexpr double kFlattest = 0.005;
   const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
   const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
@@ -48,9 +48,9 @@ Patch patch_of(const MeshPart& part, const std::array<std::uint32_t, 3>& corners
 
 // The same where a metre of the surface need not be one of the picture: atlases of several levels in one have texels of
 // one size, and plants stand in many.
-Patch patch_in_scale(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
-                     const Beam& beam) {
-  Patch patch = patch_of(part, corners, found, beam);
+TextureFootprint patch_in_scale(const MeshPart& part, const std::array<std::uint32_t, 3>& corners, const RTCHit& found,
+                                const RayFootprint& beam) {
+  TextureFootprint patch = patch_of(part, corners, found, beam);
   const auto at = [&](int i) { return widened(part.corners[corners[i]]); };
   const auto uv = [&](int i) { return widened(part.primitive->uvs[corners[i]]); };
   const double area = length(cross(at(1) - at(0), at(2) - at(0)));
@@ -82,14 +82,14 @@ double translucency_of(materials::Material material) {
 }
 
 void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t, 3>& corners,
-                  const std::array<double, 3>& weights, const RTCHit& found, const Beam& beam) {
+                  const std::array<double, 3>& weights, const RTCHit& found, const RayFootprint& beam) {
   const bake::Primitive& primitive = *part.primitive;
   const materials::MaterialValues& values = values_of(primitive.material);
   const auto& own = values.base_colour;
   std::array<double, 3> colour{own[0], own[1], own[2]};
   if (part.texture != nullptr) colour = part.texture->mean(patch_of(part, corners, found, beam));
   if (part.surface != nullptr) {
-    const Patch patch = patch_in_scale(part, corners, found, beam);
+    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
     colour = part.surface->colour(patch);
     if (part.surface->has_normals()) roughen(hit, part, corners, part.surface->normal(patch), {});
   }
@@ -97,15 +97,15 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
   std::array<double, 3> emission{shining[0], shining[1], shining[2]};
   hit.material = primitive.material;
   hit.roughness = values.roughness;
-  if (part.imprint != nullptr) {
-    const Patch patch = patch_in_scale(part, corners, found, beam);
-    colour = part.imprint->colour(patch);
-    hit.roughness = part.imprint->roughness(patch);
-    emission = part.imprint->emission(patch);
-    if (part.imprint->has_normals()) roughen(hit, part, corners, part.imprint->normal(patch), {});
+  if (part.impostor != nullptr) {
+    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
+    colour = part.impostor->colour(patch);
+    hit.roughness = part.impostor->roughness(patch);
+    emission = part.impostor->emission(patch);
+    if (part.impostor->has_normals()) roughen(hit, part, corners, part.impostor->normal(patch), {});
   }
   if (part.cutout != nullptr) {
-    const Patch patch = patch_in_scale(part, corners, found, beam);
+    const TextureFootprint patch = patch_in_scale(part, corners, found, beam);
     colour = part.cutout->colour(patch);
     if (part.cutout->has_normals()) roughen(hit, part, corners, part.cutout->normal(patch), beam.direction);
   }
@@ -114,7 +114,7 @@ void set_material(Hit& hit, const MeshPart& part, const std::array<std::uint32_t
     double tint = 0;
     for (int i = 0; i < 3; ++i) tint += weights[i] * primitive.colours[corners[i]][c];
     hit.albedo[c] = colour[c] * tint / 255;
-    hit.emission[c] = emission[c] * (materials::kEmission_cd_m2 / sky::kUnit_cd_m2);
+    hit.emission[c] = emission[c] * (materials::kEmission_cd_m2 / sky::kUnitLuminance_cd_m2);
   }
 }
 
@@ -130,14 +130,14 @@ void pass_where_nothing_is(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const SheetTexture* texture,
-               const SurfaceTexture* surface, const ImprintTexture* imprint, const CutoutTexture* cutout) {
-  using materials::Coloured;
+MeshPart moved(const bake::Primitive& primitive, Vec3 offset, const MipTexture* texture, const MaterialTexture* surface,
+               const FacadeAtlasTexture* impostor, const CutoutTexture* cutout) {
+  using materials::ColourSource;
   MeshPart part{&primitive, {}};
-  if (primitive.coloured == Coloured::kBySheet) part.texture = texture;
-  if (primitive.coloured == Coloured::kByAtlas) part.imprint = imprint;
-  if (primitive.coloured == Coloured::kByMaterial && !primitive.uvs.empty()) part.surface = surface;
-  if (primitive.coloured == Coloured::kByCutout) part.cutout = cutout;
+  if (primitive.colour_source == ColourSource::kByMarkingAtlas) part.texture = texture;
+  if (primitive.colour_source == ColourSource::kByAtlas) part.impostor = impostor;
+  if (primitive.colour_source == ColourSource::kByMaterial && !primitive.uvs.empty()) part.surface = surface;
+  if (primitive.colour_source == ColourSource::kByCutout) part.cutout = cutout;
   part.corners.reserve(primitive.positions.size() + 1);
   for (const bake::Float3& p : primitive.positions)
     part.corners.push_back({static_cast<float>(p[0] + offset.x), static_cast<float>(p[1] + offset.y),
@@ -163,7 +163,7 @@ void attach(RTCDevice device, RTCScene scene, const MeshPart& part) {
   rtcReleaseGeometry(geometry);
 }
 
-Hit hit_on(const MeshPart& part, const RTCHit& found, const Beam& beam) {
+Hit hit_on(const MeshPart& part, const RTCHit& found, const RayFootprint& beam) {
   const auto& corners = part.primitive->triangles[found.primID];
   const double u = found.u, v = found.v;
   const std::array<double, 3> weights = {1 - u - v, u, v};

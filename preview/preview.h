@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
 #include "compiler/sky/recipe.h"
 

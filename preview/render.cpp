@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "compiler/contract/for_each_slot.h"
+#include "preview/path_trace.h"
 #include "preview/preview.h"
-#include "preview/shade.h"
 
 namespace citykiln::preview {
 namespace {
@@ -34,7 +34,7 @@ double tent(double u) { return u < 0.5 ? std::sqrt(2.0 * u) - 1 : 1 - std::sqrt(
 
 // Everything that a pixel needs.
 struct Shot {
-  Stage stage;
+  TraceContext stage;
   Lens lens;
   Vec3 eye;  // in the world's frame
   SampleGrid grid;
@@ -76,9 +76,9 @@ Image render(std::span<const bake::BakedTile> tiles, const sky::Sky& sky, const 
              const Options& options) {
   if (options.width <= 0 || options.height <= 0) return {};
   const World world(tiles, camera.eye);
-  const Lights lights(sky::expand(sky));
+  const Lights lights(sky::generate(sky));
   const Lens lens = lens_of(camera, options);
-  const Stage stage{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
+  const TraceContext stage{world, lights, std::max(options.bounces, 0), 2 * lens.half_height / options.height};
   const Shot shot{stage, lens, camera.eye - world.origin(), grid_of(options.width, options.height, options.samples)};
   Image image{options.width, options.height,
               std::vector<float>(static_cast<std::size_t>(options.width) * options.height * 3)};

@@ -44,7 +44,7 @@ std::vector<Vec3> places_near(std::span<const bake::BakedTile> tiles, Vec3 core)
 }
 
 // Rays in the plane's frame.
-struct Looker {
+struct ViewProbe {
   const World& world;
 
   // How far one sees, at most `limit`.
@@ -65,7 +65,7 @@ Vec3 level(int direction) {
 }
 
 // How good a view is: sight along the street, walls beside it, and room between them.
-double worth(const Looker& look, Vec3 eye, int direction) {
+double worth(const ViewProbe& look, Vec3 eye, int direction) {
   constexpr double kFarEnough_m = 150, kNearEnough_m = 60, kTooNear_m = 15, kWide_m = 9;
   const double ahead = look.sight_m(eye, level(direction), kFarEnough_m);
   if (ahead < kTooNear_m) return 0;
@@ -80,10 +80,10 @@ double worth(const Looker& look, Vec3 eye, int direction) {
 
 }  // namespace
 
-Camera street_view(std::span<const bake::BakedTile> tiles, const Relief& relief) {
+Camera street_view(std::span<const bake::BakedTile> tiles, const SceneGrid& relief) {
   const Vec3 core = relief.core_point();
   const World world(tiles, core);
-  const Looker look{world};
+  const ViewProbe look{world};
   Camera best{core + Vec3{0, 0, kEye_m}, core + Vec3{0, 40, kEye_m}, kFov_deg};
   double most = 0;
   for (const Vec3& place : places_near(tiles, core)) {

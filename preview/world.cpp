@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "preview/crowd.h"
+#include "preview/instance_set.h"
+#include "preview/material_texture.h"
 #include "preview/mesh_part.h"
-#include "preview/surface_texture.h"
 
 namespace citykiln::preview {
 namespace {
@@ -52,11 +52,11 @@ struct World::Scene {
   Vec3 origin;
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene top = rtcNewScene(device);
-  std::vector<std::unique_ptr<SheetTexture>> textures;
-  std::vector<std::unique_ptr<SurfaceTexture>> surfaces;
-  std::vector<std::unique_ptr<ImprintTexture>> imprints;
-  std::vector<MeshPart> fixed;                 // geometry ids 0 … n - 1
-  std::vector<std::unique_ptr<Crowd>> crowds;  // geometry ids n …
+  std::vector<std::unique_ptr<MipTexture>> textures;
+  std::vector<std::unique_ptr<MaterialTexture>> surfaces;
+  std::vector<std::unique_ptr<FacadeAtlasTexture>> facade_atlas;
+  std::vector<MeshPart> fixed;                       // geometry ids 0 … n - 1
+  std::vector<std::unique_ptr<InstanceSet>> crowds;  // geometry ids n …
 
   ~Scene() {
     rtcReleaseScene(top);
@@ -65,50 +65,51 @@ struct World::Scene {
   }
 
   // Tiles with equal sheets share one.
-  const SheetTexture* texture_of(const bake::BakedTile& tile) {
+  const MipTexture* texture_of(const bake::BakedTile& tile) {
     if (tile.sheet.texels.empty()) return nullptr;
     const auto same = std::ranges::find_if(textures, [&](const auto& other) { return other->sheet() == tile.sheet; });
     if (same != textures.end()) return same->get();
-    return textures.emplace_back(std::make_unique<SheetTexture>(tile.sheet)).get();
+    return textures.emplace_back(std::make_unique<MipTexture>(tile.sheet)).get();
   }
 
   // Tiles with equal textures share them.
-  const SurfaceTexture* surface_of(const bake::BakedTile& tile, materials::Material material) {
+  const MaterialTexture* surface_of(const bake::BakedTile& tile, materials::Material material) {
     const auto own = std::ranges::find(tile.textures, material, &materials::Texture::material);
     if (own == tile.textures.end()) return nullptr;
     const auto same = std::ranges::find_if(surfaces, [&](const auto& other) { return other->texture() == *own; });
     if (same != surfaces.end()) return same->get();
-    return surfaces.emplace_back(std::make_unique<SurfaceTexture>(*own)).get();
+    return surfaces.emplace_back(std::make_unique<MaterialTexture>(*own)).get();
   }
 
-  std::vector<const SurfaceTexture*> surfaces_of(const bake::BakedTile& tile, const bake::Instanced& instanced) {
-    std::vector<const SurfaceTexture*> of;
+  std::vector<const MaterialTexture*> surfaces_of(const bake::BakedTile& tile, const bake::InstancedMesh& instanced) {
+    std::vector<const MaterialTexture*> of;
     for (const bake::Primitive& primitive : instanced.primitives) of.push_back(surface_of(tile, primitive.material));
     return of;
   }
 
   // No two tiles have the same.
-  const ImprintTexture* imprint_of(const bake::BakedTile& tile) {
-    if (tile.imprints.colour.texels.empty()) return nullptr;
-    return imprints.emplace_back(std::make_unique<ImprintTexture>(tile.imprints)).get();
+  const FacadeAtlasTexture* imprint_of(const bake::BakedTile& tile) {
+    if (tile.facade_atlas.colour.texels.empty()) return nullptr;
+    return facade_atlas.emplace_back(std::make_unique<FacadeAtlasTexture>(tile.facade_atlas)).get();
   }
 
   void add_fixed(const bake::BakedTile& tile) {
-    const SheetTexture* texture = texture_of(tile);
-    const ImprintTexture* imprint = imprint_of(tile);
+    const MipTexture* texture = texture_of(tile);
+    const FacadeAtlasTexture* impostor = imprint_of(tile);
     for (const bake::Primitive& primitive : tile.primitives)
       if (!primitive.triangles.empty())
-        fixed.push_back(moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material), imprint));
+        fixed.push_back(
+            moved(primitive, tile.origin - origin, texture, surface_of(tile, primitive.material), impostor));
   }
 
   void add_crowds(const bake::BakedTile& tile) {
-    const SheetTexture* texture = texture_of(tile);
-    for (const bake::Instanced& instanced : tile.instanced) {
+    const MipTexture* texture = texture_of(tile);
+    for (const bake::InstancedMesh& instanced : tile.instanced) {
       const auto surfaces = surfaces_of(tile, instanced);
       auto crowd =
           std::ranges::find_if(crowds, [&](const auto& other) { return other->is_of(instanced, texture, surfaces); });
       if (crowd == crowds.end())
-        crowd = crowds.insert(crowd, std::make_unique<Crowd>(device, instanced, texture, surfaces));
+        crowd = crowds.insert(crowd, std::make_unique<InstanceSet>(device, instanced, texture, surfaces));
       (*crowd)->add(instanced, tile.origin - origin);
     }
   }
@@ -125,7 +126,7 @@ struct World::Scene {
     rtcCommitScene(top);
   }
 
-  Hit hit_of(const RTCHit& found, const Beam& beam) const {
+  Hit hit_of(const RTCHit& found, const RayFootprint& beam) const {
     if (found.instID[0] == RTC_INVALID_GEOMETRY_ID) return hit_on(fixed[found.geomID], found, beam);
     const auto after =
         std::ranges::upper_bound(crowds, found.instID[0], {}, [](const auto& crowd) { return crowd->first(); });

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 
 namespace citykiln::preview {
 

@@ -5,7 +5,7 @@
 
 #include "preview/image_module/picture_io.h"
 #include "preview/preview.h"
-#include "preview/tone.h"
+#include "preview/tone_map.h"
 
 namespace citykiln::preview {
 namespace {
@@ -37,7 +37,7 @@ Result<Done> write_image(const Image& image, const std::string& path) {
   if (!is_exr) {
     bytes.reserve(image.rgb.size());
     for (std::size_t i = 0; i + 2 < image.rgb.size(); i += 3)
-      for (const std::uint8_t byte : tone(&image.rgb[i])) bytes.push_back(byte);
+      for (const std::uint8_t byte : tone_map(&image.rgb[i])) bytes.push_back(byte);
   }
   // beside the final name, with its ending, then renamed
   const std::string part = path.substr(0, path.size() - 4) + ".part" + path.substr(path.size() - 4);

@@ -25,7 +25,7 @@ Bounds bounds_of(const buildings::Building& building) {
 }
 
 Bounds bounds_of(const structures::Span& span) {
-  Bounds bounds{box_of(span.axis).widened(roads::breadth_m(span) + kAboutSpan_m)};
+  Bounds bounds{box_of(span.axis).widened(roads::max_offset_m(span) + kAboutSpan_m)};
   if (span.profile.empty()) return bounds;
   const auto [low, high] = std::ranges::minmax(span.profile, {}, &Knot::z_m);
   bounds.low_m = low.z_m - kAboutSpan_m, bounds.high_m = high.z_m + kBore_m;

@@ -5,11 +5,11 @@
 namespace citykiln::bake {
 namespace {
 
-using map::SurfaceGroup;
+using map::LandCoverGroup;
 using materials::Material;
 
-bool is_town(SurfaceGroup group) {
-  return group == SurfaceGroup::kTown || group == SurfaceGroup::kIndustry || group == SurfaceGroup::kGarden;
+bool is_town(LandCoverGroup group) {
+  return group == LandCoverGroup::kTown || group == LandCoverGroup::kIndustry || group == LandCoverGroup::kGarden;
 }
 
 // Two lengths of waves, so that the line neither runs level nor in bows of one size.
@@ -21,18 +21,18 @@ bool is_above(Vec3 at, double snow_line_m, std::uint64_t seed) {
 
 }  // namespace
 
-bool is_land(SurfaceGroup group) {
+bool is_land(LandCoverGroup group) {
   switch (group) {
-    case SurfaceGroup::kUnknown:
-    case SurfaceGroup::kForest:
-    case SurfaceGroup::kGrassland:
-    case SurfaceGroup::kFarm:
-    case SurfaceGroup::kGarden:
-    case SurfaceGroup::kScrubland:
-    case SurfaceGroup::kWetland:
-    case SurfaceGroup::kBare:
-    case SurfaceGroup::kTown:
-    case SurfaceGroup::kIndustry:
+    case LandCoverGroup::kUnknown:
+    case LandCoverGroup::kForest:
+    case LandCoverGroup::kGrassland:
+    case LandCoverGroup::kFarm:
+    case LandCoverGroup::kGarden:
+    case LandCoverGroup::kScrubland:
+    case LandCoverGroup::kWetland:
+    case LandCoverGroup::kBare:
+    case LandCoverGroup::kTown:
+    case LandCoverGroup::kIndustry:
       return true;
     default:
       return false;
@@ -42,7 +42,7 @@ bool is_land(SurfaceGroup group) {
 Material material_of(const GroundFace& face, const std::optional<double>& snow_line_m, std::uint64_t seed) {
   const auto& values = values_of(face.surface);
   if (!is_land(values.group)) return values.material;
-  if (face.is_upright) return Material::kStone;
+  if (face.is_vertical) return Material::kStone;
   const bool is_snowed = snow_line_m && face.normal.z >= kSnowCosine && is_above(face.centre, *snow_line_m, seed);
   if (is_snowed) return Material::kSnow;
   if (face.normal.z >= kSteepCosine) return values.material;

@@ -4,17 +4,17 @@
 #include <optional>
 
 #include "compiler/geometry/vec.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::bake {
 
 /// A face as its material depends on it.
 struct GroundFace {
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   Vec3 normal;                  ///< Unit, upwards.
   Vec3 centre;                  ///< Plane metres.
   bool is_beside_road = false;  ///< A corner of it is a road's.
-  bool is_upright = false;      ///< Built: a retaining wall, a quay, a kerb.
+  bool is_vertical = false;     ///< Built: a retaining wall, a quay, a kerb.
 };
 
 /// Land steeper than this does not hold soil or grass; the angle of repose of scree is 35 to 40°, grass holds a little
@@ -26,7 +26,7 @@ inline constexpr double kSnowCosine = 0.53;
 inline constexpr double kSnowLineSway_m = 40;
 
 /// Is it land: neither water nor built nor sporting ground?
-bool is_land(map::SurfaceGroup group);
+bool is_land(map::LandCoverGroup group);
 
 /// Rock where land is steep, masonry where that is in a town or beside a road, or land stands upright; snow on land
 /// above the line, if there is one; else the class's own. Roads, water and what is built keep theirs at any slope and

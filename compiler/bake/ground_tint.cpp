@@ -11,25 +11,25 @@
 namespace citykiln::bake {
 namespace {
 
-using ground::Surface;
-using map::SurfaceGroup;
+using ground::LandCoverPolygon;
+using map::LandCoverGroup;
 using materials::Material;
 
 // Against ripe straw, the table's farmland: stubble, ploughed, sown, green, turning, ripe.
-constexpr Shade kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
-                            {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
+constexpr TintFactor kCrops[] = {{0.92, 0.92, 0.95}, {0.60, 0.58, 0.80}, {0.52, 0.90, 0.52},
+                                 {0.40, 0.70, 0.42}, {0.80, 0.96, 0.60}, {1.00, 0.96, 0.80}};
 
 constexpr std::string_view kCropLetters = "bpogtr";
 
-struct Turf {
+struct SeasonalTint {
   char letter;
-  Shade shade;
+  TintFactor shade;
 };
-constexpr Turf kTurfs[] = {
+constexpr SeasonalTint kTurfs[] = {
 #define TURF(letter, red, green, blue) {letter, {red, green, blue}},
 #define YEAR(material, months)
 #define FIELD(month, fields)
-#include "compiler/bake/ground_years.inc"
+#include "compiler/bake/seasonal_tints.inc"
 #undef TURF
 #undef YEAR
 #undef FIELD
@@ -43,7 +43,7 @@ constexpr Year kYears[] = {
 #define TURF(letter, red, green, blue)
 #define YEAR(material, months) {Material::material, months},
 #define FIELD(month, fields)
-#include "compiler/bake/ground_years.inc"
+#include "compiler/bake/seasonal_tints.inc"
 #undef TURF
 #undef YEAR
 #undef FIELD
@@ -53,7 +53,7 @@ constexpr std::string_view kFields[] = {
 #define TURF(letter, red, green, blue)
 #define YEAR(material, months)
 #define FIELD(month, fields) fields,
-#include "compiler/bake/ground_years.inc"
+#include "compiler/bake/seasonal_tints.inc"
 #undef TURF
 #undef YEAR
 #undef FIELD
@@ -62,14 +62,14 @@ static_assert(std::size(kFields) == 12 && kFields[5] == kCropLetters);
 
 std::size_t index_of(plants::Month month) { return (static_cast<std::size_t>(month) + 11) % 12; }
 
-Shade crop_in(plants::Month month, std::size_t field) {
+TintFactor crop_in(plants::Month month, std::size_t field) {
   return kCrops[kCropLetters.find(kFields[index_of(month)][field])];
 }
 
-Shade turf_in(plants::Month month, Material material) {
+TintFactor turf_in(plants::Month month, Material material) {
   const auto year = std::ranges::find(kYears, material, &Year::material);
   if (year == std::end(kYears)) return {};
-  return std::ranges::find(kTurfs, year->months[index_of(month)], &Turf::letter)->shade;
+  return std::ranges::find(kTurfs, year->months[index_of(month)], &SeasonalTint::letter)->shade;
 }
 
 bool is_green(Material material) {
@@ -89,39 +89,39 @@ bool is_green(Material material) {
   }
 }
 
-Shade times(Shade a, Shade b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
+TintFactor times(TintFactor a, TintFactor b) { return {a.red * b.red, a.green * b.green, a.blue * b.blue}; }
 
 // -1: lush and bluish; 1: dry and yellowish.
-Shade dried(double dryness) {
+TintFactor dried(double dryness) {
   if (dryness > 0) return {1, 1 - 0.07 * dryness, 1 - 0.30 * dryness};
   return {1 + 0.24 * dryness, 1 + 0.04 * dryness, 1 + 0.06 * dryness};
 }
 
 }  // namespace
 
-bool is_paved(map::SurfaceClass surface) {
-  const SurfaceGroup group = map::values_of(surface).group;
-  return group == SurfaceGroup::kRoad || group == SurfaceGroup::kPath || group == SurfaceGroup::kRail ||
-         group == SurfaceGroup::kPaved;
+bool is_paved(map::LandCoverClass surface) {
+  const LandCoverGroup group = map::values_of(surface).group;
+  return group == LandCoverGroup::kRoad || group == LandCoverGroup::kPath || group == LandCoverGroup::kRail ||
+         group == LandCoverGroup::kPaved;
 }
 
-bool is_soft(map::SurfaceClass surface) {
-  const SurfaceGroup group = map::values_of(surface).group;
-  return group == SurfaceGroup::kForest || group == SurfaceGroup::kGrassland || group == SurfaceGroup::kScrubland ||
-         group == SurfaceGroup::kWetland || group == SurfaceGroup::kBare;
+bool has_soft_border(map::LandCoverClass surface) {
+  const LandCoverGroup group = map::values_of(surface).group;
+  return group == LandCoverGroup::kForest || group == LandCoverGroup::kGrassland ||
+         group == LandCoverGroup::kScrubland || group == LandCoverGroup::kWetland || group == LandCoverGroup::kBare;
 }
 
-Shade shade_of(const Surface& surface, Material material, std::uint64_t seed, plants::Month month) {
+TintFactor surface_tint(const LandCoverPolygon& surface, Material material, std::uint64_t seed, plants::Month month) {
   if (is_paved(surface.surface)) return {};
   const Draw draw(seed, stable_id(surface.id), "ground tint");
   const double level = 1 - values_of(material).variation * draw.unit(0);
-  const Shade plain{level, level, level};
+  const TintFactor plain{level, level, level};
   if (material == Material::kFarmland) return times(plain, crop_in(month, draw.below(std::size(kCrops), 1)));
   if (!is_green(material)) return plain;
   return times(times(plain, dried(0.8 * (2 * draw.unit(1) - 1))), turf_in(month, material));
 }
 
-Shade shade_at(Vec2 place_m, Material material, std::uint64_t seed) {
+TintFactor place_tint(Vec2 place_m, Material material, std::uint64_t seed) {
   const double variation = values_of(material).variation;
   if (variation == 0) return {};
   struct Wave {
@@ -136,15 +136,15 @@ Shade shade_at(Vec2 place_m, Material material, std::uint64_t seed) {
   const bool grows = is_green(material);
   const double depth = grows ? 0.10 + variation : variation;
   const double level = 1 - depth * std::clamp(0.5 + 0.9 * sum(kLight, seed), 0.0, 1.0);
-  const Shade light{level, level, level};
+  const TintFactor light{level, level, level};
   // a field is sown as one
   const double spread = material == Material::kFarmland ? 0.5 : 1.3;
   return grows ? times(light, dried(std::clamp(spread * sum(kDry, seed + 100), -1.0, 1.0))) : light;
 }
 
-materials::Tint tint_of(Shade surface, Shade place) {
+materials::Tint tint_of(TintFactor surface, TintFactor place) {
   const auto byte = [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); };
-  const Shade both = times(surface, place);
+  const TintFactor both = times(surface, place);
   return {byte(both.red), byte(both.green), byte(both.blue), 255};
 }
 

@@ -26,7 +26,7 @@ std::size_t hash_of(const Float3& p) {
 
 // The primitive's vertices of one mesh, found again by what they are.
 struct Vertices {
-  const materials::DressedMesh& dressed;
+  const materials::MaterialMesh& dressed;
   Primitive& primitive;
   Vec3 origin;
   std::uint32_t feature;
@@ -68,14 +68,14 @@ Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
 
 Float3 offset_from(Vec3 origin, Vec3 p) { return single(p - origin); }
 
-void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, std::uint32_t feature) {
+void merge(PrimitiveMap& merged, const materials::MaterialMesh& dressed, Vec3 origin, std::uint32_t feature) {
   const Mesh& mesh = dressed.mesh;
-  assert(dressed.uvs.empty() ? dressed.coloured == materials::Coloured::kByMaterial
+  assert(dressed.uvs.empty() ? dressed.colour_source == materials::ColourSource::kByMaterial
                              : dressed.uvs.size() == mesh.positions.size());
   assert(dressed.tints.empty() || dressed.tints.size() == mesh.positions.size());
-  const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.coloured};
+  const PrimitiveKey key{dressed.material, !dressed.uvs.empty(), dressed.colour_source};
   Primitive& primitive = merged[key];
-  primitive.material = key.material, primitive.coloured = key.coloured;
+  primitive.material = key.material, primitive.colour_source = key.colour_source;
   Vertices vertices{dressed, primitive, origin, feature};
   for (const Triangle& t : mesh.triangles) {
     const Vec3 flat = normal_of(mesh, t);
@@ -88,27 +88,27 @@ void merge(Merged& merged, const materials::DressedMesh& dressed, Vec3 origin, s
 }
 
 std::vector<materials::Texture> textures_shown(const BakedTile& tile, double tolerance_m,
-                                               const materials::TextureShelf& shelf) {
+                                               const materials::TextureCache& shelf) {
   std::set<materials::Material> shown;
   const auto look_at = [&](const std::vector<Primitive>& primitives) {
     for (const Primitive& p : primitives)
-      if (!p.uvs.empty() && p.coloured == materials::Coloured::kByMaterial) shown.insert(p.material);
+      if (!p.uvs.empty() && p.colour_source == materials::ColourSource::kByMaterial) shown.insert(p.material);
   };
   look_at(tile.primitives);
-  for (const Instanced& instanced : tile.instanced) look_at(instanced.primitives);
+  for (const InstancedMesh& instanced : tile.instanced) look_at(instanced.primitives);
   return shelf.textures_of(std::vector(shown.begin(), shown.end()), tolerance_m);
 }
 
-std::vector<Primitive> primitives_of(Merged&& merged) {
+std::vector<Primitive> primitives_of(PrimitiveMap&& merged) {
   std::vector<Primitive> primitives;
   for (auto& [key, primitive] : merged)
     if (!primitive.triangles.empty()) primitives.push_back(std::move(primitive));
   return primitives;
 }
 
-std::vector<Primitive> shared_primitives(std::span<const materials::DressedMesh> meshes) {
-  Merged merged;
-  for (const materials::DressedMesh& mesh : meshes) merge(merged, mesh, {}, 0);
+std::vector<Primitive> instanced_primitives(std::span<const materials::MaterialMesh> meshes) {
+  PrimitiveMap merged;
+  for (const materials::MaterialMesh& mesh : meshes) merge(merged, mesh, {}, 0);
   std::vector<Primitive> primitives = primitives_of(std::move(merged));
   for (Primitive& primitive : primitives) primitive.features.clear();
   return primitives;

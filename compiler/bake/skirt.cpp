@@ -9,8 +9,8 @@ namespace citykiln::bake {
 namespace {
 
 bool is_in_border(const Box2& tile, Vec3 a, Vec3 b) {
-  const bool is_upright = a.x == b.x && a.y == b.y;
-  if (is_upright) return false;
+  const bool is_vertical = a.x == b.x && a.y == b.y;
+  if (is_vertical) return false;
   return (a.x == b.x && (a.x == tile.min.x || a.x == tile.max.x)) ||
          (a.y == b.y && (a.y == tile.min.y || a.y == tile.max.y));
 }
@@ -29,7 +29,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_in_border(const Mesh&
   return edges;
 }
 
-std::uint32_t add_lower(materials::DressedMesh& dressed, std::uint32_t vertex, double depth_m) {
+std::uint32_t add_lower(materials::MaterialMesh& dressed, std::uint32_t vertex, double depth_m) {
   Mesh& mesh = dressed.mesh;
   mesh.positions.push_back(mesh.positions[vertex] - Vec3{0, 0, depth_m});
   if (!mesh.normals.empty()) mesh.normals.push_back(mesh.normals[vertex]);
@@ -40,7 +40,7 @@ std::uint32_t add_lower(materials::DressedMesh& dressed, std::uint32_t vertex, d
 
 }  // namespace
 
-void hang_skirt(materials::DressedMesh& dressed, const Box2& tile, double depth_m) {
+void add_skirt(materials::MaterialMesh& dressed, const Box2& tile, double depth_m) {
   const double snapped_m = snapped(depth_m);
   for (const auto& [a, b] : edges_in_border(dressed.mesh, tile)) {
     const std::uint32_t below_a = add_lower(dressed, a, snapped_m), below_b = add_lower(dressed, b, snapped_m);

@@ -7,17 +7,17 @@
 #pragma once
 
 #include "compiler/geometry/box.h"
-#include "compiler/materials/dressed_mesh.h"
+#include "compiler/materials/material_mesh.h"
 
 namespace citykiln::bake {
 
 /// How deep a skirt hangs, in tolerances: both tiles' errors, if none is more than five times coarser than the next, as
 /// in the default ladder.
-inline constexpr double kSkirt = 6;
+inline constexpr double kSkirtDepthTolerances = 6;
 
 /// Adds upright faces, outwards, below every edge that lies in the border of the tile. Their vertices have the normals,
 /// tints and places of those above them, so they look like the ground beside them. They are no part of what is
 /// certified: they lie below the ground. O(triangles).
-void hang_skirt(materials::DressedMesh& dressed, const Box2& tile, double depth_m);
+void add_skirt(materials::MaterialMesh& dressed, const Box2& tile, double depth_m);
 
 }  // namespace citykiln::bake

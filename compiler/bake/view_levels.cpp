@@ -8,8 +8,8 @@
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
-#include "compiler/plants/expand.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/plants/generate.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::bake {
 namespace {
@@ -35,7 +35,7 @@ double cell_m(const ViewLevels& levels, Vec2 within) {
 
 // Whether two cells see roads alike.
 bool are_alike(double a_m, double b_m) {
-  return (a_m < scene::kPlainRoads_m) == (b_m < scene::kPlainRoads_m) || std::isinf(a_m) || std::isinf(b_m);
+  return (a_m < scene::kRoadDetail_m) == (b_m < scene::kRoadDetail_m) || std::isinf(a_m) || std::isinf(b_m);
 }
 
 // A cell's tolerance and those of the cells around it.
@@ -58,9 +58,9 @@ ground::SideTolerances smaller(const Neighbours& n) {
           std::min(n.own_m, a.north_m)};
 }
 
-SeenCell seen_cell(const ViewLevels& levels, const Box2& cell) {
+ViewCell view_cell(const ViewLevels& levels, const Box2& cell) {
   const Neighbours n = neighbours_of(levels, cell);
-  SeenCell seen{{cell, n.own_m, smaller(n)}, {{-kNone_m, -kNone_m}, {kNone_m, kNone_m}}, 0};
+  ViewCell seen{{cell, n.own_m, smaller(n)}, {{-kNone_m, -kNone_m}, {kNone_m, kNone_m}}, 0};
   double coarsest_m = n.own_m;
   const auto hang = [&](double other_m, double& side, double at) {
     if (are_alike(n.own_m, other_m)) return;
@@ -68,14 +68,14 @@ SeenCell seen_cell(const ViewLevels& levels, const Box2& cell) {
   };
   hang(n.around_m.west_m, seen.skirt.min.x, cell.min.x), hang(n.around_m.east_m, seen.skirt.max.x, cell.max.x);
   hang(n.around_m.south_m, seen.skirt.min.y, cell.min.y), hang(n.around_m.north_m, seen.skirt.max.y, cell.max.y);
-  seen.skirt_m = kSkirt * coarsest_m;
+  seen.skirt_m = kSkirtDepthTolerances * coarsest_m;
   return seen;
 }
 
 // Fine enough for all that stands in a tile or is part of it.
 double finest_needed_m(const View& view, const scene::Chunk& chunk, const Box2& box) {
   Bounds low = ground_bounds(chunk.heights, box.widened(scene::kHalo_m));
-  low.high_m += plants::kTallestTree_m;
+  low.high_m += plants::kTallestPlant_m;
   double finest_m = tolerance_m_for(view, low);
   const auto need = [&](const Bounds& bounds) { finest_m = std::min(finest_m, tolerance_m_for(view, bounds)); };
   for (const auto& building : chunk.buildings) need(bounds_of(building));
@@ -121,18 +121,18 @@ ViewLevels levels_for(const scene::Scene& scene, const View& view) {
   return levels;
 }
 
-std::vector<SeenCell> cells_of(const ViewLevels& levels, const Box2& tile) {
-  std::vector<SeenCell> cells;
-  for (const Box2& cell : cells_of(tile)) cells.push_back(seen_cell(levels, cell));
+std::vector<ViewCell> cells_of(const ViewLevels& levels, const Box2& tile) {
+  std::vector<ViewCell> cells;
+  for (const Box2& cell : cells_of(tile)) cells.push_back(view_cell(levels, cell));
   return cells;
 }
 
-std::vector<SeenZone> zones_of(const ViewLevels& levels, const Box2& tile) {
-  std::vector<SeenZone> zones;
+std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile) {
+  std::vector<ViewZone> zones;
   for (const bool sees_kerbs : {true, false}) {
-    SeenZone zone;
-    for (const SeenCell& cell : cells_of(levels, tile))
-      if ((cell.level.tolerance_m < scene::kPlainRoads_m) == sees_kerbs) zone.cells.push_back(cell.level);
+    ViewZone zone;
+    for (const ViewCell& cell : cells_of(levels, tile))
+      if ((cell.level.tolerance_m < scene::kRoadDetail_m) == sees_kerbs) zone.cells.push_back(cell.level);
     if (zone.cells.empty()) continue;
     zone.roads_m = roads_tolerance_m(levels, zone.cells.front().tolerance_m);
     zones.push_back(std::move(zone));
@@ -143,7 +143,7 @@ std::vector<SeenZone> zones_of(const ViewLevels& levels, const Box2& tile) {
 std::vector<double> tolerances_of(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
   std::vector<double> tolerances{finest_needed_m(levels.view, chunk, box)};
-  for (const SeenCell& cell : cells_of(levels, box)) tolerances.push_back(cell.level.tolerance_m);
+  for (const ViewCell& cell : cells_of(levels, box)) tolerances.push_back(cell.level.tolerance_m);
   std::ranges::sort(tolerances);
   tolerances.erase(std::unique(tolerances.begin(), tolerances.end()), tolerances.end());
   return tolerances;
@@ -156,7 +156,7 @@ bool is_in(const TilePart& part, const Bounds& bounds) {
 }
 
 double roads_tolerance_m(const ViewLevels& levels, double tolerance_m) {
-  return tolerance_m < scene::kPlainRoads_m ? levels.finest_m : tolerance_m;
+  return tolerance_m < scene::kRoadDetail_m ? levels.finest_m : tolerance_m;
 }
 
 }  // namespace citykiln::bake

@@ -5,13 +5,13 @@
 //
 // The ground has a tolerance a cell. On the side between two cells the smaller of theirs holds for both, so they meet
 // vertex for vertex as cells of one tolerance do. Only where one of them sees kerbs and lines and the other does not
-// (scene::kPlainRoads_m) their heights differ: there skirts hang from both.
+// (scene::kRoadDetail_m) their heights differ: there skirts hang from both.
 #pragma once
 
 #include <vector>
 
 #include "compiler/bake/bounds.h"
-#include "compiler/bake/fire_ground.h"
+#include "compiler/bake/ground_cells.h"
 #include "compiler/scene/scene.h"
 
 namespace citykiln::bake {
@@ -51,23 +51,23 @@ struct ViewLevels {
 ViewLevels levels_for(const scene::Scene& scene, const View& view);
 
 /// A cell as a view sees it.
-struct SeenCell {
+struct ViewCell {
   CellLevel level;
   Box2 skirt;          ///< Skirts hang from what lies in its sides.
   double skirt_m = 0;  ///< How deep.
 };
 
 /// Those of a tile, in the order of cells_of.
-std::vector<SeenCell> cells_of(const ViewLevels& levels, const Box2& tile);
+std::vector<ViewCell> cells_of(const ViewLevels& levels, const Box2& tile);
 
 /// Cells that see roads alike: with kerbs and lines, or without.
-struct SeenZone {
+struct ViewZone {
   std::vector<CellLevel> cells;
-  double roads_m = 0;  ///< At what tolerance to ask for the cover and the carving of all of them.
+  double roads_m = 0;  ///< At what tolerance to ask for the cover and the graded terrain of all of them.
 };
 
 /// Those of a tile that have cells, the finer one first.
-std::vector<SeenZone> zones_of(const ViewLevels& levels, const Box2& tile);
+std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile);
 
 /// The tolerances of a tile's parts, rising: those of its cells, and one that is fine enough for whatever stands there.
 std::vector<double> tolerances_of(const ViewLevels& levels, const scene::Header& header, const scene::Chunk& chunk);

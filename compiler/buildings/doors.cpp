@@ -17,7 +17,7 @@ struct Place {
   double share, away_m;
 };
 
-bool is_long_enough(double length_m) { return length_m >= 2 * kDoorFromCorner_m; }
+bool is_long_enough(double length_m) { return length_m >= 2 * kMinDoorToCorner_m; }
 
 std::optional<Place> place_of(const Ring& ring, Vec2 p) {
   std::optional<Place> nearest;
@@ -32,14 +32,14 @@ std::optional<Place> place_of(const Ring& ring, Vec2 p) {
 }
 
 std::uint16_t bit_at(double share) {
-  const auto part = static_cast<std::uint32_t>(share * kDoorPlaces);
-  return static_cast<std::uint16_t>(1u << std::min(part, kDoorPlaces - 1));
+  const auto part = static_cast<std::uint32_t>(share * kDoorSlots);
+  return static_cast<std::uint16_t>(1u << std::min(part, kDoorSlots - 1));
 }
 
 }  // namespace
 
-ToldDoors index_doors(std::span<const map::PointFeature> points) {
-  ToldDoors told;
+MappedDoors index_doors(std::span<const map::PointFeature> points) {
+  MappedDoors told;
   std::vector<Box2> boxes;
   for (const map::PointFeature& point : points) {
     if (point.kind != map::PointKind::kEntrance && point.kind != map::PointKind::kAddress) continue;
@@ -51,7 +51,7 @@ ToldDoors index_doors(std::span<const map::PointFeature> points) {
   return told;
 }
 
-std::vector<std::uint16_t> doors_of(const Polygon& footprint, const ToldDoors& told) {
+std::vector<std::uint16_t> mapped_doors_by_edge(const Polygon& footprint, const MappedDoors& told) {
   const Ring& ring = footprint.outer;
   std::vector<std::uint16_t> entrances(ring.size()), addresses(ring.size());
   bool has_entrance = false;
@@ -65,17 +65,17 @@ std::vector<std::uint16_t> doors_of(const Polygon& footprint, const ToldDoors& t
   return has_entrance ? entrances : addresses;
 }
 
-std::vector<Vec2> places_of_doors(const Building& building) {
+std::vector<Vec2> door_positions(const Building& building) {
   const Ring& ring = building.footprint.outer;
   std::vector<Vec2> places;
   for (std::size_t i = 0; i < building.fronts.size() && i < ring.size(); ++i) {
     const Vec2 from = ring[i], way = ring[(i + 1) % ring.size()] - from;
     const double length_m = length(way);
     if (!is_long_enough(length_m)) continue;
-    for (std::uint32_t part = 0; part < kDoorPlaces; ++part) {
+    for (std::uint32_t part = 0; part < kDoorSlots; ++part) {
       if ((building.fronts[i].doors >> part & 1) == 0) continue;
-      const double at_m = (part + 0.5) / kDoorPlaces * length_m;
-      places.push_back(from + unit(way) * std::clamp(at_m, kDoorFromCorner_m, length_m - kDoorFromCorner_m));
+      const double at_m = (part + 0.5) / kDoorSlots * length_m;
+      places.push_back(from + unit(way) * std::clamp(at_m, kMinDoorToCorner_m, length_m - kMinDoorToCorner_m));
     }
   }
   return places;

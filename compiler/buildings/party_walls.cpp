@@ -56,8 +56,8 @@ std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
   // how far the other's line is off at both ends of the stretch
   const auto off_m = [&](double at_m) { return std::abs(cross(against, wall.from + along * at_m - other.from)); };
   const double most_m = std::max(off_m(from_m), off_m(to_m));
-  if (most_m > kWallToWall_m) return std::nullopt;
-  return SharedWall{wall.edge, snapped(from_m), snapped(to_m), other.footprint, most_m <= kOnePlane_m};
+  if (most_m > kTouching_m) return std::nullopt;
+  return SharedWall{wall.edge, snapped(from_m), snapped(to_m), other.footprint, most_m <= kCoplanar_m};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
 std::vector<std::vector<SharedWall>> shared_walls(std::span<const map::Footprint> footprints) {
   const std::vector<Edge> edges = edges_of(footprints);
   std::vector<Box2> boxes;
-  for (const Edge& edge : edges) boxes.push_back(box_of(edge).widened(kWallToWall_m));
+  for (const Edge& edge : edges) boxes.push_back(box_of(edge).widened(kTouching_m));
   const BoxGrid grid = grid_of(boxes, kBucket_m);
   std::vector<std::vector<SharedWall>> all(footprints.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {

@@ -14,11 +14,11 @@ struct SharedWall {
   std::uint32_t edge = 0;       ///< Of the outer ring.
   double from_m = 0, to_m = 0;  ///< Along it; from_m < to_m. Snapped, the ends exact where corners are shared.
   std::uint32_t neighbour = 0;  ///< A footprint's number.
-  bool is_one_plane = false;    ///< Within kOnePlane_m; else within kWallToWall_m.
+  bool is_coplanar = false;     ///< Within kCoplanar_m; else within kTouching_m.
 };
 
 /// Nearer walls touch; between nearer ones nobody sees.
-inline constexpr double kWallToWall_m = 0.06, kOnePlane_m = 0x1.8p-7;
+inline constexpr double kTouching_m = 0.06, kCoplanar_m = 0x1.8p-7;
 
 /// Of each footprint, by its number: sorted by edge, from_m, neighbour. Outlines that parts replace count as absent.
 /// The same whatever the order of footprints, but for the numbers. O(edges log edges) for footprints that lie apart.

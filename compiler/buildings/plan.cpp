@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
+#include "compiler/buildings/building_materials.h"
 #include "compiler/buildings/doors.h"
-#include "compiler/buildings/dress.h"
-#include "compiler/buildings/held_up.h"
 #include "compiler/buildings/outline_index.h"
 #include "compiler/buildings/party_walls.h"
 #include "compiler/buildings/plan_roof.h"
 #include "compiler/buildings/street_sides.h"
 #include "compiler/buildings/style.h"
+#include "compiler/buildings/vertical_support.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/triangulate.h"
 #include "compiler/map/building_classes.h"
@@ -44,7 +44,7 @@ struct GroundRange {
   }
 };
 
-GroundRange ground_along(Vec2 from, Vec2 to, const ground::Carving& ground) {
+GroundRange ground_along(Vec2 from, Vec2 to, const ground::GradedTerrain& ground) {
   GroundRange range;
   const double steps = std::max(1.0, std::ceil(distance(from, to) / kWallStep_m));
   for (double i = 0; i <= steps; ++i) {
@@ -55,7 +55,7 @@ GroundRange ground_along(Vec2 from, Vec2 to, const ground::Carving& ground) {
 }
 
 // Of each wall of the outer ring.
-std::vector<GroundRange> ground_along_walls(const Polygon& polygon, const ground::Carving& ground) {
+std::vector<GroundRange> ground_along_walls(const Polygon& polygon, const ground::GradedTerrain& ground) {
   std::vector<GroundRange> ranges;
   for (std::size_t i = 0; i < polygon.outer.size(); ++i)
     ranges.push_back(ground_along(polygon.outer[i], polygon.outer[(i + 1) % polygon.outer.size()], ground));
@@ -84,7 +84,7 @@ Vec2 inner_point(const Polygon& polygon) {
 
 // The height that a footprint's heights count from.
 double base_of(const map::Footprint& footprint, const GroundRange& under, const OutlineIndex& outlines,
-               const ground::Carving& ground) {
+               const ground::GradedTerrain& ground) {
   if (!footprint.is_part) return under.lowest_m;
   const map::Footprint* outline = outline_at(outlines, inner_point(footprint.polygon));
   return outline == nullptr ? under.lowest_m : all_of(ground_along_walls(outline->polygon, ground)).lowest_m;
@@ -92,17 +92,17 @@ double base_of(const map::Footprint& footprint, const GroundRange& under, const 
 
 // What all buildings are planned from.
 struct Site {
-  const ground::Carving& ground;
+  const ground::GradedTerrain& ground;
   const OutlineIndex outlines;
   const Streets streets;
-  const ToldDoors doors;
+  const MappedDoors doors;
   const std::vector<std::vector<SharedWall>> shared;
 };
 
 double lift_of(const map::Footprint& footprint, Report& report) {
   if (footprint.min_height_m <= 0) return 0;
   if (footprint.min_height_m < footprint.height_m) return footprint.min_height_m;
-  report.add(Code::kUpsideDown, footprint.id.osm, footprint.min_height_m - footprint.height_m);
+  report.add(Code::kMinHeightNotBelowHeight, footprint.id.osm, footprint.min_height_m - footprint.height_m);
   return 0;
 }
 
@@ -154,11 +154,11 @@ std::size_t longest_edge(const Ring& ring) {
 }
 
 // Doors are told of, or lie towards streets. A building without either has its door in its longest wall.
-std::vector<Front> fronts_of(const Building& building, std::vector<bool> sides, const std::vector<std::uint16_t>& doors,
-                             const std::vector<GroundRange>& ground) {
+std::vector<FacadeEdge> fronts_of(const Building& building, std::vector<bool> sides,
+                                  const std::vector<std::uint16_t>& doors, const std::vector<GroundRange>& ground) {
   for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = sides[i] || doors[i] != 0;
   if (std::find(sides.begin(), sides.end(), true) == sides.end()) sides[longest_edge(building.footprint.outer)] = true;
-  std::vector<Front> fronts;
+  std::vector<FacadeEdge> fronts;
   for (std::size_t i = 0; i < sides.size(); ++i)
     fronts.push_back(
         {sides[i], building.stands_on_ground ? buried_storeys(building, ground[i]) : std::uint8_t{0}, doors[i]});
@@ -172,7 +172,7 @@ Building build(const map::Footprint& footprint, const Site& site, const std::vec
   const double base_m = base_of(footprint, under, site.outlines, site.ground), lift_m = lift_of(footprint, report);
   const std::vector<bool> sides = street_sides(footprint.polygon, site.streets);
   const roofs::RoofShape roof = plan_roof(footprint, {!shared.empty(), street_of(footprint, sides)});
-  const Dress dress = dress_of(footprint, roof.form);
+  const BuildingMaterials dress = building_materials(footprint, roof.form);
   Building building{footprint.id,          footprint.polygon,     0,   0, 0, lift_m == 0, dress.wall, dress.roof,
                     footprint.wall_colour, footprint.roof_colour, roof};
   building.top_m = top_of(footprint, base_m, building.roof_shape.height_m, under, report);
@@ -183,7 +183,7 @@ Building build(const map::Footprint& footprint, const Site& site, const std::vec
   building.levels = levels_of(footprint, eaves_m(building) - building.floor_m);
   building.year = footprint.year;
   building.has_shop = footprint.has_shop;
-  building.fronts = fronts_of(building, sides, doors_of(footprint.polygon, site.doors), walls);
+  building.fronts = fronts_of(building, sides, mapped_doors_by_edge(footprint.polygon, site.doors), walls);
   return building;
 }
 
@@ -209,18 +209,18 @@ std::vector<PartyWall> party_walls_of(const map::Footprint& footprint, const Bui
     const std::optional<Building>& other = built[wall.neighbour];
     if (!other || other->bottom_m > building.floor_m || eaves_m(*other) <= building.floor_m) continue;
     const bool is_one_building = footprint.is_part && all[wall.neighbour].is_part;
-    add_party_wall(walls, {wall.edge, wall.from_m, wall.to_m, eaves_m(*other), wall.is_one_plane, is_one_building});
+    add_party_wall(walls, {wall.edge, wall.from_m, wall.to_m, eaves_m(*other), wall.is_coplanar, is_one_building});
   }
   return walls;
 }
 
 // Walls of what nothing holds up go down to the ground.
-std::vector<map::Footprint> let_down(std::vector<map::Footprint> footprints, std::span<const map::Track> tracks,
-                                     Report& report) {
-  const std::vector<bool> held = held_up(footprints, tracks);
+std::vector<map::Footprint> extended_to_ground(std::vector<map::Footprint> footprints,
+                                               std::span<const map::Track> tracks, Report& report) {
+  const std::vector<bool> held = find_supported(footprints, tracks);
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     if (held[i]) continue;
-    report.add(Code::kNotHeldUp, footprints[i].id.osm, footprints[i].min_height_m);
+    report.add(Code::kUnsupportedBuilding, footprints[i].id.osm, footprints[i].min_height_m);
     footprints[i].min_height_m = 0;
   }
   return footprints;
@@ -228,8 +228,8 @@ std::vector<map::Footprint> let_down(std::vector<map::Footprint> footprints, std
 
 }  // namespace
 
-std::vector<Building> plan(const map::Features& features, const ground::Carving& ground, Report& report) {
-  const std::vector<map::Footprint> footprints = let_down(features.footprints, features.tracks, report);
+std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report) {
+  const std::vector<map::Footprint> footprints = extended_to_ground(features.footprints, features.tracks, report);
   const Site site{ground, index_outlines(footprints), index_streets(features.tracks), index_doors(features.points),
                   shared_walls(footprints)};
   std::vector<std::optional<Building>> built(footprints.size());

@@ -5,7 +5,7 @@
 
 #include "compiler/buildings/recipe.h"
 #include "compiler/contract/report.h"
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/map/features.h"
 
 namespace citykiln::buildings {
@@ -14,6 +14,6 @@ namespace citykiln::buildings {
 /// from that of their outline where one contains them; a building that would not rise at least kLeastRise_m above its
 /// highest ground is raised (kHeightRaised). Walls reach kFoundation_m below the lowest ground. Outlines replaced by
 /// their parts count as merged. Ledger "buildings/footprint". Total.
-std::vector<Building> plan(const map::Features& features, const ground::Carving& ground, Report& report);
+std::vector<Building> plan(const map::Features& features, const ground::GradedTerrain& ground, Report& report);
 
 }  // namespace citykiln::buildings

@@ -70,10 +70,10 @@ bool is_small(const map::Footprint& footprint) {
   return footprint.height_m <= kSmall_m && area_m2(footprint.polygon) <= kSmall_m2;
 }
 
-roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofPlace& place) {
+roofs::RoofShape plan_roof(const map::Footprint& footprint, const RoofContext& place) {
   roofs::RoofShape roof = footprint.roof;
   const bool is_height_told = roof.height_m > 0;
-  if (!footprint.is_roof_told) {
+  if (!footprint.has_roof_shape) {
     roof.form = is_height_told ? Form::kGabled : untold_form(footprint, place.is_attached);
     if (!roof.direction && place.is_attached && roof.form == Form::kGabled) roof.direction = place.street;
     const bool is_hall = footprint.building_class == static_cast<std::uint8_t>(BuildingClass::kHall);

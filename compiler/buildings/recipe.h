@@ -22,15 +22,15 @@ enum class Style : std::uint8_t {
   kCount
 };
 
-inline constexpr std::uint32_t kDoorPlaces = 16;
+inline constexpr std::uint32_t kDoorSlots = 16;
 
 /// What lies before the wall over an edge of the outer ring, from its vertex to the next.
-struct Front {
+struct FacadeEdge {
   bool faces_street = false;
   std::uint8_t buried_storeys = 0;  ///< Counted from the floor: the ground along the wall is so high.
-  /// Where doors are told to be: bit i says in the i-th of kDoorPlaces equal parts of the edge.
+  /// Where doors are told to be: bit i says in the i-th of kDoorSlots equal parts of the edge.
   std::uint16_t doors = 0;
-  bool operator==(const Front&) const = default;
+  bool operator==(const FacadeEdge&) const = default;
 };
 
 /// A stretch of a wall that another building stands against.
@@ -60,7 +60,7 @@ struct Building {
   std::uint8_t levels = 1;          ///< Storeys between floor and eaves, at least 1.
   std::uint16_t year = 0;           ///< 0: nobody says.
   bool has_shop = false;
-  std::vector<Front> fronts{};           ///< One an edge of the outer ring; none where nothing is to be said of any.
+  std::vector<FacadeEdge> fronts{};      ///< One an edge of the outer ring; none where nothing is to be said of any.
   std::vector<PartyWall> party_walls{};  ///< Sorted by edge, then from_m; of one edge they do not overlap.
   bool operator==(const Building&) const = default;
 };

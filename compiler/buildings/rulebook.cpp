@@ -4,7 +4,7 @@
 #include <set>
 
 #include "compiler/buildings/style.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -16,10 +16,10 @@ Result<grammars::Program> program_of(Style style, std::span<const RuleText> text
     if (found == texts.end()) return Error{file, "there is no such rule file"};
     return found->text;
   };
-  return grammars::read_rules(std::string(rules_of(style)) + ".cga", load);
+  return grammars::read_rules(std::string(rule_file_of(style)) + ".cga", load);
 }
 
-bool has_rules(Style style) { return !rules_of(style).empty(); }
+bool has_rules(Style style) { return !rule_file_of(style).empty(); }
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span
   return texts;
 }
 
-Rulebook rulebook_of(std::span<const Style> styles, std::span<const RuleText> texts) {
+Rulebook parse_rulebook(std::span<const Style> styles, std::span<const RuleText> texts) {
   Rulebook rulebook;
   for (const Style style : styles) {
     if (!has_rules(style)) continue;

@@ -30,7 +30,7 @@ Result<std::vector<RuleText>> rules_for(std::span<const Style> styles, std::span
 using Rulebook = std::map<Style, grammars::Program>;
 
 /// Those of the styles whose rules can be read. Cost: the texts' length.
-Rulebook rulebook_of(std::span<const Style> styles, std::span<const RuleText> texts);
+Rulebook parse_rulebook(std::span<const Style> styles, std::span<const RuleText> texts);
 
 /// The styles of some buildings, sorted, each once.
 std::vector<Style> styles_of(std::span<const Building> buildings);

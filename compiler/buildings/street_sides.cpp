@@ -14,7 +14,7 @@ constexpr double kShortest_m = 1.5;
 constexpr double kCos45 = 0.7071;
 
 bool is_street(const map::Track& track) {
-  return map::values_of(track.surface).group == map::SurfaceGroup::kRoad && !track.is_rail &&
+  return map::values_of(track.surface).group == map::LandCoverGroup::kRoad && !track.is_rail &&
          track.passage == map::Passage::kGround;
 }
 

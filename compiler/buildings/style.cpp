@@ -68,7 +68,7 @@ Style by_class(const map::Footprint& footprint, const Building& building) {
 
 }  // namespace
 
-std::string_view rules_of(Style style) { return kRules[static_cast<std::size_t>(style)]; }
+std::string_view rule_file_of(Style style) { return kRules[static_cast<std::size_t>(style)]; }
 
 Style style_of(const map::Footprint& footprint, const Building& building) {
   const double wall_m = eaves_m(building) - building.floor_m;

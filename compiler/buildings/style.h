@@ -11,6 +11,6 @@ namespace citykiln::buildings {
 Style style_of(const map::Footprint& footprint, const Building& building);
 
 /// "old_town_house": the rule file's name without its ending; "" of kPlain.
-std::string_view rules_of(Style style);
+std::string_view rule_file_of(Style style);
 
 }  // namespace citykiln::buildings

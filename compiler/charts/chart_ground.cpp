@@ -6,15 +6,15 @@
 #include <ctime>
 #include <set>
 
-#include "compiler/bake/fire_ground.h"
+#include "compiler/bake/ground_cells.h"
 #include "compiler/charts/chart.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
 #include "compiler/ground/plan.h"
 #include "compiler/pipeline.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::charts {
 namespace {
@@ -34,12 +34,12 @@ struct Bound {
 void fire_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
   Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
-    const ground::Carving carving = scene::carving_of(scene.header, chunk, tolerance_m);
-    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, tolerance_m);
-    for (const ground::GroundMesh& cell : bake::expand_cells(
-             carving, cover.surfaces, scene::box_of(scene.header, chunk.tile), tolerance_m, threads, ignored)) {
-      measure.triangles += cell.first_upright;
-      measure.upright += static_cast<double>(cell.mesh.triangles.size() - cell.first_upright);
+    const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, tolerance_m);
+    const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, tolerance_m);
+    for (const ground::GroundMesh& cell : bake::generate_cells(
+             graded, cover.surfaces, scene::box_of(scene.header, chunk.tile), tolerance_m, threads, ignored)) {
+      measure.triangles += cell.first_vertical;
+      measure.upright += static_cast<double>(cell.mesh.triangles.size() - cell.first_vertical);
       measure.error_m = std::max(measure.error_m, cell.error_m);
       measure.border_error_m = std::max(measure.border_error_m, cell.border_error_m);
     }
@@ -67,15 +67,15 @@ Measure measure_level(const scene::Scene& scene, double tolerance_m, int threads
 
 /// All levels of a tile at once, as bake() makes them.
 void fire_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
-  const auto carve = [&](double tolerance_m) { return scene::carving_of(scene.header, chunk, tolerance_m); };
-  const ground::Carving fine = carve(scene::kPlainRoads_m / 2), coarse = carve(scene::kPlainRoads_m);
-  std::vector<scene::GroundCover> covers;
-  for (const double tolerance_m : ladder_m) covers.push_back(scene::cover_of(scene.header, chunk, tolerance_m));
+  const auto carve = [&](double tolerance_m) { return scene::graded_terrain_of(scene.header, chunk, tolerance_m); };
+  const ground::GradedTerrain fine = carve(scene::kRoadDetail_m / 2), coarse = carve(scene::kRoadDetail_m);
+  std::vector<scene::LandCover> covers;
+  for (const double tolerance_m : ladder_m) covers.push_back(scene::land_cover_of(scene.header, chunk, tolerance_m));
   std::vector<bake::GroundLevel> levels;
   for (std::size_t i = 0; i < ladder_m.size(); ++i)
-    levels.push_back({ladder_m[i] < scene::kPlainRoads_m ? fine : coarse, covers[i].surfaces, ladder_m[i]});
+    levels.push_back({ladder_m[i] < scene::kRoadDetail_m ? fine : coarse, covers[i].surfaces, ladder_m[i]});
   std::vector<Report> ignored(levels.size());
-  bake::expand_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
+  bake::generate_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
 }
 
 Measure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
@@ -86,15 +86,15 @@ Measure measure_ladder(const scene::Scene& scene, std::span<const double> ladder
 }
 
 /// What the surfaces' seen borders are down to at the tolerance, without heights.
-double border_vertices_of(std::span<const ground::Surface> surfaces, const Box2& cell, double tolerance_m) {
-  std::vector<ground::Surface> near;
-  for (const ground::Surface& surface : surfaces) {
+double border_vertices_of(std::span<const ground::LandCoverPolygon> surfaces, const Box2& cell, double tolerance_m) {
+  std::vector<ground::LandCoverPolygon> near;
+  for (const ground::LandCoverPolygon& surface : surfaces) {
     near.push_back(ground::trimmed_to(surface, cell.widened(1)));
     if (near.back().rings.empty()) near.pop_back();
   }
-  const ground::Layers layers = ground::layers_near(near, cell);
-  const ground::Partition all = ground::partition_all(layers, {}, {}, cell);
-  const auto borders = ground::seen_borders(all, ground::joints_of(layers, all.arrangement, cell));
+  const ground::Layers layers = ground::land_cover_near(near, cell);
+  const ground::Partition all = ground::partition_all_rings(layers, {}, {}, cell);
+  const auto borders = ground::visible_borders(all, ground::joints_of(layers, all.arrangement, cell));
   const auto none = [](GridPoint) { return false; };
   std::set<GridPoint> vertices;
   for (const ground::Border& border : ground::simplify_borders(borders, tolerance_m, none).borders) {
@@ -107,12 +107,12 @@ double border_vertices_of(std::span<const ground::Surface> surfaces, const Box2&
 Bound bound_of(const scene::Scene& scene, double tolerance_m, int threads) {
   Bound bound;
   for (const scene::Chunk& chunk : scene.chunks) {
-    const ground::Carving carving = scene::carving_of(scene.header, chunk, tolerance_m);
-    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, tolerance_m);
+    const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, tolerance_m);
+    const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, tolerance_m);
     const std::vector<Box2> cells = bake::cells_of(scene::box_of(scene.header, chunk.tile));
     const auto each = for_each_slot<Bound>(cells.size(), threads, [&](std::size_t i) {
       Report ignored;
-      const auto bare = ground::expand_cell({}, carving, cells[i], tolerance_m, ignored);
+      const auto bare = ground::generate_cell({}, graded, cells[i], tolerance_m, ignored);
       return Bound{static_cast<double>(bare.mesh.triangles.size()),
                    border_vertices_of(cover.surfaces, cells[i], tolerance_m)};
     });

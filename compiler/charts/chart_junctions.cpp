@@ -31,8 +31,8 @@ Result<std::vector<Case>> cases_of(const std::string& path, int threads) {
   const auto arms = roads::arms_of(junctions, roads);
   std::vector<Case> cases;
   for (std::size_t j = 0; j < junctions.size(); ++j) {
-    const roads::Around around = roads::around(junctions[j], roads, arms[j]);
-    cases.push_back({roads::walk_unchecked(junctions[j], roads, arms[j], around),
+    const roads::JunctionArms around = roads::junction_arms(junctions[j], roads, arms[j]);
+    cases.push_back({roads::trace_outline_unchecked(junctions[j], roads, arms[j], around),
                      roads::stroke_pieces(junctions[j], roads, arms[j], around)});
   }
   return cases;

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "compiler/bake/grove.h"
+#include "compiler/bake/prototype_cache.h"
 #include "compiler/charts/chart.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/trig.h"
@@ -52,19 +52,20 @@ struct Standing {
   double height_m = 0, turns = 0;
 };
 
-bake::BakedTile planted(const bake::Grove& grove, const std::vector<Standing>& trees, double tolerance_m) {
+bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vector<Standing>& trees,
+                        double tolerance_m) {
   bake::BakedTile tile;
   tile.features = {OsmId{}}, tile.primitives = {lawn()};
   for (const Standing& tree : trees) {
-    const bake::PlantShape& shape =
-        grove.shape(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
+    const bake::BakedPrototype& shape =
+        prototypes.shape(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
     if (shape.primitives.empty()) continue;
     const Vec2 half = direction_of(tree.turns / 2);
     tile.instanced.push_back({std::string(plants::values_of(tree.prototype.species).file),
                               shape.primitives,
                               {{static_cast<float>(tree.at.x), static_cast<float>(tree.at.y), 0}},
                               {{0, 0, static_cast<float>(half.y), static_cast<float>(half.x)}},
-                              {static_cast<float>(tree.height_m / bake::kShape_m)},
+                              {static_cast<float>(tree.height_m / bake::kPrototypeHeight_m)},
                               {0},
                               shape.cutout});
   }
@@ -139,18 +140,19 @@ std::vector<Chart> empty_charts() {
   return charts;
 }
 
-void add_costs(const bake::Grove& grove, const scene::Header& header, double tolerance_m, Chart& chart) {
+void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& header, double tolerance_m, Chart& chart) {
   double triangles = 0, bytes = 0, us = 0;
   for (const Species species : kTrees) {
-    grove.shape({species, 0}, 1000, 999);  // grown before
+    prototypes.shape({species, 0}, 1000, 999);  // grown before
     const auto start = std::chrono::steady_clock::now();
-    const bake::PlantShape& shape = grove.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
+    const bake::BakedPrototype& shape =
+        prototypes.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
     us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (const bake::Primitive& p : shape.primitives) triangles += static_cast<double>(p.triangles.size());
     const auto size = [&](const bake::BakedTile& tile) {
       return static_cast<double>(encode_glb(tile, header, exporters::Instancing::kExtension).size());
     };
-    bytes += size(planted(grove, one_tree(species), tolerance_m)) - size(planted(grove, {}, tolerance_m));
+    bytes += size(planted(prototypes, one_tree(species), tolerance_m)) - size(planted(prototypes, {}, tolerance_m));
   }
   const double count = std::size(kTrees);
   chart.series[0].points.emplace_back(tolerance_m, triangles / count);
@@ -158,18 +160,18 @@ void add_costs(const bake::Grove& grove, const scene::Header& header, double tol
   chart.series[2].points.emplace_back(tolerance_m, us / count);
 }
 
-void add_pictures(const bake::Grove& grove, const sky::Sky& sky, double tolerance_m, Chart& chart) {
+void add_pictures(const bake::PrototypeCache& prototypes, const sky::Sky& sky, double tolerance_m, Chart& chart) {
   double error = 0, noise = 0;
   for (const Species species : kTrees) {
-    const bake::BakedTile truth = planted(grove, one_tree(species), kFinest_m);
+    const bake::BakedTile truth = planted(prototypes, one_tree(species), kFinest_m);
     const preview::Image finest = picture(truth, sky, kTreeWindow_m, tolerance_m, 1);
     noise += difference(finest, picture(truth, sky, kTreeWindow_m, tolerance_m, 2));
-    error +=
-        difference(finest, picture(planted(grove, one_tree(species), tolerance_m), sky, kTreeWindow_m, tolerance_m, 2));
+    error += difference(
+        finest, picture(planted(prototypes, one_tree(species), tolerance_m), sky, kTreeWindow_m, tolerance_m, 2));
   }
-  const bake::BakedTile truth = planted(grove, wood(), kFinest_m);
+  const bake::BakedTile truth = planted(prototypes, wood(), kFinest_m);
   const preview::Image finest = picture(truth, sky, kWoodWindow_m, tolerance_m, 1);
-  const preview::Image coarse = picture(planted(grove, wood(), tolerance_m), sky, kWoodWindow_m, tolerance_m, 2);
+  const preview::Image coarse = picture(planted(prototypes, wood(), tolerance_m), sky, kWoodWindow_m, tolerance_m, 2);
   const double values[] = {error / std::size(kTrees), noise / std::size(kTrees), difference(finest, coarse),
                            difference(finest, picture(truth, sky, kWoodWindow_m, tolerance_m, 2)),
                            lighter(coarse, finest)};
@@ -226,13 +228,13 @@ void add_joint(Chart& chart) {
 
 Result<std::vector<Chart>> chart_plant(const ChartRequest&) {
   const scene::Header header;
-  const bake::Grove grove(header);
+  const bake::PrototypeCache prototypes(header);
   const Result<sky::Sky> sky = sky::plan({11, 48}, "2026-06-21T09:30");
   if (!sky) return sky.error();
   std::vector<Chart> charts = empty_charts();
   for (const double tolerance_m : kTolerances_m) {
-    add_costs(grove, header, tolerance_m, charts[0]);
-    add_pictures(grove, *sky, tolerance_m, charts[1]);
+    add_costs(prototypes, header, tolerance_m, charts[0]);
+    add_pictures(prototypes, *sky, tolerance_m, charts[1]);
   }
   add_joint(charts[2]);
   return charts;

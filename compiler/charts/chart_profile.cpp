@@ -10,7 +10,7 @@
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/profiles/profile_knots.h"
-#include "compiler/ground/water/level_waters.h"
+#include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
 #include "compiler/roads/plan.h"
 #include "compiler/source/read_osm.h"
@@ -60,9 +60,9 @@ Result<Country> read_country(const ChartRequest& request) {
   country.heights = std::move(*heights);
   country.roads = roads::plan(country.features, ignored);
   country.junctions = roads::plan_junctions(country.roads, ignored);
-  country.waters =
-      ground::level_waters(ground::plan(country.features, ignored), ground::plan_streams(country.features, ignored),
-                           ground::covered_waterways(country.features), country.heights, ignored);
+  country.waters = ground::plan_water_heights(ground::plan(country.features, ignored),
+                                              ground::plan_streams(country.features, ignored),
+                                              ground::covered_waterways(country.features), country.heights, ignored);
   return country;
 }
 

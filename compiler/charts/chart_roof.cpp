@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "compiler/charts/chart.h"
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 
 namespace citykiln::charts {
 namespace {
@@ -34,7 +34,7 @@ bool by_kernel(const Polygon& footprint, const roofs::RoofShape& shape) {
 
 bool as_built(const Polygon& footprint, const roofs::RoofShape& shape) {
   Report report;
-  roofs::expand_roof(footprint, shape, kTolerance_m, {}, report);
+  roofs::generate_roof(footprint, shape, kTolerance_m, {}, report);
   return report.diagnoses().empty();
 }
 

@@ -8,7 +8,7 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/ground/expand.h"
+#include "compiler/ground/generate.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_raster.h"
 
@@ -61,7 +61,7 @@ Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, doubl
 struct Terrain {
   std::vector<source::Raster> rasters;
   map::Plane plane;
-  ground::Carving ground;  ///< Nothing is carved.
+  ground::GradedTerrain ground;  ///< Nothing is carved.
   std::vector<Box2> cells;
 };
 
@@ -91,7 +91,8 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
   Result<map::Heightfield> heights = map::resample(rasters, plane, region, ignored);
   if (!heights) return heights.error();
-  return Terrain{rasters, std::move(plane), ground::Carving(std::move(*heights)), cells_of(region, request.cell_m)};
+  return Terrain{rasters, std::move(plane), ground::GradedTerrain(std::move(*heights)),
+                 cells_of(region, request.cell_m)};
 }
 
 struct Measure {
@@ -102,7 +103,7 @@ Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Measure> cells = for_each_slot<Measure>(terrain.cells.size(), threads, [&](std::size_t i) {
     Report ignored;
-    const ground::GroundMesh cell = ground::expand_cell({}, terrain.ground, terrain.cells[i], tolerance_m, ignored);
+    const ground::GroundMesh cell = ground::generate_cell({}, terrain.ground, terrain.cells[i], tolerance_m, ignored);
     return Measure{static_cast<double>(cell.mesh.triangles.size()), cell.error_m, 0};
   });
   Measure all;

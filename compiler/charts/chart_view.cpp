@@ -7,8 +7,8 @@
 #include "compiler/bake/view_levels.h"
 #include "compiler/charts/chart.h"
 #include "compiler/map/heightfield.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/spec.h"
 
 namespace citykiln::charts {
@@ -26,10 +26,10 @@ constexpr double kOver_m = 100;
 double triangles_of(const scene::Scene& scene, const scene::Chunk& chunk, double roads_m,
                     std::span<const bake::CellLevel> cells, int threads) {
   Report ignored;
-  const ground::Carving carving = scene::carving_of(scene.header, chunk, roads_m);
-  const scene::GroundCover cover = scene::cover_of(scene.header, chunk, roads_m);
+  const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, roads_m);
+  const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, roads_m);
   double triangles = 0;
-  for (const ground::GroundMesh& cell : bake::expand_cells(carving, cover.surfaces, cells, threads, ignored))
+  for (const ground::GroundMesh& cell : bake::generate_cells(graded, cover.surfaces, cells, threads, ignored))
     triangles += static_cast<double>(cell.mesh.triangles.size());
   return triangles;
 }
@@ -38,7 +38,7 @@ double triangles_seen(const scene::Scene& scene, const bake::View& view, int thr
   const bake::ViewLevels levels = bake::levels_for(scene, view);
   double triangles = 0;
   for (const scene::Chunk& chunk : scene.chunks)
-    for (const bake::SeenZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
+    for (const bake::ViewZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
       triangles += triangles_of(scene, chunk, zone.roads_m, zone.cells, threads);
   return triangles;
 }

@@ -6,9 +6,9 @@
 
 #include "compiler/charts/chart.h"
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/plants/expand.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/plants/generate.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/stage_watch.h"
 
 namespace citykiln::charts {
@@ -25,16 +25,16 @@ struct Woods {
 /// Of one tile: its ground is made ready for all that stands on it, and is no part of the time.
 Woods woods_of(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(chunk);
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const ground::Carving carving = scene::carving_of(header, chunk, kTolerance_m);
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
+  const ground::LandCoverIndex map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
+  const ground::GradedTerrain graded = scene::graded_terrain_of(header, chunk, kTolerance_m);
   Report ignored;
   Woods woods;
   timespec begin, end;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-  const plants::Placed placed =
-      plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes},
-                     {map, carving, box, header.seed, header.origin.lat_deg}, ignored);
+  const plants::PlacedPlants placed =
+      plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors},
+                       {map, graded, box, header.seed, header.origin.lat_deg}, ignored);
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
   woods.expand_seconds =
       static_cast<double>(end.tv_sec - begin.tv_sec) + static_cast<double>(end.tv_nsec - begin.tv_nsec) * 1e-9;

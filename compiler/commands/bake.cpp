@@ -88,13 +88,14 @@ Result<bake::BakedTile> bake_seen(const Request& request, const scene::Scene& sc
                                   const OnProgress& on_progress) {
   const bake::ViewLevels levels = bake::levels_for(scene, view);
   const std::vector<scene::TileKey>& only = request.spec.only;
-  const auto grove = std::make_shared<const bake::Grove>(scene.header);
+  const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   std::vector<bake::BakedTile> parts;
   for (std::size_t i = 0; i < scene.chunks.size(); ++i) {
     on_progress("bake", static_cast<double>(i) / static_cast<double>(scene.chunks.size()));
     const scene::Chunk& chunk = scene.chunks[i];
     if (!only.empty() && std::ranges::find(only, chunk.tile) == only.end()) continue;
-    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, grove), std::back_inserter(parts));
+    std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes),
+                      std::back_inserter(parts));
   }
   if (parts.empty()) return Error{"", "the scene has none of the tiles asked for"};
   return join_tiles(parts);
@@ -110,10 +111,10 @@ Result<Exit> bake_for_eye(const Request& request, const Console& console) {
   const Result<double> error_m = write_whole(request, scene->header, *tile);
   if (!error_m) return error_m.error();
   console.say(fmt::format("{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m",
-                          request.out_path, exporters::triangles_of(*tile), tile->seen_from->pixel_error,
+                          request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
                           view->pixel_error, view->finest_m));
   console.answer(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
-                             exporters::triangles_of(*tile), *error_m, view->focal_px, tile->seen_from->pixel_error));
+                             exporters::triangles_of(*tile), *error_m, view->focal_px, tile->viewpoint->pixel_error));
   return Exit::kDone;
 }
 

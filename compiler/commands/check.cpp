@@ -27,7 +27,7 @@ Result<verify::Subject> open_subject(const std::string& folder) {
   if (!scene) return scene.error();
   verify::Standing standing = verify::standing_of(*scene);
   verify::Subject subject{folder, std::move(*record), std::move(*scene), std::move(standing), nullptr};
-  subject.grove = std::make_shared<const bake::Grove>(subject.scene.header);
+  subject.prototypes = std::make_shared<const bake::PrototypeCache>(subject.scene.header);
   return subject;
 }
 

@@ -6,14 +6,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "compiler/map/surface_class.h"
-#include "compiler/roads/layers.h"
+#include "compiler/map/land_cover_class.h"
+#include "compiler/roads/junctions/layers.h"
 #include "compiler/roads/plan.h"
 
 namespace citykiln::commands {
 namespace {
 
-std::string class_of(map::SurfaceClass surface) { return std::string(map::values_of(surface).name); }
+std::string class_of(map::LandCoverClass surface) { return std::string(map::values_of(surface).name); }
 
 std::vector<Ring> rings_of(const Polygon& polygon) {
   std::vector<Ring> rings = {polygon.outer};
@@ -57,7 +57,7 @@ Layer plants_of(const map::Features& features) {
   Layer layer;
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
-    const char* kind = point.growth.leaves == map::LeafType::kNeedle ? "NeedleLeaved" : "BroadLeaved";
+    const char* kind = point.plant_tags.leaves == map::LeafType::kNeedle ? "NeedleLeaved" : "BroadLeaved";
     layer.push_back({point.id, kind, ShapeKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
   }
   return layer;
@@ -122,7 +122,7 @@ Layer junctions_of(const scene::Scene& scene) {
 Layer areas_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
-    for (const ground::Surface& surface : chunk.surfaces) {
+    for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
       for (const Ring& ring : surface.rings) {
         const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
         layer.push_back(
@@ -152,7 +152,7 @@ Layer plants_of(const scene::Scene& scene) {
       // those near the tile are in it too
       if (!scene::is_anchored(scene.header, chunk.tile, tree.at)) continue;
       layer.push_back({tree.id,
-                       plants::name_of(tree.stock),
+                       plants::name_of(tree.species_mix),
                        ShapeKind::kPoint,
                        {{tree.at}},
                        name_of(chunk.tile),

@@ -73,7 +73,7 @@ Json describe(const bake::BakedTile& tile) {
     count = (count.is_null() ? 0 : count.get<std::size_t>()) + primitive.triangles.size();
   }
   json["instanced"] = Json::object();
-  for (const bake::Instanced& instanced : tile.instanced)
+  for (const bake::InstancedMesh& instanced : tile.instanced)
     json["instanced"][instanced.name] = instanced.translations.size();
   return json;
 }

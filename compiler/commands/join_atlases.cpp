@@ -8,26 +8,26 @@
 namespace citykiln::commands {
 namespace {
 
-using imprint::Atlas;
-using materials::Sheet;
+using impostor::Atlas;
+using materials::TextureImage;
 
 // The mean of up to four texels, of light or of numbers.
-Sheet::Texel mean(std::span<const Sheet::Texel> texels, bool is_light) {
-  Sheet::Texel mean{};
+TextureImage::Texel mean(std::span<const TextureImage::Texel> texels, bool is_light) {
+  TextureImage::Texel mean{};
   for (std::size_t c = 0; c < mean.size(); ++c) {
     double sum = 0;
-    for (const Sheet::Texel& texel : texels) sum += is_light ? materials::linear_of_srgb(texel[c]) : texel[c];
+    for (const TextureImage::Texel& texel : texels) sum += is_light ? materials::linear_of_srgb(texel[c]) : texel[c];
     sum /= static_cast<double>(texels.size());
     mean[c] = is_light ? materials::srgb_of_linear(sum) : static_cast<std::uint8_t>(sum + 0.5);
   }
   return mean;
 }
 
-Sheet halved(const Sheet& sheet, bool is_light) {
-  Sheet half{2 * sheet.texel_m, (sheet.columns + 1) / 2, (sheet.rows + 1) / 2, {}};
+TextureImage halved(const TextureImage& sheet, bool is_light) {
+  TextureImage half{2 * sheet.texel_m, (sheet.columns + 1) / 2, (sheet.rows + 1) / 2, {}};
   for (std::size_t row = 0; row < half.rows; ++row)
     for (std::size_t column = 0; column < half.columns; ++column) {
-      std::array<Sheet::Texel, 4> four{};
+      std::array<TextureImage::Texel, 4> four{};
       std::size_t count = 0;
       for (std::size_t y = 2 * row; y < std::min<std::size_t>(2 * row + 2, sheet.rows); ++y)
         for (std::size_t x = 2 * column; x < std::min<std::size_t>(2 * column + 2, sheet.columns); ++x)
@@ -38,8 +38,8 @@ Sheet halved(const Sheet& sheet, bool is_light) {
 }
 
 Atlas halved(const Atlas& atlas) {
-  const auto if_any = [](const Sheet& sheet, bool is_light) {
-    return sheet.texels.empty() ? Sheet{} : halved(sheet, is_light);
+  const auto if_any = [](const TextureImage& sheet, bool is_light) {
+    return sheet.texels.empty() ? TextureImage{} : halved(sheet, is_light);
   };
   return {halved(atlas.colour, true), halved(atlas.surface, false), if_any(atlas.emission, true),
           if_any(atlas.normal, false)};
@@ -51,7 +51,7 @@ struct Layout {
   std::uint64_t columns = 0, rows = 0;
 
   bool fits() const {
-    return std::max(columns, rows) <= materials::kWidestSheet_px && columns * rows <= materials::kMostTexels;
+    return std::max(columns, rows) <= materials::kMaxImageSide_px && columns * rows <= materials::kMaxImageTexels;
   }
 };
 
@@ -59,8 +59,8 @@ Layout layout_of(std::span<const Atlas> atlases) {
   Layout layout;
   std::uint64_t left = 0, row = 0;
   for (const Atlas& atlas : atlases) {
-    const Sheet& colour = atlas.colour;
-    if (row + colour.rows > materials::kWidestSheet_px) left = layout.columns, row = 0;
+    const TextureImage& colour = atlas.colour;
+    if (row + colour.rows > materials::kMaxImageSide_px) left = layout.columns, row = 0;
     layout.firsts.push_back({left, row});
     row += colour.rows;
     layout.columns = std::max(layout.columns, left + colour.columns), layout.rows = std::max(layout.rows, row);
@@ -68,23 +68,23 @@ Layout layout_of(std::span<const Atlas> atlases) {
   return layout;
 }
 
-void draw(const Sheet& sheet, std::array<std::uint64_t, 2> first, Sheet& joined) {
+void draw(const TextureImage& sheet, std::array<std::uint64_t, 2> first, TextureImage& joined) {
   for (std::size_t row = 0; row < sheet.rows; ++row)
     std::copy_n(sheet.texels.begin() + static_cast<std::ptrdiff_t>(row * sheet.columns), sheet.columns,
                 joined.texels.begin() + static_cast<std::ptrdiff_t>((first[1] + row) * joined.columns + first[0]));
 }
 
-Sheet blank(double texel_m, const Layout& layout, Sheet::Texel texel = {}) {
+TextureImage blank(double texel_m, const Layout& layout, TextureImage::Texel texel = {}) {
   return {texel_m, static_cast<std::uint32_t>(layout.columns), static_cast<std::uint32_t>(layout.rows),
-          std::vector<Sheet::Texel>(layout.columns * layout.rows, texel)};
+          std::vector<TextureImage::Texel>(layout.columns * layout.rows, texel)};
 }
 
 // With what no atlas has, none has to have.
 Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const Layout& layout) {
-  const auto any_has = [&](Sheet Atlas::*sheet) {
+  const auto any_has = [&](TextureImage Atlas::*sheet) {
     return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*sheet).texels.empty(); });
   };
-  constexpr Sheet::Texel kFlat{128, 128, 255};
+  constexpr TextureImage::Texel kFlat{128, 128, 255};
   Atlas atlas{blank(texel_m, layout), blank(texel_m, layout), {}, {}};
   if (any_has(&Atlas::emission)) atlas.emission = blank(texel_m, layout);
   if (any_has(&Atlas::normal)) atlas.normal = blank(texel_m, layout, kFlat);

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "compiler/geometry/vec.h"
-#include "compiler/imprint/atlas.h"
+#include "compiler/impostor/atlas.h"
 
 namespace citykiln::commands {
 
 struct JoinedAtlases {
-  imprint::Atlas atlas;
+  impostor::Atlas atlas;
   /// What a place on one of the atlases becomes: at_m + scale · uv. Tiles of other tolerances have other texels.
   struct Place {
     Vec2 at_m;
@@ -24,6 +24,6 @@ struct JoinedAtlases {
 /// four, in linear light, until it is not. O(texels).
 ///
 /// @param atlases  In the order in which they are put down.
-JoinedAtlases join_atlases(std::span<const imprint::Atlas* const> atlases);
+JoinedAtlases join_atlases(std::span<const impostor::Atlas* const> atlases);
 
 }  // namespace citykiln::commands

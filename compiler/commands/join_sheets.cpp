@@ -12,13 +12,13 @@
 namespace citykiln::commands {
 namespace {
 
-using materials::Sheet;
+using materials::TextureImage;
 
 // Either side of where two sheets meet; keeps them apart down to the third level of a prefiltered sheet.
 constexpr std::uint32_t kGutter_px = 4;
 
 // The sheet's columns first, first + 1, … of the joined one, each row as often as it repeats.
-void draw(const Sheet& sheet, std::int64_t first, Sheet& joined) {
+void draw(const TextureImage& sheet, std::int64_t first, TextureImage& joined) {
   const std::int64_t from = std::max<std::int64_t>(0, first - kGutter_px),
                      to = std::min<std::int64_t>(joined.columns, first + sheet.columns + kGutter_px);
   for (std::size_t row = 0; row < joined.rows; ++row)
@@ -31,40 +31,40 @@ void draw(const Sheet& sheet, std::int64_t first, Sheet& joined) {
 
 // Each sheet that differs from those before it, and where it begins.
 struct Placed {
-  std::vector<const Sheet*> sheets;
+  std::vector<const TextureImage*> sheets;
   std::vector<std::int64_t> firsts;
   std::uint64_t columns = 0, rows = 1;
 
-  std::int64_t place(const Sheet& sheet) {
-    const auto same = std::ranges::find_if(sheets, [&](const Sheet* other) { return *other == sheet; });
+  std::int64_t place(const TextureImage& sheet) {
+    const auto same = std::ranges::find_if(sheets, [&](const TextureImage* other) { return *other == sheet; });
     if (same != sheets.end()) return firsts[static_cast<std::size_t>(same - sheets.begin())];
     const std::uint64_t first = columns + (sheets.empty() ? 0 : 2 * kGutter_px);
     sheets.push_back(&sheet), firsts.push_back(static_cast<std::int64_t>(first));
     columns = first + sheet.columns;
-    rows = std::min(std::lcm(rows, std::uint64_t{sheet.rows}), std::uint64_t{materials::kWidestSheet_px} + 1);
+    rows = std::min(std::lcm(rows, std::uint64_t{sheet.rows}), std::uint64_t{materials::kMaxImageSide_px} + 1);
     return firsts.back();
   }
 };
 
-double length_m(const Sheet& sheet) { return sheet.texel_m * sheet.rows; }
+double length_m(const TextureImage& sheet) { return sheet.texel_m * sheet.rows; }
 
 // Linear light of a texel's channels, and back.
 using Light = std::array<double, 3>;
-Sheet::Texel texel_of(const Light& light) {
-  Sheet::Texel texel{};
+TextureImage::Texel texel_of(const Light& light) {
+  TextureImage::Texel texel{};
   for (std::size_t c = 0; c < 3; ++c) texel[c] = materials::srgb_of_linear(light[c]);
   return texel;
 }
 
 // The mean of a box of a sheet, in texels of it, which lies inside.
-Sheet::Texel mean_of(const Sheet& sheet, double left, double right, double low, double high) {
+TextureImage::Texel mean_of(const TextureImage& sheet, double left, double right, double low, double high) {
   Light sum{};
   double area = 0;
   for (auto row = static_cast<std::uint32_t>(low); row < high && row < sheet.rows; ++row)
     for (auto column = static_cast<std::uint32_t>(left); column < right && column < sheet.columns; ++column) {
       const double share = (std::min(high, row + 1.0) - std::max(low, static_cast<double>(row))) *
                            (std::min(right, column + 1.0) - std::max(left, static_cast<double>(column)));
-      const Sheet::Texel& texel = sheet.texels[std::size_t{row} * sheet.columns + column];
+      const TextureImage::Texel& texel = sheet.texels[std::size_t{row} * sheet.columns + column];
       for (std::size_t c = 0; c < 3; ++c) sum[c] += share * materials::linear_of_srgb(texel[c]);
       area += share;
     }
@@ -72,15 +72,15 @@ Sheet::Texel mean_of(const Sheet& sheet, double left, double right, double low, 
   return texel_of(sum);
 }
 
-std::uint32_t columns_at(const Sheet& sheet, std::uint32_t rows) {
+std::uint32_t columns_at(const TextureImage& sheet, std::uint32_t rows) {
   return static_cast<std::uint32_t>(std::ceil(static_cast<double>(sheet.columns) / sheet.rows * rows - 1e-9));
 }
 
 // The same metres in so many rows.
-Sheet in_rows(const Sheet& sheet, std::uint32_t rows) {
+TextureImage in_rows(const TextureImage& sheet, std::uint32_t rows) {
   if (sheet.rows == rows) return sheet;
   const double grown = static_cast<double>(sheet.rows) / rows;
-  Sheet coarse{length_m(sheet) / rows, columns_at(sheet, rows), rows, {}};
+  TextureImage coarse{length_m(sheet) / rows, columns_at(sheet, rows), rows, {}};
   for (std::uint32_t row = 0; row < rows; ++row)
     for (std::uint32_t column = 0; column < coarse.columns; ++column)
       coarse.texels.push_back(mean_of(sheet, std::min(column * grown, sheet.columns - 1e-6),
@@ -90,24 +90,24 @@ Sheet in_rows(const Sheet& sheet, std::uint32_t rows) {
 }
 
 // How many rows all sheets can be drawn in: those of the coarsest, or fewer, so that they fit side by side.
-std::uint32_t common_rows(std::span<const Sheet* const> sheets) {
-  std::uint32_t rows = materials::kWidestSheet_px;
-  for (const Sheet* sheet : sheets)
+std::uint32_t common_rows(std::span<const TextureImage* const> sheets) {
+  std::uint32_t rows = materials::kMaxImageSide_px;
+  for (const TextureImage* sheet : sheets)
     if (!sheet->texels.empty()) rows = std::min(rows, sheet->rows);
   const auto columns = [&] {
     std::uint64_t sum = 0;
-    for (const Sheet* sheet : sheets)
+    for (const TextureImage* sheet : sheets)
       if (!sheet->texels.empty()) sum += columns_at(*sheet, rows) + 2 * kGutter_px;
     return sum;
   };
-  while (rows > 1 && (columns() > materials::kWidestSheet_px || columns() * rows > materials::kMostTexels))
+  while (rows > 1 && (columns() > materials::kMaxImageSide_px || columns() * rows > materials::kMaxImageTexels))
     rows -= (rows + 15) / 16;
   return rows;
 }
 
-bool are_alike(std::span<const Sheet* const> sheets) {
-  const Sheet* first = nullptr;
-  for (const Sheet* sheet : sheets) {
+bool are_alike(std::span<const TextureImage* const> sheets) {
+  const TextureImage* first = nullptr;
+  for (const TextureImage* sheet : sheets) {
     if (sheet->texels.empty()) continue;
     if (first && length_m(*sheet) != length_m(*first)) return false;
     first = sheet;
@@ -116,15 +116,15 @@ bool are_alike(std::span<const Sheet* const> sheets) {
 }
 
 // As they are, side by side.
-Result<JoinedSheets> side_by_side(std::span<const Sheet* const> sheets) {
+Result<JoinedSheets> side_by_side(std::span<const TextureImage* const> sheets) {
   Placed placed;
   JoinedSheets joined;
-  for (const Sheet* sheet : sheets) {
+  for (const TextureImage* sheet : sheets) {
     const std::int64_t first = sheet->texels.empty() ? 0 : placed.place(*sheet);
     joined.offsets_m.push_back(static_cast<double>(first) * sheet->texel_m);
   }
-  if (std::max(placed.columns, placed.rows) > materials::kWidestSheet_px ||
-      placed.columns * placed.rows > materials::kMostTexels)
+  if (std::max(placed.columns, placed.rows) > materials::kMaxImageSide_px ||
+      placed.columns * placed.rows > materials::kMaxImageTexels)
     return Error{"",
                  fmt::format("the tiles' sheets would be {} by {} texels as one, too many: bake fewer tiles, or to a "
                              "folder",
@@ -138,9 +138,9 @@ Result<JoinedSheets> side_by_side(std::span<const Sheet* const> sheets) {
   return joined;
 }
 
-bool have_one_texel(std::span<const Sheet* const> sheets) {
+bool have_one_texel(std::span<const TextureImage* const> sheets) {
   double texel = 0;
-  for (const Sheet* sheet : sheets) {
+  for (const TextureImage* sheet : sheets) {
     if (sheet->texels.empty()) continue;
     if (texel != 0 && sheet->texel_m != texel) return false;
     texel = sheet->texel_m;
@@ -150,7 +150,7 @@ bool have_one_texel(std::span<const Sheet* const> sheets) {
 
 }  // namespace
 
-Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
+Result<JoinedSheets> join_sheets(std::span<const TextureImage* const> sheets) {
   // equal ones are there once, so they may fit as they are
   if (have_one_texel(sheets)) {
     Result<JoinedSheets> joined = side_by_side(sheets);
@@ -158,10 +158,11 @@ Result<JoinedSheets> join_sheets(std::span<const Sheet* const> sheets) {
   }
   if (!are_alike(sheets)) return Error{"", "sheets of different lengths cannot be in one file: bake to a folder"};
   const std::uint32_t rows = common_rows(sheets);
-  std::vector<Sheet> coarser;
-  for (const Sheet* sheet : sheets) coarser.push_back(sheet->texels.empty() ? Sheet{} : in_rows(*sheet, rows));
-  std::vector<const Sheet*> pointers;
-  for (const Sheet& sheet : coarser) pointers.push_back(&sheet);
+  std::vector<TextureImage> coarser;
+  for (const TextureImage* sheet : sheets)
+    coarser.push_back(sheet->texels.empty() ? TextureImage{} : in_rows(*sheet, rows));
+  std::vector<const TextureImage*> pointers;
+  for (const TextureImage& sheet : coarser) pointers.push_back(&sheet);
   return side_by_side(pointers);
 }
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "compiler/contract/result.h"
-#include "compiler/materials/sheet.h"
+#include "compiler/materials/texture_image.h"
 
 namespace citykiln::commands {
 
 struct JoinedSheets {
-  materials::Sheet sheet;
+  materials::TextureImage sheet;
   std::vector<double> offsets_m;  ///< One a sheet: what to add to its u.
 };
 
@@ -26,6 +26,6 @@ struct JoinedSheets {
 ///
 /// @param sheets  Where the joined one will be drawn, in this order.
 /// Errors: sheets of different lengths along v that are too many. O(texels).
-Result<JoinedSheets> join_sheets(std::span<const materials::Sheet* const> sheets);
+Result<JoinedSheets> join_sheets(std::span<const materials::TextureImage* const> sheets);
 
 }  // namespace citykiln::commands

@@ -53,9 +53,9 @@ Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, doubl
   return guest;
 }
 
-bake::Float2 on_joined(const bake::Float2& uv, materials::Coloured coloured, const Guest& guest) {
-  if (coloured == materials::Coloured::kBySheet) return slid(uv, guest.sheet_m);
-  if (coloured != materials::Coloured::kByAtlas) return uv;
+bake::Float2 on_joined(const bake::Float2& uv, materials::ColourSource colour_source, const Guest& guest) {
+  if (colour_source == materials::ColourSource::kByMarkingAtlas) return slid(uv, guest.sheet_m);
+  if (colour_source != materials::ColourSource::kByAtlas) return uv;
   const auto& [at_m, scale] = guest.on_atlas;
   return {static_cast<float>(at_m.x + scale * uv[0]), static_cast<float>(at_m.y + scale * uv[1])};
 }
@@ -66,11 +66,11 @@ void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest
   to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
   to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
   for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
-  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(on_joined(uv, from.coloured, guest));
+  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(on_joined(uv, from.colour_source, guest));
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-void add_instanced(bake::Instanced& to, const bake::Instanced& from, const Guest& guest, double& reach_m) {
+void add_instanced(bake::InstancedMesh& to, const bake::InstancedMesh& from, const Guest& guest, double& reach_m) {
   for (const bake::Float3& p : from.translations) to.translations.push_back(moved(p, guest.offset, reach_m));
   to.rotations.insert(to.rotations.end(), from.rotations.begin(), from.rotations.end());
   to.scales.insert(to.scales.end(), from.scales.begin(), from.scales.end());
@@ -80,24 +80,25 @@ void add_instanced(bake::Instanced& to, const bake::Instanced& from, const Guest
 bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
   const auto place = std::ranges::lower_bound(joined.primitives, key, {}, bake::key_of);
   if (place != joined.primitives.end() && bake::key_of(*place) == key) return *place;
-  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.coloured});
+  return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source});
 }
 
 /// A shared mesh as it lies on the joined sheets.
 std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, const Guest& guest) {
   for (bake::Primitive& primitive : primitives)
-    for (bake::Float2& uv : primitive.uvs) uv = on_joined(uv, primitive.coloured, guest);
+    for (bake::Float2& uv : primitive.uvs) uv = on_joined(uv, primitive.colour_source, guest);
   return primitives;
 }
 
 /// The shared mesh of that name and shape: tiles may cut the same prototype differently.
-bake::Instanced& instanced_of(bake::BakedTile& joined, const bake::Instanced& like, const Guest& guest) {
+bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::InstancedMesh& like, const Guest& guest) {
   std::vector<bake::Primitive> primitives = on_joined(like.primitives, guest);
-  for (bake::Instanced& instanced : joined.instanced) {
+  for (bake::InstancedMesh& instanced : joined.instanced) {
     if (instanced.name == like.name && instanced.primitives == primitives && instanced.cutout == like.cutout)
       return instanced;
   }
-  return joined.instanced.emplace_back(bake::Instanced{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
+  return joined.instanced.emplace_back(
+      bake::InstancedMesh{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
 /// One a material: tiles of one tolerance and seed have the same.
@@ -116,16 +117,16 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   for (const bake::BakedTile& tile : tiles) features.insert(tile.features.begin(), tile.features.end());
   joined.features.assign(features.begin(), features.end());
 
-  std::vector<const materials::Sheet*> sheets;
+  std::vector<const materials::TextureImage*> sheets;
   for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.sheet);
   Result<JoinedSheets> joined_sheets = join_sheets(sheets);
   if (!joined_sheets) return joined_sheets.error();
   joined.sheet = std::move(joined_sheets->sheet);
 
-  std::vector<const imprint::Atlas*> atlases;
-  for (const bake::BakedTile& tile : tiles) atlases.push_back(&tile.imprints);
+  std::vector<const impostor::Atlas*> atlases;
+  for (const bake::BakedTile& tile : tiles) atlases.push_back(&tile.facade_atlas);
   JoinedAtlases joined_atlases = join_atlases(atlases);
-  joined.imprints = std::move(joined_atlases.atlas);
+  joined.facade_atlas = std::move(joined_atlases.atlas);
 
   add_textures(joined, tiles);
 
@@ -135,12 +136,13 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
     const Guest guest = guest_of(tile, joined, joined_sheets->offsets_m[t], joined_atlases.places[t]);
     for (const bake::Primitive& p : tile.primitives)
       add_primitive(primitive_of(joined, bake::key_of(p)), p, guest, reach_m);
-    for (const bake::Instanced& i : tile.instanced) add_instanced(instanced_of(joined, i, guest), i, guest, reach_m);
+    for (const bake::InstancedMesh& i : tile.instanced)
+      add_instanced(instanced_of(joined, i, guest), i, guest, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
     joined.plant_error_m = std::max(joined.plant_error_m, tile.plant_error_m);
-    if (tile.seen_from && (!joined.seen_from || joined.seen_from->pixel_error < tile.seen_from->pixel_error))
-      joined.seen_from = tile.seen_from;
+    if (tile.viewpoint && (!joined.viewpoint || joined.viewpoint->pixel_error < tile.viewpoint->pixel_error))
+      joined.viewpoint = tile.viewpoint;
   }
   if (reach_m > kExactReach_m) {
     return Error{

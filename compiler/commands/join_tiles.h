@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
 
 namespace citykiln::commands {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compiler/ground/grading/follow_lines.h"
+#include "compiler/ground/grading/bend_points.h"
 
 namespace citykiln::commands {
 namespace {
@@ -31,14 +31,14 @@ Json stated(const verify::Grades& grades, const Console& console) {
 Json stated(const verify::Clearances& c, const Console& console) {
   console.say(fmt::format(
       "stated {} of {} crossings lack clearance, {} over 1 m, {} over 3 m; most, {:.2f} m, {} over {} at {}, {}",
-      c.lacking, c.crossings, c.lacking_over_1_m, c.lacking_over_3_m, c.largest_lack_m, to_string(c.upper),
-      to_string(c.lower), c.at.x, c.at.y));
+      c.shortfalls, c.crossings, c.shortfalls_over_1_m, c.shortfalls_over_3_m, c.largest_shortfall_m,
+      to_string(c.upper), to_string(c.lower), c.at.x, c.at.y));
   return {{"stated", "crossings that lack clearance"},
           {"crossings", c.crossings},
-          {"lacking", c.lacking},
-          {"lacking_over_1_m", c.lacking_over_1_m},
-          {"lacking_over_3_m", c.lacking_over_3_m},
-          {"largest_lack_m", c.largest_lack_m},
+          {"shortfalls", c.shortfalls},
+          {"shortfalls_over_1_m", c.shortfalls_over_1_m},
+          {"shortfalls_over_3_m", c.shortfalls_over_3_m},
+          {"largest_shortfall_m", c.largest_shortfall_m},
           {"upper", to_string(c.upper)},
           {"lower", to_string(c.lower)},
           {"at", {c.at.x, c.at.y}}};
@@ -49,7 +49,7 @@ Json stated(const verify::Following& f, const Console& console) {
   console.say(
       fmt::format("stated {:.2f} % of {} places stray from the carved heights by over {} m, the worst by {:.2f} m at "
                   "{:.2f}, {:.2f}",
-                  100 * share, f.places, 2 * ground::kFollow_m, f.largest_m, f.at.x, f.at.y));
+                  100 * share, f.places, 2 * ground::kReferenceError_m, f.largest_m, f.at.x, f.at.y));
   return {{"stated", "places where the triangulated ground strays from the carved heights"},
           {"places", f.places},
           {"over", f.over},

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"

@@ -3,8 +3,8 @@
 namespace citykiln::ground {
 namespace {
 
-HeightLayer layer_of_class(map::SurfaceClass surface) {
-  using enum map::SurfaceClass;
+HeightLayer layer_of_class(map::LandCoverClass surface) {
+  using enum map::LandCoverClass;
   switch (surface) {
     case kPavement:
     case kKerb:
@@ -21,27 +21,27 @@ HeightLayer layer_of_class(map::SurfaceClass surface) {
       break;
   }
   switch (map::values_of(surface).group) {
-    case map::SurfaceGroup::kRoad:
-    case map::SurfaceGroup::kRail:
+    case map::LandCoverGroup::kRoad:
+    case map::LandCoverGroup::kRail:
       return HeightLayer::kCarriageway;
-    case map::SurfaceGroup::kWater:
+    case map::LandCoverGroup::kWater:
       return HeightLayer::kWater;
     default:
       return HeightLayer::kLand;
   }
 }
 
-bool is_strip_or_junction(const Surface& surface) { return surface.area_m2 <= kPassedJunctionArea_m2; }
+bool is_strip_or_junction(const LandCoverPolygon& surface) { return surface.area_m2 <= kPassedJunctionArea_m2; }
 
 }  // namespace
 
-HeightLayer layer_of(const Surface& surface) {
+HeightLayer layer_of(const LandCoverPolygon& surface) {
   const HeightLayer layer = layer_of_class(surface.surface);
   // paths follow the land, but for those that lead to bridges and underpasses
   if (surface.is_graded && layer == HeightLayer::kLand) return HeightLayer::kCarriageway;
   return layer == HeightLayer::kWater || is_strip_or_junction(surface) ? layer : HeightLayer::kLand;
 }
 
-FaceHeight face_height_of(const Surface& surface) { return {layer_of(surface), surface.level_m}; }
+FaceHeight face_height_of(const LandCoverPolygon& surface) { return {layer_of(surface), surface.level_m}; }
 
 }  // namespace citykiln::ground

@@ -28,7 +28,7 @@ inline double of(const Heights& heights, HeightLayer layer) { return heights[sta
 
 /// The layer on which a surface lies. Areas of a road's class, squares and car parks, have no profile: they are land.
 /// Paths are land too, unless they are graded.
-HeightLayer layer_of(const Surface& surface);
+HeightLayer layer_of(const LandCoverPolygon& surface);
 
 /// How high a face lies: as its layer does; standing water at its one level, even where its shore has been simplified.
 struct FaceHeight {
@@ -37,7 +37,7 @@ struct FaceHeight {
 
   bool operator==(const FaceHeight&) const = default;
 };
-FaceHeight face_height_of(const Surface& surface);
+FaceHeight face_height_of(const LandCoverPolygon& surface);
 
 inline double of(const Heights& heights, const FaceHeight& face) {
   return face.level_m ? *face.level_m : of(heights, face.layer);

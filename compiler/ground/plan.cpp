@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 
 namespace citykiln::ground {
 namespace {
@@ -12,16 +12,16 @@ std::uint32_t whole_m2(double area_m2) {
   return static_cast<std::uint32_t>(std::min(std::floor(area_m2 + 0.5), 4.0e9));
 }
 
-Surface area_surface(const map::AreaFeature& area) {
-  Surface surface{area.id, area.surface, whole_m2(area.area_m2), {area.polygon.outer}};
+LandCoverPolygon area_surface(const map::AreaFeature& area) {
+  LandCoverPolygon surface{area.id, area.surface, whole_m2(area.area_m2), {area.polygon.outer}};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }
 
 }  // namespace
 
-std::vector<Surface> plan(const map::Features& features, Report& report) {
-  std::vector<Surface> surfaces;
+std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report) {
+  std::vector<LandCoverPolygon> surfaces;
   Account account;
   for (const map::AreaFeature& area : features.areas) {
     ++account.in, ++account.out;
@@ -42,7 +42,7 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
       continue;
     }
     ++account.out;
-    streams.push_back({water.id, water.axis, map::SurfaceClass::kRiver, water.width_m / 2, water.width_m / 2});
+    streams.push_back({water.id, water.axis, map::LandCoverClass::kRiver, water.width_m / 2, water.width_m / 2});
   }
   report.account("ground", "waterway") = account;
   return streams;
@@ -56,22 +56,23 @@ std::vector<Polyline> covered_waterways(const map::Features& features) {
 }
 
 // no area: a trimmed strip must rank as the whole one does, so among equals its id decides
-Surface surface_of(const roads::Strip& stream) {
+LandCoverPolygon surface_of(const roads::Strip& stream) {
   return {stream.id, stream.surface, kStripArea_m2, roads::stroke(stream, {true, {}, {}})};
 }
 
-Surface surface_of(const roads::Road& road, const roads::Ends& ends) {
-  Surface surface{road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
+LandCoverPolygon surface_of(const roads::Road& road, const roads::StripEnds& ends) {
+  LandCoverPolygon surface{road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
   surface.is_graded = !road.profile.empty();
   return surface;
 }
 
-Surface pavement_of(const roads::Road& road, const roads::Ends& ends) {
-  return {road.id, map::SurfaceClass::kPavement, kStripArea_m2, roads::stroke_pavements(road, ends)};
+LandCoverPolygon pavement_of(const roads::Road& road, const roads::StripEnds& ends) {
+  return {road.id, map::LandCoverClass::kPavement, kStripArea_m2, roads::stroke_pavements(road, ends)};
 }
 
-Surface trimmed_to(const Surface& surface, const Box2& box) {
-  Surface trimmed{surface.id, surface.surface, surface.area_m2, {}, surface.piece, surface.level_m, surface.is_graded};
+LandCoverPolygon trimmed_to(const LandCoverPolygon& surface, const Box2& box) {
+  LandCoverPolygon trimmed{surface.id,    surface.surface, surface.area_m2,  {},
+                           surface.piece, surface.level_m, surface.is_graded};
   for (const Ring& ring : surface.rings)
     if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
   return trimmed;

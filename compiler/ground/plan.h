@@ -6,13 +6,13 @@
 #include "compiler/contract/report.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 
 namespace citykiln::ground {
 
 /// Areas as surfaces, sorted by id. Roads, streams and buildings cover the ground too, but their strips and footprints
 /// are made from their own recipes (surface_of). Ledger "ground/area". Total.
-std::vector<Surface> plan(const map::Features& features, Report& report);
+std::vector<LandCoverPolygon> plan(const map::Features& features, Report& report);
 
 /// Waterways at ground level as strips, like roads, sorted by id. Ledger "ground/waterway". Total.
 std::vector<roads::Strip> plan_streams(const map::Features& features, Report& report);
@@ -21,13 +21,13 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
 std::vector<Polyline> covered_waterways(const map::Features& features);
 
 /// The surface that running water covers.
-Surface surface_of(const roads::Strip& stream);
+LandCoverPolygon surface_of(const roads::Strip& stream);
 /// The surface that a road covers between its kerbs.
-Surface surface_of(const roads::Road& road, const roads::Ends& ends);
+LandCoverPolygon surface_of(const roads::Road& road, const roads::StripEnds& ends);
 /// What lies under that and shows beside it; without rings where nothing is raised there.
-Surface pavement_of(const roads::Road& road, const roads::Ends& ends);
+LandCoverPolygon pavement_of(const roads::Road& road, const roads::StripEnds& ends);
 
 /// The surface with its rings trimmed to the box; rings that do not touch it are gone.
-Surface trimmed_to(const Surface& surface, const Box2& box);
+LandCoverPolygon trimmed_to(const LandCoverPolygon& surface, const Box2& box);
 
 }  // namespace citykiln::ground

@@ -51,22 +51,22 @@ std::optional<Material> material_of(std::string_view value, std::span<const Mate
 }
 
 // The first of the two keys that is tagged.
-std::optional<Srgb> tagged_colour(const Reading& reading, OsmId id, source::Range tags, std::string_view british,
+std::optional<Srgb> tagged_colour(const ReadContext& context, OsmId id, source::Range tags, std::string_view british,
                                   std::string_view american) {
-  std::string_view text = reading.tag(tags, british);
-  if (text.empty()) text = reading.tag(tags, american);
+  std::string_view text = context.tag(tags, british);
+  if (text.empty()) text = context.tag(tags, american);
   if (text.empty()) return std::nullopt;
   const auto colour = colour_of(text);
-  if (!colour) reading.report.add(Code::kBadTagValue, id);
+  if (!colour) context.report.add(Code::kBadTagValue, id);
   return colour;
 }
 
-std::optional<double> tagged_number(const Reading& reading, OsmId id, source::Range tags, std::string_view key) {
-  const std::string_view text = reading.tag(tags, key);
+std::optional<double> tagged_number(const ReadContext& context, OsmId id, source::Range tags, std::string_view key) {
+  const std::string_view text = context.tag(tags, key);
   if (text.empty()) return std::nullopt;
   const auto number = number_of(text);
   if (number && *number >= 0 && *number <= kMostLevels) return number;
-  reading.report.add(Code::kBadTagValue, id);
+  context.report.add(Code::kBadTagValue, id);
   return std::nullopt;
 }
 
@@ -75,35 +75,35 @@ double height_by_area_m(double area_m2) {
   return area_m2 < 25 ? 2.8 : area_m2 < 70 ? 4.5 : area_m2 < 220 ? 7.5 : area_m2 < 700 ? 11 : 13;
 }
 
-std::optional<double> tagged_height_m(const Reading& reading, OsmId id, source::Range tags) {
-  const auto height_m = tagged_length_m(reading, id, tags, "height", kLowest_m, kHighest_m);
-  return height_m ? height_m : tagged_length_m(reading, id, tags, "building:height", kLowest_m, kHighest_m);
+std::optional<double> tagged_height_m(const ReadContext& context, OsmId id, source::Range tags) {
+  const auto height_m = tagged_length_m(context, id, tags, "height", kLowest_m, kHighest_m);
+  return height_m ? height_m : tagged_length_m(context, id, tags, "building:height", kLowest_m, kHighest_m);
 }
 
-double untagged_height_m(const Reading& reading, OsmId id, const Footprint& footprint, double level_m,
+double untagged_height_m(const ReadContext& context, OsmId id, const Footprint& footprint, double level_m,
                          double class_height_m, double area_m2) {
   if (footprint.levels > 0) return std::max(1.0, footprint.levels * level_m);
   if (footprint.roof.height_m > 0) return 1;  // little but a roof
-  reading.report.add(Code::kNoBuildingHeight, id);
+  context.report.add(Code::kNoBuildingHeight, id);
   return class_height_m > 0 ? class_height_m : height_by_area_m(area_m2);
 }
 
-double min_height_m_of(const Reading& reading, OsmId id, source::Range tags, double level_m) {
-  if (const auto height_m = tagged_length_m(reading, id, tags, "min_height", 0, kHighest_m)) return *height_m;
-  return level_m * tagged_number(reading, id, tags, "building:min_level").value_or(0);
+double min_height_m_of(const ReadContext& context, OsmId id, source::Range tags, double level_m) {
+  if (const auto height_m = tagged_length_m(context, id, tags, "min_height", 0, kHighest_m)) return *height_m;
+  return level_m * tagged_number(context, id, tags, "building:min_level").value_or(0);
 }
 
-void read_heights(const Reading& reading, OsmId id, source::Range tags, const BuildingValues& values, double area_m2,
-                  Footprint& footprint) {
-  const auto height_m = tagged_height_m(reading, id, tags);
-  footprint.levels = tagged_number(reading, id, tags, "building:levels").value_or(0);
+void read_heights(const ReadContext& context, OsmId id, source::Range tags, const BuildingValues& values,
+                  double area_m2, Footprint& footprint) {
+  const auto height_m = tagged_height_m(context, id, tags);
+  footprint.levels = tagged_number(context, id, tags, "building:levels").value_or(0);
   footprint.has_roof_in_height = height_m.has_value();
   // compared as they will be stored
   footprint.height_m = snapped(
-      height_m ? *height_m : untagged_height_m(reading, id, footprint, values.level_m, values.height_m, area_m2));
-  footprint.min_height_m = snapped(min_height_m_of(reading, id, tags, values.level_m));
+      height_m ? *height_m : untagged_height_m(context, id, footprint, values.level_m, values.height_m, area_m2));
+  footprint.min_height_m = snapped(min_height_m_of(context, id, tags, values.level_m));
   if (footprint.min_height_m < footprint.height_m) return;
-  reading.report.add(Code::kUpsideDown, id, footprint.min_height_m - footprint.height_m);
+  context.report.add(Code::kMinHeightNotBelowHeight, id, footprint.min_height_m - footprint.height_m);
   footprint.min_height_m = 0;
 }
 
@@ -111,36 +111,36 @@ void read_heights(const Reading& reading, OsmId id, source::Range tags, const Bu
 constexpr std::string_view kServing[] = {"restaurant", "cafe", "bar",      "pub",        "fast_food",
                                          "ice_cream",  "bank", "pharmacy", "marketplace"};
 
-std::uint16_t tagged_year(const Reading& reading, OsmId id, source::Range tags) {
-  const std::string_view text = reading.tag(tags, "start_date");
+std::uint16_t tagged_year(const ReadContext& context, OsmId id, source::Range tags) {
+  const std::string_view text = context.tag(tags, "start_date");
   if (text.empty()) return 0;
   const auto year = year_of(text);
-  if (!year) reading.report.add(Code::kBadTagValue, id);
+  if (!year) context.report.add(Code::kBadTagValue, id);
   return year.value_or(0);
 }
 
 }  // namespace
 
-bool is_shop(const Reading& reading, source::Range tags) {
-  const std::string_view shop = reading.tag(tags, "shop"), amenity = reading.tag(tags, "amenity");
+bool is_shop(const ReadContext& context, source::Range tags) {
+  const std::string_view shop = context.tag(tags, "shop"), amenity = context.tag(tags, "amenity");
   const bool is_served = std::find(std::begin(kServing), std::end(kServing), amenity) != std::end(kServing);
   return is_served || (says_yes(shop) && shop != "vacant");
 }
 
-Footprint described(const Reading& reading, OsmId id, source::Range tags, std::string_view value, double area_m2) {
+Footprint described(const ReadContext& context, OsmId id, source::Range tags, std::string_view value, double area_m2) {
   Footprint footprint;
   const BuildingClass building = building_class_of(value);
   const BuildingValues& values = values_of(building);
   footprint.building_class = static_cast<std::uint8_t>(building);
-  const TaggedRoof roof = tagged_roof(reading, id, tags, values.level_m);
-  footprint.is_roof_told = roof.is_told, footprint.roof = roof.shape;
-  read_heights(reading, id, tags, values, area_m2, footprint);
-  footprint.wall_colour = tagged_colour(reading, id, tags, "building:colour", "building:color");
-  footprint.roof_colour = tagged_colour(reading, id, tags, "roof:colour", "roof:color");
-  footprint.wall_material = material_of(reading.tag(tags, "building:material"), kWalls);
-  footprint.roof_material = material_of(reading.tag(tags, "roof:material"), kRoofs);
-  footprint.year = tagged_year(reading, id, tags);
-  footprint.has_shop = is_shop(reading, tags);
+  const TaggedRoof roof = tagged_roof(context, id, tags, values.level_m);
+  footprint.has_roof_shape = roof.is_told, footprint.roof = roof.shape;
+  read_heights(context, id, tags, values, area_m2, footprint);
+  footprint.wall_colour = tagged_colour(context, id, tags, "building:colour", "building:color");
+  footprint.roof_colour = tagged_colour(context, id, tags, "roof:colour", "roof:color");
+  footprint.wall_material = material_of(context.tag(tags, "building:material"), kWalls);
+  footprint.roof_material = material_of(context.tag(tags, "roof:material"), kRoofs);
+  footprint.year = tagged_year(context, id, tags);
+  footprint.has_shop = is_shop(context, tags);
   return footprint;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/read_context.h"
 
 namespace citykiln::map {
 
@@ -11,9 +11,9 @@ namespace citykiln::map {
 ///
 /// Heights by height, else building:levels, else the class of `value` (of building=* or building:part=*), else the
 /// area; roofs by roof:*; what cannot be read is diagnosed kBadTagValue, heights that nobody tells kNoBuildingHeight.
-Footprint described(const Reading& reading, OsmId id, source::Range tags, std::string_view value, double area_m2);
+Footprint described(const ReadContext& context, OsmId id, source::Range tags, std::string_view value, double area_m2);
 
 /// True where tags say that something is sold or served: shop=*, amenity=restaurant and the like.
-bool is_shop(const Reading& reading, source::Range tags);
+bool is_shop(const ReadContext& context, source::Range tags);
 
 }  // namespace citykiln::map

@@ -9,10 +9,10 @@
 
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/polygon.h"
-#include "compiler/map/growth.h"
 #include "compiler/map/heightfield.h"
+#include "compiler/map/land_cover_class.h"
 #include "compiler/map/lanes/lanes.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/map/plant_kind.h"
 #include "compiler/materials/material.h"
 #include "grammars/roofs/roof_shape.h"
 
@@ -49,7 +49,7 @@ struct Track {
   ObjectId id;
   Polyline axis;                       ///< Plane metres, snapped, no repeated neighbours, at least two points.
   std::vector<std::int64_t> node_ids;  ///< OSM node of each axis point.
-  SurfaceClass surface{};
+  LandCoverClass surface{};
   std::int8_t layer = 0;
   Passage passage = Passage::kGround;
   bool is_oneway = false, is_lit = false, is_rail = false;
@@ -70,9 +70,9 @@ struct Footprint {
   double height_m = 0;              ///< Above the ground; tags, else levels, else class. > min_height_m.
   bool has_roof_in_height = false;  ///< Of the highest point, as height=* tells it; else the roof comes on top.
   double min_height_m = 0;
-  double levels = 0;          ///< Storeys below the roof, from the ground up; 0: nobody says.
-  bool is_roof_told = false;  ///< Whether the roof's form is.
-  roofs::RoofShape roof;      ///< As far as it is told; levels as height, no overhang.
+  double levels = 0;            ///< Storeys below the roof, from the ground up; 0: nobody says.
+  bool has_roof_shape = false;  ///< Whether the roof's form is.
+  roofs::RoofShape roof;        ///< As far as it is told; levels as height, no overhang.
   std::optional<Srgb> wall_colour, roof_colour;
   std::optional<materials::Material> wall_material, roof_material;
   std::uint8_t building_class = 0;  ///< A BuildingClass of building_classes.h.
@@ -84,9 +84,9 @@ struct Footprint {
 struct AreaFeature {
   ObjectId id;
   Polygon polygon;  ///< Trimmed to what is near the region.
-  SurfaceClass surface{};
+  LandCoverClass surface{};
   double area_m2 = 0;  ///< Of the whole.
-  Growth growth{};
+  PlantTags plant_tags{};
 };
 
 /// A river, stream, canal or ditch as a line.
@@ -128,8 +128,8 @@ struct PointFeature {
   ObjectId id;
   Vec2 at;
   PointKind kind{};
-  double height_m = 0;  ///< 0: not tagged.
-  Growth growth{};      ///< Trees and shrubs.
+  double height_m = 0;     ///< 0: not tagged.
+  PlantTags plant_tags{};  ///< Trees and shrubs.
 };
 
 /// Trees in a line.
@@ -138,14 +138,14 @@ struct TreeRow {
   Polyline axis;
   double height_m = 0;   ///< 0: not tagged.
   double spacing_m = 0;  ///< Likewise.
-  Growth growth{};
+  PlantTags plant_tags{};
 };
 
 /// A line above the ground, below which no tall trees are let grow.
 struct PowerLine {
   ObjectId id;
   Polyline axis;
-  double lane_m = 0;  ///< How wide the lane is in which none stand.
+  double corridor_m = 0;  ///< How wide the lane is in which none stand.
 };
 
 /// Everything citykiln draws, each vector sorted by id, all coordinates snapped to 2^-10 m.

@@ -36,14 +36,14 @@ Vec3 slope_normal(const Heightfield& field, int i, int j) {
 
 }  // namespace
 
-InRectangle rectangle_at(const Heightfield& field, Vec2 p) {
+CellPosition cell_at(const Heightfield& field, Vec2 p) {
   const Between x = between_lines(p.x, field.min.x, field.step_m.x, field.columns);
   const Between y = between_lines(p.y, field.min.y, field.step_m.y, field.rows);
   return {x.first, y.first, x.share, y.share};
 }
 
 double height_m_at(const Heightfield& field, Vec2 p) {
-  const auto [i, j, u, v] = rectangle_at(field, p);
+  const auto [i, j, u, v] = cell_at(field, p);
   const double sw = field.height_m_at_vertex(i, j), ne = field.height_m_at_vertex(i + 1, j + 1);
   if (u >= v) {
     const double se = field.height_m_at_vertex(i + 1, j);
@@ -54,12 +54,12 @@ double height_m_at(const Heightfield& field, Vec2 p) {
 }
 
 Vec2 nearest_vertex(const Heightfield& field, Vec2 p) {
-  const auto [i, j, u, v] = rectangle_at(field, p);
+  const auto [i, j, u, v] = cell_at(field, p);
   return field.vertex(u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1);
 }
 
 Vec3 normal_at(const Heightfield& field, Vec2 p) {
-  const auto [i, j, u, v] = rectangle_at(field, p);
+  const auto [i, j, u, v] = cell_at(field, p);
   return unit(slope_normal(field, i, j) * ((1 - u) * (1 - v)) + slope_normal(field, i + 1, j) * (u * (1 - v)) +
               slope_normal(field, i, j + 1) * ((1 - u) * v) + slope_normal(field, i + 1, j + 1) * (u * v));
 }

@@ -39,14 +39,14 @@ struct Heightfield {
 };
 
 /// The rectangle that holds a point, and where in it.
-struct InRectangle {
+struct CellPosition {
   int i, j;     ///< Of its south-western vertex.
   double u, v;  ///< East and north, 0 to 1.
 };
 /// Points outside are moved to the rim. Which rectangle is exact, and u and v are what is left beyond its vertex, which
 /// is subtracted before anything is divided: so they are functions of the place and the lattice alone, wherever the
 /// field begins. O(1).
-InRectangle rectangle_at(const Heightfield& field, Vec2 p);
+CellPosition cell_at(const Heightfield& field, Vec2 p);
 
 /// Piecewise-linear height, exact but for the rounding of the last operations, and at vertices exact; outside the box,
 /// that of the nearest point in it. A function of the place and the heights about it alone, to the bit. O(1).

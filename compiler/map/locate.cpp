@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/map/locate_parts.h"
+#include "compiler/map/feature_readers.h"
 
 namespace citykiln::map {
 namespace {
@@ -88,18 +88,18 @@ LonLat default_origin(const LonLatBox& box) {
 
 Features locate(const source::OsmData& osm, const Plane& plane, const LonLatBox& box, const Options& options,
                 Report& report) {
-  const Reading reading{osm, plane, region_of(plane, box), report};
+  const ReadContext context{osm, plane, region_of(plane, box), report};
   Features features;
-  features.region = reading.region;
-  features.tracks = locate_tracks(reading, options.driving_side);
-  features.footprints = locate_footprints(reading);
-  features.areas = locate_areas(reading);
-  for (AreaFeature& sea : locate_sea(reading)) features.areas.push_back(std::move(sea));
-  features.waterways = locate_waterways(reading);
-  features.barriers = locate_barriers(reading);
-  features.points = locate_points(reading);
-  features.tree_rows = locate_tree_rows(reading);
-  features.power_lines = locate_power_lines(reading);
+  features.region = context.region;
+  features.tracks = locate_tracks(context, options.driving_side);
+  features.footprints = locate_footprints(context);
+  features.areas = locate_areas(context);
+  for (AreaFeature& sea : locate_sea(context)) features.areas.push_back(std::move(sea));
+  features.waterways = locate_waterways(context);
+  features.barriers = locate_barriers(context);
+  features.points = locate_points(context);
+  features.tree_rows = locate_tree_rows(context);
+  features.power_lines = locate_power_lines(context);
   sort_by_id(features.tracks);
   sort_by_id(features.footprints);
   sort_by_id(features.areas);

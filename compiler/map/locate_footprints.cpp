@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "compiler/map/building_tags.h"
-#include "compiler/map/locate_parts.h"
+#include "compiler/map/feature_readers.h"
 #include "compiler/map/tag_values.h"
 
 namespace citykiln::map {
@@ -52,29 +52,29 @@ void mark_outlines(std::vector<Footprint>& footprints) {
 
 }  // namespace
 
-std::vector<Footprint> locate_footprints(const Reading& reading) {
+std::vector<Footprint> locate_footprints(const ReadContext& context) {
   std::vector<Footprint> footprints;
   Account account;
-  for (const source::Area& area : reading.osm.areas) {
-    const std::string_view outline = reading.tag(area.tags, "building"), part = reading.tag(area.tags, "building:part");
+  for (const source::Area& area : context.osm.areas) {
+    const std::string_view outline = context.tag(area.tags, "building"), part = context.tag(area.tags, "building:part");
     if (!says_yes(outline) && !says_yes(part)) continue;
     ++account.in;
-    if (reading.tag(area.tags, "location") == "underground") {
-      reading.report.drop(account, Code::kUnderground, area.from);
+    if (context.tag(area.tags, "location") == "underground") {
+      context.report.drop(account, Code::kUnderground, area.from);
       continue;
     }
-    const std::vector<LocatedPolygon> polygons = located(reading, area);
+    const std::vector<LocatedPolygon> polygons = located(context, area);
     if (polygons.empty()) {
-      reading.report.drop(account, Code::kDegenerateRing, area.from);
+      context.report.drop(account, Code::kDegenerateRing, area.from);
       continue;
     }
     account.split += polygons.size() - 1;
     const bool is_part = says_yes(part) && !says_yes(outline);
-    Footprint footprint = described(reading, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
+    Footprint footprint = described(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
     footprint.is_part = is_part;
     for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(reading.region)) {
-        reading.report.drop(account, Code::kOutsideBounds, area.from);
+      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
+        context.report.drop(account, Code::kOutsideBounds, area.from);
         continue;
       }
       ++account.out;
@@ -83,7 +83,7 @@ std::vector<Footprint> locate_footprints(const Reading& reading) {
       footprints.push_back(footprint);
     }
   }
-  reading.report.account("map", "footprint") = account;
+  context.report.account("map", "footprint") = account;
   mark_outlines(footprints);
   return footprints;
 }

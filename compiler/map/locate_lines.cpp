@@ -2,7 +2,7 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_tags.h"
-#include "compiler/map/each_line.h"
+#include "compiler/map/for_each_line.h"
 #include "compiler/map/plant_tags.h"
 
 namespace citykiln::map {
@@ -51,120 +51,120 @@ constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 
 // Ways that carry a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
-void for_each_with_key(const Reading& reading, std::string_view key, const Row (&rows)[n], Make make) {
-  const auto value = [&](const source::Way& way) { return reading.tag(way.tags, key); };
+void for_each_with_key(const ReadContext& context, std::string_view key, const Row (&rows)[n], Make make) {
+  const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
   for_each_line(
-      reading, std::string(key).c_str(), [&](const source::Way& way) { return !value(way).empty(); },
+      context, std::string(key).c_str(), [&](const source::Way& way) { return !value(way).empty(); },
       [&](const source::Way& way) { return row_with(rows, value(way)); }, make);
 }
 
-const PointRow* point_row(const Reading& reading, source::Range tags) {
+const PointRow* point_row(const ReadContext& context, source::Range tags) {
   for (const PointRow& row : kPoints)
-    if (reading.tag(tags, row.key) == row.value) return &row;
-  if (says_yes(reading.tag(tags, kEntrance.key))) return &kEntrance;
-  if (is_shop(reading, tags)) return &kShop;
-  return reading.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
+    if (context.tag(tags, row.key) == row.value) return &row;
+  if (says_yes(context.tag(tags, kEntrance.key))) return &kEntrance;
+  if (is_shop(context, tags)) return &kShop;
+  return context.tag(tags, kAddress.key).empty() ? nullptr : &kAddress;
 }
 
 constexpr double kTallest_m = 400;
 
 // What a tree or shrub is; a shrub is no tree, whatever it is called.
-Growth growth_of(const Reading& reading, OsmId id, source::Range tags) {
-  Growth growth = tagged_growth(reading, id, tags);
-  if (reading.tag(tags, "natural") == "shrub") growth.kind = PlantKind::kBush;
-  return growth;
+PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
+  PlantTags plant_tags = read_plant_tags(context, id, tags);
+  if (context.tag(tags, "natural") == "shrub") plant_tags.kind = PlantKind::kBush;
+  return plant_tags;
 }
 
 struct PowerRow {
   std::string_view value;
-  double lane_m;
+  double corridor_m;
 };
 // Pylons carry wires some 8 m out, which swing; poles of minor lines hardly more than a metre.
 constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
 
 }  // namespace
 
-std::vector<Waterway> locate_waterways(const Reading& reading) {
+std::vector<Waterway> locate_waterways(const ReadContext& context) {
   std::vector<Waterway> waterways;
-  for_each_with_key(reading, "waterway", kWaterways,
+  for_each_with_key(context, "waterway", kWaterways,
                     [&](const source::Way& way, const WaterwayRow& row, LocatedLine&& line) {
                       const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(reading, id, way.tags, "width", 0.2, 500);
+                      const auto tagged = tagged_length_m(context, id, way.tags, "width", 0.2, 500);
                       const double width = std::max(kQuantum_m, snapped(tagged.value_or(row.width_m)));
                       waterways.push_back({{id, 0},
                                            std::move(line.axis),
                                            width,
-                                           tagged_layer(reading, id, way.tags),
-                                           tagged_passage(reading, way.tags)});
+                                           tagged_layer(context, id, way.tags),
+                                           tagged_passage(context, way.tags)});
                     });
   return waterways;
 }
 
-std::vector<Barrier> locate_barriers(const Reading& reading) {
+std::vector<Barrier> locate_barriers(const ReadContext& context) {
   std::vector<Barrier> barriers;
-  for_each_with_key(reading, "barrier", kBarriers,
+  for_each_with_key(context, "barrier", kBarriers,
                     [&](const source::Way& way, const BarrierRow& row, LocatedLine&& line) {
                       const OsmId id{OsmType::kWay, way.id};
-                      const auto tagged = tagged_length_m(reading, id, way.tags, "height", 0.1, 50);
+                      const auto tagged = tagged_length_m(context, id, way.tags, "height", 0.1, 50);
                       const double height = snapped(tagged.value_or(row.height_m));
                       barriers.push_back({{id, 0}, std::move(line.axis), row.kind, height, row.width_m});
                     });
   return barriers;
 }
 
-std::vector<PointFeature> locate_points(const Reading& reading) {
+std::vector<PointFeature> locate_points(const ReadContext& context) {
   std::vector<PointFeature> points;
   Account account;
-  for (const source::Node& node : reading.osm.nodes) {
-    const PointRow* row = point_row(reading, node.tags);
+  for (const source::Node& node : context.osm.nodes) {
+    const PointRow* row = point_row(context, node.tags);
     if (row == nullptr) continue;
     ++account.in;
     const OsmId id{OsmType::kNode, node.id};
-    const Vec2 at = reading.plane.snapped_forward(node.at);
-    if (!reading.region.contains(at)) {
-      reading.report.drop(account, Code::kOutsideBounds, id);
+    const Vec2 at = context.plane.snapped_forward(node.at);
+    if (!context.region.contains(at)) {
+      context.report.drop(account, Code::kOutsideBounds, id);
       continue;
     }
     ++account.out;
     const double height = row->kind == PointKind::kTree
-                              ? tagged_plant_height_m(reading, id, node.tags)
-                              : tagged_length_m(reading, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
+                              ? tagged_plant_height_m(context, id, node.tags)
+                              : tagged_length_m(context, id, node.tags, "height", 0.1, kTallest_m).value_or(0);
     points.push_back({{id, 0}, at, row->kind, snapped(height)});
-    if (row->kind == PointKind::kTree) points.back().growth = growth_of(reading, id, node.tags);
+    if (row->kind == PointKind::kTree) points.back().plant_tags = growth_of(context, id, node.tags);
   }
-  reading.report.account("map", "point") = account;
+  context.report.account("map", "point") = account;
   return points;
 }
 
-std::vector<TreeRow> locate_tree_rows(const Reading& reading) {
+std::vector<TreeRow> locate_tree_rows(const ReadContext& context) {
   constexpr PowerRow kAny{"tree_row", 0};
   std::vector<TreeRow> rows;
-  const auto is_row = [&](const source::Way& way) { return reading.tag(way.tags, "natural") == kAny.value; };
+  const auto is_row = [&](const source::Way& way) { return context.tag(way.tags, "natural") == kAny.value; };
   for_each_line(
-      reading, "tree row", is_row, [&](const source::Way&) { return &kAny; },
+      context, "tree row", is_row, [&](const source::Way&) { return &kAny; },
       [&](const source::Way& way, const PowerRow&, LocatedLine&& line) {
         const OsmId id{OsmType::kWay, way.id};
-        const double spacing_m = tagged_length_m(reading, id, way.tags, "spacing", 1, 100).value_or(0);
+        const double spacing_m = tagged_length_m(context, id, way.tags, "spacing", 1, 100).value_or(0);
         rows.push_back({{id, 0},
                         std::move(line.axis),
-                        snapped(tagged_plant_height_m(reading, id, way.tags)),
+                        snapped(tagged_plant_height_m(context, id, way.tags)),
                         snapped(spacing_m),
-                        tagged_growth(reading, id, way.tags)});
+                        read_plant_tags(context, id, way.tags)});
       });
   return rows;
 }
 
-std::vector<PowerLine> locate_power_lines(const Reading& reading) {
+std::vector<PowerLine> locate_power_lines(const ReadContext& context) {
   std::vector<PowerLine> lines;
   const auto row_of = [&](const source::Way& way) -> const PowerRow* {
-    return reading.tag(way.tags, "location") == "underground" ? nullptr
-                                                              : row_with(kPowerLines, reading.tag(way.tags, "power"));
+    return context.tag(way.tags, "location") == "underground" ? nullptr
+                                                              : row_with(kPowerLines, context.tag(way.tags, "power"));
   };
   for_each_line(
-      reading, "power", [&](const source::Way& way) { return row_with(kPowerLines, reading.tag(way.tags, "power")); },
+      context, "power", [&](const source::Way& way) { return row_with(kPowerLines, context.tag(way.tags, "power")); },
       row_of,
       [&](const source::Way& way, const PowerRow& row, LocatedLine&& line) {
-        lines.push_back({{{OsmType::kWay, way.id}, 0}, std::move(line.axis), row.lane_m});
+        lines.push_back({{{OsmType::kWay, way.id}, 0}, std::move(line.axis), row.corridor_m});
       });
   return lines;
 }

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "compiler/map/driving_side.h"
-#include "compiler/map/each_line.h"
+#include "compiler/map/for_each_line.h"
 #include "compiler/map/lanes/lane_tags.h"
 #include "compiler/map/lanes/lanes.h"
 #include "compiler/map/plant_tags.h"
@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kTrackKeys = {"highway", "railway", "aeroway"};
 
-bool carries_track_key(const Reading& reading, const source::Way& way) {
+bool carries_track_key(const ReadContext& context, const source::Way& way) {
   for (const std::string_view key : kTrackKeys)
-    if (!reading.tag(way.tags, key).empty()) return true;
+    if (!context.tag(way.tags, key).empty()) return true;
   return false;
 }
 
@@ -29,16 +29,16 @@ bool is_unpaved(std::string_view surface) {
 }
 
 // What the surface=* tag makes of a class.
-SurfaceClass surfaced(SurfaceClass surface, std::string_view tagged) {
-  if (surface == SurfaceClass::kPavedFootPath && is_unpaved(tagged)) return SurfaceClass::kFootPath;
-  if (surface == SurfaceClass::kServiceRoad && is_unpaved(tagged)) return SurfaceClass::kUnpavedRoad;
-  if (surface == SurfaceClass::kFarmTrack && (tagged == "asphalt" || tagged == "paved" || tagged == "concrete"))
-    return SurfaceClass::kServiceRoad;
+LandCoverClass surfaced(LandCoverClass surface, std::string_view tagged) {
+  if (surface == LandCoverClass::kPavedFootPath && is_unpaved(tagged)) return LandCoverClass::kFootPath;
+  if (surface == LandCoverClass::kServiceRoad && is_unpaved(tagged)) return LandCoverClass::kUnpavedRoad;
+  if (surface == LandCoverClass::kFarmTrack && (tagged == "asphalt" || tagged == "paved" || tagged == "concrete"))
+    return LandCoverClass::kServiceRoad;
   return surface;
 }
 
-DrivingSide side_of(const Reading& reading, const source::Way& way) {
-  const source::Location at = reading.osm.nodes_of(way).front().at;
+DrivingSide side_of(const ReadContext& context, const source::Way& way) {
+  const source::Location at = context.osm.nodes_of(way).front().at;
   return driving_side_at({at.lon_deg(), at.lat_deg()});
 }
 
@@ -48,42 +48,42 @@ void tell_layer(const Track& track, Report& report) {
     report.add(Code::kLayerWithoutBridge, track.id.osm, std::abs(track.layer));
 }
 
-Track track_of(const Reading& reading, DrivingSide side, const source::Way& way, const TrackRow& row,
+Track track_of(const ReadContext& context, DrivingSide side, const source::Way& way, const TrackRow& row,
                LocatedLine&& line) {
   const OsmId id{OsmType::kWay, way.id};
   Track track;
   track.id = {id, 0};
   track.axis = std::move(line.axis);
   track.node_ids = std::move(line.node_ids);
-  track.surface = surfaced(row.surface, reading.tag(way.tags, "surface"));
+  track.surface = surfaced(row.surface, context.tag(way.tags, "surface"));
   track.side = side;
-  track.section = cross_section_of(reading, id, way.tags, side);
-  track.layer = tagged_layer(reading, id, way.tags);
-  track.passage = tagged_passage(reading, way.tags);
-  track.is_oneway = told_traffic(reading.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
-  track.is_lit = says_yes(reading.tag(way.tags, "lit"));
+  track.section = cross_section_of(context, id, way.tags, side);
+  track.layer = tagged_layer(context, id, way.tags);
+  track.passage = tagged_passage(context, way.tags);
+  track.is_oneway = tagged_traffic(context.tag(way.tags, "oneway")).value_or(Traffic::kTwoWay) != Traffic::kTwoWay;
+  track.is_lit = says_yes(context.tag(way.tags, "lit"));
   track.is_rail = row.key == "railway";
-  track.trees = tree_sides_of(reading.tag(way.tags, "tree_lined"));
-  const std::string_view junction = reading.tag(way.tags, "junction");
+  track.trees = tree_sides_of(context.tag(way.tags, "tree_lined"));
+  const std::string_view junction = context.tag(way.tags, "junction");
   track.is_roundabout = junction == "roundabout" || junction == "circular";
   track.is_link = row.value.ends_with("_link");
-  tell_layer(track, reading.report);
+  tell_layer(track, context.report);
   return track;
 }
 
 }  // namespace
 
-std::vector<Track> locate_tracks(const Reading& reading, std::optional<DrivingSide> side) {
+std::vector<Track> locate_tracks(const ReadContext& context, std::optional<DrivingSide> side) {
   std::vector<Track> tracks;
-  const std::vector<NodeMark> marks = node_marks(reading);
+  const std::vector<NodeMark> marks = node_marks(context);
   for_each_line(
-      reading, "track", [&](const source::Way& way) { return carries_track_key(reading, way); },
+      context, "track", [&](const source::Way& way) { return carries_track_key(context, way); },
       [&](const source::Way& way) {
-        return track_row([&](std::string_view key) { return reading.tag(way.tags, key); });
+        return track_row([&](std::string_view key) { return context.tag(way.tags, key); });
       },
       [&](const source::Way& way, const TrackRow& row, LocatedLine&& line) {
-        std::vector<TrackPoint> points = points_of(reading, way, line, marks);
-        tracks.push_back(track_of(reading, side ? *side : side_of(reading, way), way, row, std::move(line)));
+        std::vector<TrackPoint> points = points_of(context, way, line, marks);
+        tracks.push_back(track_of(context, side ? *side : side_of(context, way), way, row, std::move(line)));
         tracks.back().points = std::move(points);
       });
   return tracks;

@@ -13,11 +13,11 @@ constexpr std::string_view kTaxonKeys[] = {"genus",      "species",  "taxon",   
 
 constexpr double kTallest_m = 130, kWidest_m = 60, kThickest_m = 40;
 
-PlantKind tagged_kind(const Reading& reading, source::Range tags) {
+PlantKind tagged_kind(const ReadContext& context, source::Range tags) {
   for (const std::string_view key : kTaxonKeys)
-    if (const std::string_view text = reading.tag(tags, key); !text.empty())
-      if (const PlantKind kind = kind_named(text); kind != PlantKind::kUntold) return kind;
-  return PlantKind::kUntold;
+    if (const std::string_view text = context.tag(tags, key); !text.empty())
+      if (const PlantKind kind = kind_named(text); kind != PlantKind::kUnknown) return kind;
+  return PlantKind::kUnknown;
 }
 
 LeafType leaves_named(std::string_view word) {
@@ -25,34 +25,34 @@ LeafType leaves_named(std::string_view word) {
   if (word == "needleleaved" || word == "coniferous" || word == "conifer" || word == "evergreen")
     return LeafType::kNeedle;
   if (word == "palm") return LeafType::kPalm;
-  return word == "mixed" ? LeafType::kMixed : LeafType::kUntold;
+  return word == "mixed" ? LeafType::kMixed : LeafType::kUnknown;
 }
 
-LeafType tagged_leaves(const Reading& reading, source::Range tags) {
+LeafType tagged_leaves(const ReadContext& context, source::Range tags) {
   for (const std::string_view key : {"leaf_type", "wood", "type", "leaf_cycle"})
-    if (const LeafType leaves = leaves_named(reading.tag(tags, key)); leaves != LeafType::kUntold) return leaves;
-  return LeafType::kUntold;
+    if (const LeafType leaves = leaves_named(context.tag(tags, key)); leaves != LeafType::kUnknown) return leaves;
+  return LeafType::kUnknown;
 }
 
 // In metres; larger numbers without a unit are centimetres.
-double girth_m_of(const Reading& reading, OsmId id, source::Range tags) {
-  const double girth_m = tagged_length_m(reading, id, tags, "circumference", 0.05, 1000).value_or(0);
+double girth_m_of(const ReadContext& context, OsmId id, source::Range tags) {
+  const double girth_m = tagged_length_m(context, id, tags, "circumference", 0.05, 1000).value_or(0);
   return girth_m > kThickest_m / 2 ? girth_m / 100 : girth_m;
 }
 
 }  // namespace
 
-Growth tagged_growth(const Reading& reading, OsmId id, source::Range tags) {
-  Growth growth{tagged_kind(reading, tags), tagged_leaves(reading, tags)};
-  growth.crown_m = tagged_length_m(reading, id, tags, "diameter_crown", 0.2, kWidest_m).value_or(0);
-  growth.girth_m = girth_m_of(reading, id, tags);
-  growth.year = year_of(reading.tag(tags, "start_date")).value_or(0);
-  return growth;
+PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags) {
+  PlantTags plant_tags{tagged_kind(context, tags), tagged_leaves(context, tags)};
+  plant_tags.crown_m = tagged_length_m(context, id, tags, "diameter_crown", 0.2, kWidest_m).value_or(0);
+  plant_tags.girth_m = girth_m_of(context, id, tags);
+  plant_tags.year = year_of(context.tag(tags, "start_date")).value_or(0);
+  return plant_tags;
 }
 
-double tagged_plant_height_m(const Reading& reading, OsmId id, source::Range tags) {
-  const auto height_m = tagged_length_m(reading, id, tags, "height", 0.1, kTallest_m);
-  return height_m ? *height_m : tagged_length_m(reading, id, tags, "est_height", 0.1, kTallest_m).value_or(0);
+double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags) {
+  const auto height_m = tagged_length_m(context, id, tags, "height", 0.1, kTallest_m);
+  return height_m ? *height_m : tagged_length_m(context, id, tags, "est_height", 0.1, kTallest_m).value_or(0);
 }
 
 TreeSides tree_sides_of(std::string_view tree_lined) {

@@ -1,17 +1,17 @@
 // What tags say of plants: their kind, their leaves, their size.
 #pragma once
 
-#include "compiler/map/growth.h"
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/plant_kind.h"
+#include "compiler/map/read_context.h"
 
 namespace citykiln::map {
 
 /// By genus, species, taxon, trees, crop and produce, in the languages of taxa.inc; leaves by leaf_type, leaf_cycle and
 /// the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
-Growth tagged_growth(const Reading& reading, OsmId id, source::Range tags);
+PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
 
 /// height, est_height; 0 where nobody says. Metres.
-double tagged_plant_height_m(const Reading& reading, OsmId id, source::Range tags);
+double tagged_plant_height_m(const ReadContext& context, OsmId id, source::Range tags);
 
 /// tree_lined=*.
 TreeSides tree_sides_of(std::string_view tree_lined);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/read_context.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::map {
@@ -15,6 +15,6 @@ struct TaggedRoof {
 
 /// roof:shape, height, else levels at level_m each, angle, direction, orientation. A shape that no table knows, or a
 /// number that cannot be read, is diagnosed kBadTagValue and left out.
-TaggedRoof tagged_roof(const Reading& reading, OsmId id, source::Range tags, double level_m);
+TaggedRoof tagged_roof(const ReadContext& context, OsmId id, source::Range tags, double level_m);
 
 }  // namespace citykiln::map

@@ -28,10 +28,10 @@ bool is_striped(std::string_view markings) {
   return word == "zebra" || word == "ladder";
 }
 
-std::optional<TrackPointKind> crossing_kind(const Reading& reading, source::Range tags) {
-  const std::string_view crossing = reading.tag(tags, "crossing"), markings = reading.tag(tags, "crossing:markings");
+std::optional<TrackPointKind> crossing_kind(const ReadContext& context, source::Range tags) {
+  const std::string_view crossing = context.tag(tags, "crossing"), markings = context.tag(tags, "crossing:markings");
   if (markings == "no") return std::nullopt;
-  if (is_striped(markings) || crossing == "zebra" || reading.tag(tags, "crossing_ref") == "zebra")
+  if (is_striped(markings) || crossing == "zebra" || context.tag(tags, "crossing_ref") == "zebra")
     return TrackPointKind::kZebra;
   const bool says_more = !markings.empty() && markings != "yes";
   if (says_more) return TrackPointKind::kCrossing;
@@ -40,39 +40,39 @@ std::optional<TrackPointKind> crossing_kind(const Reading& reading, source::Rang
 }
 
 // Signals of a road may hold its crossing too, on one node.
-std::optional<TrackPointKind> crossing_of(const Reading& reading, source::Range tags) {
-  const std::string_view highway = reading.tag(tags, "highway");
-  const bool is_beside_signals = highway == "traffic_signals" && !reading.tag(tags, "crossing").empty();
-  return highway == "crossing" || is_beside_signals ? crossing_kind(reading, tags) : std::nullopt;
+std::optional<TrackPointKind> crossing_of(const ReadContext& context, source::Range tags) {
+  const std::string_view highway = context.tag(tags, "highway");
+  const bool is_beside_signals = highway == "traffic_signals" && !context.tag(tags, "crossing").empty();
+  return highway == "crossing" || is_beside_signals ? crossing_kind(context, tags) : std::nullopt;
 }
 
-std::int8_t facing_of(const Reading& reading, source::Range tags) {
-  std::string_view direction = reading.tag(tags, "traffic_signals:direction");
-  if (direction.empty()) direction = reading.tag(tags, "direction");
+std::int8_t facing_of(const ReadContext& context, source::Range tags) {
+  std::string_view direction = context.tag(tags, "traffic_signals:direction");
+  if (direction.empty()) direction = context.tag(tags, "direction");
   return direction == "forward" ? std::int8_t{1} : direction == "backward" ? std::int8_t{-1} : std::int8_t{0};
 }
 
-void add_marks(const Reading& reading, const source::Node& node, std::vector<NodeMark>& marks) {
-  if (const auto kind = crossing_of(reading, node.tags))
-    marks.push_back({node.id, *kind, facing_of(reading, node.tags)});
+void add_marks(const ReadContext& context, const source::Node& node, std::vector<NodeMark>& marks) {
+  if (const auto kind = crossing_of(context, node.tags))
+    marks.push_back({node.id, *kind, facing_of(context, node.tags)});
   for (const MarkRow& row : kMarks)
-    if (reading.tag(node.tags, row.key) == row.value)
-      marks.push_back({node.id, row.kind, facing_of(reading, node.tags)});
+    if (context.tag(node.tags, row.key) == row.value)
+      marks.push_back({node.id, row.kind, facing_of(context, node.tags)});
 }
 
 }  // namespace
 
-std::vector<NodeMark> node_marks(const Reading& reading) {
+std::vector<NodeMark> node_marks(const ReadContext& context) {
   std::vector<NodeMark> marks;
-  for (const source::Node& node : reading.osm.nodes) add_marks(reading, node, marks);
+  for (const source::Node& node : context.osm.nodes) add_marks(context, node, marks);
   std::sort(marks.begin(), marks.end());
   return marks;
 }
 
-std::vector<TrackPoint> points_of(const Reading& reading, const source::Way& way, const LocatedLine& line,
+std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way& way, const LocatedLine& line,
                                   const std::vector<NodeMark>& marks) {
   std::vector<TrackPoint> points;
-  const auto nodes = reading.osm.nodes_of(way);
+  const auto nodes = context.osm.nodes_of(way);
   const bool is_closed = nodes.size() > 2 && nodes.front().id == nodes.back().id;
   for (std::size_t i = 0; i + (is_closed ? 1 : 0) < nodes.size(); ++i) {
     const NodeMark first{nodes[i].id, {}, -1};

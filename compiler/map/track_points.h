@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/map/features.h"
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/read_context.h"
 
 namespace citykiln::map {
 
@@ -22,11 +22,11 @@ struct NodeMark {
 /// not, is kCrossing. Not diagnosed. O(tags of nodes + n log n marks).
 ///
 /// Source: wiki.openstreetmap.org, Tag:highway=crossing, Key:crossing, Key:crossing:markings, Key:direction.
-std::vector<NodeMark> node_marks(const Reading& reading);
+std::vector<NodeMark> node_marks(const ReadContext& context);
 
 /// The marks on a way, sorted, each once: at the vertex its node came to lie at, also where several nodes share one.
 /// The last vertex of a closed way says nothing that the first does not. O(nodes of the way × log marks).
-std::vector<TrackPoint> points_of(const Reading& reading, const source::Way& way, const LocatedLine& line,
+std::vector<TrackPoint> points_of(const ReadContext& context, const source::Way& way, const LocatedLine& line,
                                   const std::vector<NodeMark>& marks);
 
 }  // namespace citykiln::map

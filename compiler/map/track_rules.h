@@ -3,19 +3,19 @@
 
 #include <string_view>
 
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::map {
 
 struct TrackRow {
   std::string_view key, value;
-  SurfaceClass surface;
+  LandCoverClass surface;
   double width_m;  ///< Of one lane; of the whole where it is not counted by lanes.
   int lanes;       ///< Where none are tagged; 0: not counted by lanes.
 };
 
 inline constexpr TrackRow kTracks[] = {
-#define TRACK(key, value, surface, width_m, lanes) {key, value, SurfaceClass::surface, width_m, lanes},
+#define TRACK(key, value, surface, width_m, lanes) {key, value, LandCoverClass::surface, width_m, lanes},
 #include "compiler/map/track_rules.inc"
 #undef TRACK
 };

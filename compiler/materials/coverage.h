@@ -23,7 +23,7 @@ struct Coverage {
 
 /// The share of each texel's area that lies in the ring: the box filter, exact but for rounding.
 ///
-/// @param ring_m   Sheet metres, simple, either way round.
+/// @param ring_m   TextureImage metres, simple, either way round.
 /// @param texel_m  > 0.
 /// @param rows     Of the sheet. Rows are counted modulo this: what leaves at the end comes in at the start.
 ///

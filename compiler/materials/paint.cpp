@@ -7,10 +7,10 @@
 namespace citykiln::materials {
 namespace {
 
-Sheet::Texel mixed(Sheet::Texel under, Sheet::Texel over, double share) {
+TextureImage::Texel mixed(TextureImage::Texel under, TextureImage::Texel over, double share) {
   if (share <= 0) return under;
   if (share >= 1) return over;
-  Sheet::Texel mix{};
+  TextureImage::Texel mix{};
   for (std::size_t i = 0; i < mix.size(); ++i)
     mix[i] = srgb_of_linear(linear_of_srgb(under[i]) * (1 - share) + linear_of_srgb(over[i]) * share);
   return mix;
@@ -18,17 +18,17 @@ Sheet::Texel mixed(Sheet::Texel under, Sheet::Texel over, double share) {
 
 }  // namespace
 
-Sheet blank_sheet(double texel_m, std::uint32_t columns, std::uint32_t rows, Sheet::Texel colour) {
-  return {texel_m, columns, rows, std::vector<Sheet::Texel>(static_cast<std::size_t>(columns) * rows, colour)};
+TextureImage blank_image(double texel_m, std::uint32_t columns, std::uint32_t rows, TextureImage::Texel colour) {
+  return {texel_m, columns, rows, std::vector<TextureImage::Texel>(static_cast<std::size_t>(columns) * rows, colour)};
 }
 
-void paint(Sheet& sheet, ColumnRange columns, const Ring& ring_m, Sheet::Texel colour) {
+void paint(TextureImage& sheet, ColumnRange columns, const Ring& ring_m, TextureImage::Texel colour) {
   columns.end = std::min(columns.end, sheet.columns);
   const Coverage cover = coverage_of(ring_m, sheet.texel_m, sheet.rows, columns);
   for (std::size_t r = 0; r < cover.rows; ++r) {
     const std::size_t row = (cover.first_row + r) % sheet.rows;
     for (std::size_t c = 0; c < cover.columns; ++c) {
-      Sheet::Texel& texel = sheet.texels[row * sheet.columns + cover.first_column + c];
+      TextureImage::Texel& texel = sheet.texels[row * sheet.columns + cover.first_column + c];
       texel = mixed(texel, colour, cover.share[r * cover.columns + c]);
     }
   }

@@ -21,7 +21,7 @@ constexpr std::uint32_t kFewest_px = 16, kMostNormals_px = 128;
 
 struct Row {
   Material material;
-  Pattern pattern;
+  TexturePattern pattern;
   double side_m;
   std::uint32_t side_px;
   double contrast, warmth, relief_m;
@@ -29,7 +29,7 @@ struct Row {
 
 constexpr Row kTable[] = {
 #define TEXTURE(material, pattern, side_m, side_px, contrast, warmth, relief_m) \
-  {Material::material, Pattern::pattern, side_m, side_px, contrast, warmth, relief_m},
+  {Material::material, TexturePattern::pattern, side_m, side_px, contrast, warmth, relief_m},
 #include "compiler/materials/texture_table.inc"
 #undef TEXTURE
 };
@@ -41,7 +41,7 @@ const Row* row_of(Material material) {
 
 // The most texels a side, a power of two, that are as large as the tolerance.
 std::uint32_t texels_at(const Row& row, std::uint32_t most_px, double tolerance_m) {
-  const double least_m = is_bark(row.pattern) ? tolerance_m / kBarkFiner : tolerance_m;
+  const double least_m = is_bark(row.pattern) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m;
   std::uint32_t px = std::min(row.side_px, most_px);
   while (px >= kFewest_px && row.side_m / px < least_m) px /= 2;
   return px >= kFewest_px ? px : 0;
@@ -63,16 +63,16 @@ std::size_t colour_at(float tone) {
   return static_cast<std::size_t>(std::clamp((tone + 1) / 2 * kColours, 0.0f, kColours - 1.0f));
 }
 
-Sheet coloured(const Row& row, const Field& tone) {
+TextureImage coloured(const Row& row, const Field& tone) {
   std::array<Rgb, kColours> palette = palette_of(row);
   Rgb mean{};
   for (const float t : tone.values)
     for (std::size_t c = 0; c < 3; ++c) mean[c] += palette[colour_at(t)][c] / static_cast<double>(tone.values.size());
   const auto& base = values_of(row.material).base_colour;
-  std::array<Sheet::Texel, kColours> texels;
+  std::array<TextureImage::Texel, kColours> texels;
   for (std::size_t i = 0; i < kColours; ++i)
     for (std::size_t c = 0; c < 3; ++c) texels[i][c] = srgb_of_linear(palette[i][c] * 1.03 * base[c] / mean[c]);
-  Sheet sheet{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
+  TextureImage sheet{row.side_m / tone.side_px, tone.side_px, tone.side_px, {}};
   sheet.texels.reserve(tone.values.size());
   for (const float t : tone.values) sheet.texels.push_back(texels[colour_at(t)]);
   return sheet;
@@ -83,13 +83,13 @@ double stepped(double slope, double most, int steps) {
   return std::floor(std::clamp(slope / most, -1.0, 1.0) * steps + 0.5) / steps * most;
 }
 
-Sheet::Texel texel_of(double slope_u, double slope_v) {
+TextureImage::Texel texel_of(double slope_u, double slope_v) {
   const double out = 1 / std::sqrt(1 + slope_u * slope_u + slope_v * slope_v);
   const auto byte = [](double n) { return static_cast<std::uint8_t>((n + 1) / 2 * 255 + 0.5); };
   return {byte(-slope_u * out), byte(slope_v * out), byte(out)};
 }
 
-Sheet shaped(const Row& row, const Field& relief) {
+TextureImage shaped(const Row& row, const Field& relief) {
   const std::uint32_t px = relief.side_px;
   const double texel_m = row.side_m / px;
   const auto slope = [&](float after, float before) { return (after - before) * row.relief_m / (2 * texel_m); };
@@ -104,8 +104,8 @@ Sheet shaped(const Row& row, const Field& relief) {
     for (std::uint32_t c = 0; c < px; ++c) squares += slope_u(c, r) * slope_u(c, r) + slope_v(c, r) * slope_v(c, r);
   // steeper ones than so many deviations are rare
   const double most = 2.2 * std::sqrt(squares / (2.0 * px * px));
-  const int steps = row.pattern == Pattern::kWaves ? kMirroredSlopeSteps : kSlopeSteps;
-  Sheet sheet{texel_m, px, px, {}};
+  const int steps = row.pattern == TexturePattern::kWaves ? kMirroredSlopeSteps : kSlopeSteps;
+  TextureImage sheet{texel_m, px, px, {}};
   sheet.texels.reserve(relief.values.size());
   for (std::uint32_t r = 0; r < px; ++r)
     for (std::uint32_t c = 0; c < px; ++c)
@@ -122,13 +122,13 @@ std::uint64_t key_of(Material material, std::uint64_t seed) {
 }  // namespace
 
 double side_m(const Texture& texture) {
-  const Sheet& sheet = texture.colour.texels.empty() ? texture.normal : texture.colour;
+  const TextureImage& sheet = texture.colour.texels.empty() ? texture.normal : texture.colour;
   return sheet.columns * sheet.texel_m;
 }
 
 bool has_texture(Material material, double tolerance_m) {
   const Row* row = row_of(material);
-  return row != nullptr && tolerance_m < kPlainGround_m && texels_at(*row, row->side_px, tolerance_m) > 0;
+  return row != nullptr && tolerance_m < kUntextured_m && texels_at(*row, row->side_px, tolerance_m) > 0;
 }
 
 double texture_side_m(Material material) {
@@ -144,11 +144,12 @@ bool is_bark(Material material) {
 Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   assert(has_texture(material, tolerance_m));
   const Row& row = *row_of(material);
-  const Tones tones = tones_of(row.pattern, row.side_px, key_of(material, seed));
+  const PatternFields tones = generate_pattern(row.pattern, row.side_px, key_of(material, seed));
   Texture texture{material, {}, {}};
-  if (row.contrast > 0) texture.colour = coloured(row, reduced(tones.tone, texels_at(row, row.side_px, tolerance_m)));
-  const bool is_shaped = row.relief_m > 0 && (tolerance_m < kEven_m || row.pattern == Pattern::kWaves);
-  if (is_shaped) texture.normal = shaped(row, reduced(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
+  if (row.contrast > 0)
+    texture.colour = coloured(row, downsampled(tones.tone, texels_at(row, row.side_px, tolerance_m)));
+  const bool is_shaped = row.relief_m > 0 && (tolerance_m < kEven_m || row.pattern == TexturePattern::kWaves);
+  if (is_shaped) texture.normal = shaped(row, downsampled(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
   return texture;
 }
 
@@ -164,7 +165,7 @@ std::array<double, 3> colour_factor(const Texture& texture) {
   Rgb factor = {base[0], base[1], base[2]}, mean{};
   const auto& texels = texture.colour.texels;
   if (texels.empty()) return factor;
-  for (const Sheet::Texel& texel : texels)
+  for (const TextureImage::Texel& texel : texels)
     for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(texels.size());
   for (std::size_t c = 0; c < 3; ++c) factor[c] = mean[c] > 0 ? std::min(1.0, factor[c] / mean[c]) : 1;
   return factor;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/materials/material.h"
-#include "compiler/materials/sheet.h"
+#include "compiler/materials/texture_image.h"
 
 namespace citykiln::materials {
 
@@ -17,14 +17,14 @@ namespace citykiln::materials {
 inline constexpr double kTexturePeriod_m = 64;
 /// Places on textures are multiples of this, so that neighbouring tiles agree to the last bit on single precision, and
 /// on 16 bits.
-inline constexpr double kTexturePlace_m = 0x1p-8;
+inline constexpr double kTextureCoordinateStep_m = 0x1p-8;
 
 struct Texture {
   Material material{};
-  Sheet colour{};  ///< A square; without texels: the material's one colour.
+  TextureImage colour{};  ///< A square; without texels: the material's one colour.
   /// A square of the same side, or none. Texels are (n + 1) / 2 · 255 of the unit normal's part along u, against v (up,
   /// as pictures have it) and outwards.
-  Sheet normal{};
+  TextureImage normal{};
   bool operator==(const Texture&) const = default;
 };
 
@@ -32,12 +32,12 @@ struct Texture {
 double side_m(const Texture& texture);
 
 /// From this tolerance on a texel is larger than what textures show: plain colours, their means, do.
-inline constexpr double kPlainGround_m = 0.25;
+inline constexpr double kUntextured_m = 0.25;
 
 /// Bark is looked at from nearer than all else that is as fine: its texels may be so much smaller than the tolerance.
-inline constexpr double kBarkFiner = 8;
+inline constexpr double kBarkTexelsPerTolerance = 8;
 
-/// Does the material have one at this tolerance, which must be under kPlainGround_m? Its texels are at least as large
+/// Does the material have one at this tolerance, which must be under kUntextured_m? Its texels are at least as large
 /// as the tolerance; of bark, as an eighth of it.
 bool has_texture(Material material, double tolerance_m);
 

@@ -63,8 +63,10 @@ Field fine(const Field& field) {
   return out;
 }
 
-Tones tones(const Field& tone, const Field& relief) { return {within_one(levelled(tone, 2)), levelled(relief, 1)}; }
-Tones fine_tones(const Field& both) { return tones(fine(both), both); }
+PatternFields tones(const Field& tone, const Field& relief) {
+  return {within_one(levelled(tone, 2)), levelled(relief, 1)};
+}
+PatternFields fine_tones(const Field& both) { return tones(fine(both), both); }
 
 template <typename Of>
 Field combined(std::uint32_t side_px, Of of) {
@@ -75,12 +77,12 @@ Field combined(std::uint32_t side_px, Of of) {
   return field;
 }
 
-Tones blades(std::uint32_t px, std::uint64_t key) {
+PatternFields blades(std::uint32_t px, std::uint64_t key) {
   const Field clumps = layered_noise(px, {6, 6}, 2, 0.7, key), detail = layered_noise(px, {24, 24}, 3, 1.0, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return 0.45 * clumps.at(c, r) + detail.at(c, r); }));
 }
 
-Tones tufts(std::uint32_t px, std::uint64_t key) {
+PatternFields tufts(std::uint32_t px, std::uint64_t key) {
   const Cells plants = cells(px, 34, key);
   const Field detail = layered_noise(px, {22, 22}, 3, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -89,7 +91,7 @@ Tones tufts(std::uint32_t px, std::uint64_t key) {
 }
 
 // Sixteen a side: half a metre apart on 8 m.
-Tones rows(std::uint32_t px, std::uint64_t key) {
+PatternFields rows(std::uint32_t px, std::uint64_t key) {
   constexpr double kRows = 16;
   const Field clods = fine(layered_noise(px, {32, 16}, 3, 1.1, key)), sway = gradient_noise(px, {4, 2}, key + 10);
   const auto ridge = [&](std::uint32_t c, std::uint32_t r) {
@@ -99,25 +101,25 @@ Tones rows(std::uint32_t px, std::uint64_t key) {
   return tones(combined(px, [&](auto c, auto r) { return 0.22 * ridge(c, r) + clods.at(c, r); }), relief);
 }
 
-Tones litter(std::uint32_t px, std::uint64_t key) {
+PatternFields litter(std::uint32_t px, std::uint64_t key) {
   const Cells leaves = cells(px, 40, key);
   const Field detail = layered_noise(px, {18, 18}, 3, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return 0.8 * detail.at(c, r) + 0.7 * leaves.chance.at(c, r); }));
 }
 
-Tones mottled(std::uint32_t px, std::uint64_t key) {
+PatternFields mottled(std::uint32_t px, std::uint64_t key) {
   const Field patches = layered_noise(px, {14, 14}, 4, 0.95, key);
   const Cells pebbles = cells(px, 50, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return patches.at(c, r) + 0.35 * pebbles.chance.at(c, r); }));
 }
 
-Tones grains(std::uint32_t px, std::uint64_t key) {
+PatternFields grains(std::uint32_t px, std::uint64_t key) {
   const Field clouds = layered_noise(px, {4, 4}, 3, 0.8, key),
               detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return 0.3 * clouds.at(c, r) + detail.at(c, r); }));
 }
 
-Tones stones(std::uint32_t px, std::uint64_t key) {
+PatternFields stones(std::uint32_t px, std::uint64_t key) {
   const Cells large = cells(px, 26, key);
   const Field detail = layered_noise(px, {px / 4, px / 4}, 2, 1, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -126,7 +128,7 @@ Tones stones(std::uint32_t px, std::uint64_t key) {
 }
 
 // Ridges where noise passes through 0 (Musgrave, in Ebert et al., "Texturing and Modeling", 2003), broken by joints.
-Tones crags(std::uint32_t px, std::uint64_t key) {
+PatternFields crags(std::uint32_t px, std::uint64_t key) {
   Field ridges = flat(px);
   double height = 1;
   for (std::uint32_t waves = 5; waves <= px / 4; waves *= 2, height *= 0.68) {
@@ -154,7 +156,7 @@ Brick brick_at(double u, double v, std::uint32_t across, std::uint32_t along, do
   return {std::min(1.0, edge), chances.at(column * 3 % chances.side_px, row * 5 % chances.side_px)};
 }
 
-Tones slabs(std::uint32_t px, std::uint64_t key) {
+PatternFields slabs(std::uint32_t px, std::uint64_t key) {
   constexpr std::uint32_t kSlabs = 8;
   const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 1, key), chances = cells(32, 32, key + 10).chance;
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -163,7 +165,7 @@ Tones slabs(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-Tones bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along, double joint, std::uint64_t key) {
+PatternFields bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along, double joint, std::uint64_t key) {
   const Field detail = layered_noise(px, {px / 8, px / 8}, 3, 0.9, key), chances = cells(32, 32, key + 10).chance;
   const auto brick = [&](std::uint32_t c, std::uint32_t r) {
     return brick_at((c + 0.5) / px, (r + 0.5) / px, across, along, joint, chances);
@@ -177,7 +179,7 @@ Tones bricks(std::uint32_t px, std::uint32_t across, std::uint32_t along, double
 
 // Trains of waves that come round whole, most of them from one side; the shorter the lower (water.cpp has the sea's
 // spectrum; here its lengths are those that fit).
-Tones waves(std::uint32_t px, std::uint64_t) {
+PatternFields waves(std::uint32_t px, std::uint64_t) {
   struct Train {
     int across, along;
     double phase, height;
@@ -204,7 +206,7 @@ Tones waves(std::uint32_t px, std::uint64_t) {
 // Of noise, how far from where it passes through 0, up to `width`: 0 … 1.
 double off_zero(double noise, double width) { return std::min(1.0, std::abs(noise) / width); }
 
-Tones furrows(std::uint32_t px, std::uint64_t key) {
+PatternFields furrows(std::uint32_t px, std::uint64_t key) {
   const Field wide = gradient_noise(px, {11, 3}, key), narrow = gradient_noise(px, {21, 5}, key + 1),
               cracks = gradient_noise(px, {12, 14}, key + 2), detail = layered_noise(px, {32, 12}, 3, 0.8, key + 10);
   const Field relief = combined(px, [&](auto c, auto r) {
@@ -214,7 +216,7 @@ Tones furrows(std::uint32_t px, std::uint64_t key) {
   return fine_tones(relief);
 }
 
-Tones streaks(std::uint32_t px, std::uint64_t key) {
+PatternFields streaks(std::uint32_t px, std::uint64_t key) {
   const Field across = layered_noise(px, {5, 18}, 3, 0.8, key), detail = layered_noise(px, {24, 24}, 2, 1, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) { return across.at(c, r) + 0.7 * detail.at(c, r); }));
 }
@@ -222,7 +224,7 @@ Tones streaks(std::uint32_t px, std::uint64_t key) {
 // Steps from 0 to 1 where a value passes through `at`.
 double step(double value, double at, double width) { return std::clamp((value - at) / width + 0.5, 0.0, 1.0); }
 
-Tones lenticels(std::uint32_t px, std::uint64_t key) {
+PatternFields lenticels(std::uint32_t px, std::uint64_t key) {
   const Field dashes = gradient_noise(px, {9, 44}, key), bands = layered_noise(px, {4, 30}, 3, 0.9, key + 1);
   const Cells scars = cells(px, 8, key + 2);
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -232,7 +234,7 @@ Tones lenticels(std::uint32_t px, std::uint64_t key) {
 }
 
 // Twice side by side: twice as high as wide.
-Tones plates(std::uint32_t px, std::uint64_t key) {
+PatternFields plates(std::uint32_t px, std::uint64_t key) {
   const Cells large = cells(px, 7, key);
   const Field sway = gradient_noise(px, {9, 7}, key + 1), detail = layered_noise(px, {14, 30}, 3, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -241,7 +243,7 @@ Tones plates(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-Tones flakes(std::uint32_t px, std::uint64_t key) {
+PatternFields flakes(std::uint32_t px, std::uint64_t key) {
   const Cells patches = cells(px, 20, key);
   const Field along = layered_noise(px, {16, 16}, 3, 0.8, key + 1),
               across = layered_noise(px, {16, 16}, 3, 0.8, key + 2),
@@ -255,7 +257,7 @@ Tones flakes(std::uint32_t px, std::uint64_t key) {
   }));
 }
 
-Tones scars(std::uint32_t px, std::uint64_t key) {
+PatternFields scars(std::uint32_t px, std::uint64_t key) {
   constexpr double kScars = 16;
   const Field sway = gradient_noise(px, {5, 4}, key), fibres = layered_noise(px, {40, 8}, 3, 0.9, key + 10);
   return fine_tones(combined(px, [&](auto c, auto r) {
@@ -266,51 +268,51 @@ Tones scars(std::uint32_t px, std::uint64_t key) {
 
 }  // namespace
 
-Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key) {
+PatternFields generate_pattern(TexturePattern pattern, std::uint32_t side_px, std::uint64_t key) {
   switch (pattern) {
-    case Pattern::kBlades:
+    case TexturePattern::kBlades:
       return blades(side_px, key);
-    case Pattern::kTufts:
+    case TexturePattern::kTufts:
       return tufts(side_px, key);
-    case Pattern::kRows:
+    case TexturePattern::kRows:
       return rows(side_px, key);
-    case Pattern::kLitter:
+    case TexturePattern::kLitter:
       return litter(side_px, key);
-    case Pattern::kMottled:
+    case TexturePattern::kMottled:
       return mottled(side_px, key);
-    case Pattern::kGrains:
+    case TexturePattern::kGrains:
       return grains(side_px, key);
-    case Pattern::kStones:
+    case TexturePattern::kStones:
       return stones(side_px, key);
-    case Pattern::kCrags:
+    case TexturePattern::kCrags:
       return crags(side_px, key);
-    case Pattern::kSlabs:
+    case TexturePattern::kSlabs:
       return slabs(side_px, key);
-    case Pattern::kMasonry:
+    case TexturePattern::kMasonry:
       return bricks(side_px, 7, 12, 0.12, key);
-    case Pattern::kBricks:
+    case TexturePattern::kBricks:
       return bricks(side_px, 8, 20, 0.25, key);
-    case Pattern::kTiles:
+    case TexturePattern::kTiles:
       return bricks(side_px, 9, 6, 0.16, key);
-    case Pattern::kWaves:
+    case TexturePattern::kWaves:
       return waves(side_px, key);
-    case Pattern::kFurrows:
+    case TexturePattern::kFurrows:
       return furrows(side_px, key);
-    case Pattern::kStreaks:
+    case TexturePattern::kStreaks:
       return streaks(side_px, key);
-    case Pattern::kLenticels:
+    case TexturePattern::kLenticels:
       return lenticels(side_px, key);
-    case Pattern::kPlates:
+    case TexturePattern::kPlates:
       return plates(side_px, key);
-    case Pattern::kFlakes:
+    case TexturePattern::kFlakes:
       return flakes(side_px, key);
-    case Pattern::kScars:
+    case TexturePattern::kScars:
       return scars(side_px, key);
   }
   return {flat(side_px), flat(side_px)};
 }
 
-Field reduced(const Field& field, std::uint32_t side_px) {
+Field downsampled(const Field& field, std::uint32_t side_px) {
   const std::uint32_t block = field.side_px / side_px;
   if (block <= 1) return field;
   return combined(side_px, [&](auto column, auto row) {

@@ -5,7 +5,7 @@
 
 namespace citykiln::materials {
 
-enum class Pattern : std::uint8_t {
+enum class TexturePattern : std::uint8_t {
   kBlades,   ///< Short grass.
   kTufts,    ///< Long grass, shrubs.
   kRows,     ///< Drilled or ploughed, along v.
@@ -28,19 +28,19 @@ enum class Pattern : std::uint8_t {
   kScars       ///< Rings of leaves that were, a sixteenth apart: palm.
 };
 
-struct Tones {
+struct PatternFields {
   Field tone;    ///< Mean 0, two standard deviations 1 (all 0 where there is nothing to see), within -1 … 1.
   Field relief;  ///< Height, mean 0, standard deviation 1.
 };
 
-inline bool is_bark(Pattern pattern) { return pattern >= Pattern::kFurrows; }
+inline bool is_bark(TexturePattern pattern) { return pattern >= TexturePattern::kFurrows; }
 
 /// Guarantees: repeats without a seam; nothing in it is longer than half a side, so that repeating does not show from
 /// afar; a function of the arguments alone. O(texels).
-Tones tones_of(Pattern pattern, std::uint32_t side_px, std::uint64_t key);
+PatternFields generate_pattern(TexturePattern pattern, std::uint32_t side_px, std::uint64_t key);
 
 /// The field at fewer texels, of which each is the mean of those it takes the place of. @param side_px  Divides its
 /// own.
-Field reduced(const Field& field, std::uint32_t side_px);
+Field downsampled(const Field& field, std::uint32_t side_px);
 
 }  // namespace citykiln::materials

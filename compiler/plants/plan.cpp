@@ -4,42 +4,43 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/habit.h"
-#include "compiler/plants/placing/contour.h"
+#include "compiler/plants/placing/row_heading.h"
+#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 struct WoodRow {
-  SurfaceClass surface;
-  Mix mix;
-  std::uint16_t per_ha;
+  LandCoverClass surface;
+  PlantCommunity community;
+  std::uint16_t trees_per_ha;
   double height_m;
 };
 constexpr WoodRow kWoods[] = {
-#define WOOD(surface, mix, per_ha, height_m) {SurfaceClass::surface, Mix::mix, per_ha, height_m},
-#include "compiler/plants/woods_of.inc"
+#define WOOD(surface, community, trees_per_ha, height_m) \
+  {LandCoverClass::surface, PlantCommunity::community, trees_per_ha, height_m},
+#include "compiler/plants/wood_defaults.inc"
 #undef WOOD
 };
 
 struct PlantingRow {
-  SurfaceClass surface;
+  LandCoverClass surface;
   Species species;
-  double row_m, plant_m, height_m;
+  double row_spacing_m, plant_spacing_m, height_m;
 };
 constexpr PlantingRow kPlantings[] = {
-#define PLANTING(surface, species, row_m, plant_m, height_m) \
-  {SurfaceClass::surface, Species::species, row_m, plant_m, height_m},
-#include "compiler/plants/plantings_of.inc"
+#define PLANTING(surface, species, row_spacing_m, plant_spacing_m, height_m) \
+  {LandCoverClass::surface, Species::species, row_spacing_m, plant_spacing_m, height_m},
+#include "compiler/plants/planting_defaults.inc"
 #undef PLANTING
 };
 
 // What fields grow where they tell it.
-constexpr PlantingRow kCrops[] = {{SurfaceClass::kFarmland, Species::kWheat, 0.5, 0.375, 0.875},
-                                  {SurfaceClass::kFarmland, Species::kMaize, 0.75, 0.375, 2.25},
-                                  {SurfaceClass::kFarmland, Species::kGrass, 1, 1, 0.375}};
+constexpr PlantingRow kCrops[] = {{LandCoverClass::kFarmland, Species::kWheat, 0.5, 0.375, 0.875},
+                                  {LandCoverClass::kFarmland, Species::kMaize, 0.75, 0.375, 2.25},
+                                  {LandCoverClass::kFarmland, Species::kGrass, 1, 1, 0.375}};
 
 // Trunks of an avenue stand so far behind the kerb.
 constexpr double kBehindKerb_m = 1;
@@ -47,9 +48,9 @@ constexpr double kBehindKerb_m = 1;
 double in_eighths(double v) { return std::floor(v * 8 + 0.5) / 8; }
 
 // As told, else by what else is told; a crown tells as much of trees whose kind nobody knows, taken for the commonest.
-double height_m_of(double told_m, Stock stock, const map::Growth& growth) {
+double height_m_of(double told_m, SpeciesMix species_mix, const map::PlantTags& plant_tags) {
   if (told_m > 0) return told_m;
-  return told_height_m(is_species(stock) ? species_of(stock) : Species::kLime, growth);
+  return height_from_tags_m(is_single_species(species_mix) ? single_species(species_mix) : Species::kLime, plant_tags);
 }
 
 std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
@@ -58,55 +59,57 @@ std::vector<Tree> plan_trees(const map::Features& features, Report& report) {
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     ++account.in, ++account.out;
-    const Stock stock = stock_for(point.growth, stock_of(Mix::kTownTrees));
-    trees.push_back({point.id, point.at, height_m_of(point.height_m, stock, point.growth), stock});
+    const SpeciesMix species_mix = species_mix_for(point.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
+    trees.push_back({point.id, point.at, height_m_of(point.height_m, species_mix, point.plant_tags), species_mix});
   }
   report.account("plants", "tree") = account;
   return trees;
 }
 
-const map::Growth& growth_of(const map::Features& features, const ground::Surface& surface) {
-  static constexpr map::Growth kNothingTold;
+const map::PlantTags& growth_of(const map::Features& features, const ground::LandCoverPolygon& surface) {
+  static constexpr map::PlantTags kNothingTold;
   const auto found = std::ranges::lower_bound(features.areas, surface.id, {}, &map::AreaFeature::id);
-  return found != features.areas.end() && found->id == surface.id ? found->growth : kNothingTold;
+  return found != features.areas.end() && found->id == surface.id ? found->plant_tags : kNothingTold;
 }
 
-std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::Surface> surfaces) {
+std::vector<Wood> plan_woods(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces) {
   std::vector<Wood> woods;
-  for (const ground::Surface& surface : surfaces)
+  for (const ground::LandCoverPolygon& surface : surfaces)
     for (const WoodRow& row : kWoods)
       if (row.surface == surface.surface)
-        woods.push_back(
-            {surface.id, stock_for(growth_of(features, surface), stock_of(row.mix)), row.per_ha, row.height_m});
+        woods.push_back({surface.id, species_mix_for(growth_of(features, surface), species_mix_of(row.community)),
+                         row.trees_per_ha, row.height_m});
   return woods;
 }
 
 // Orchards and nurseries grow what they tell, at distances for its crowns.
-Planting planting_on(const ground::Surface& surface, const PlantingRow& row, const map::Growth& growth,
+Planting planting_on(const ground::LandCoverPolygon& surface, const PlantingRow& row, const map::PlantTags& plant_tags,
                      const map::Heightfield& terrain) {
-  const Stock usual = stock_of(row.species);
-  Planting planting{surface.id, usual, heading_of_rows(surface, terrain), row.row_m, row.plant_m, row.height_m};
-  const Stock told = stock_for(growth, usual);
-  const bool is_told = growth.kind != map::PlantKind::kUntold && told != usual;
-  if (!is_told || (row.surface != SurfaceClass::kOrchard && row.surface != SurfaceClass::kPlantNursery))
+  const SpeciesMix usual = species_mix_of(row.species);
+  Planting planting{surface.id,          usual,       row_heading(surface, terrain), row.row_spacing_m,
+                    row.plant_spacing_m, row.height_m};
+  const SpeciesMix told = species_mix_for(plant_tags, usual);
+  const bool is_told = plant_tags.kind != map::PlantKind::kUnknown && told != usual;
+  if (!is_told || (row.surface != LandCoverClass::kOrchard && row.surface != LandCoverClass::kPlantNursery))
     return planting;
-  const Species species = species_of(planting.stock = told);
-  planting.height_m = in_eighths(usual_height_m(species));
-  planting.row_m = planting.plant_m = std::max(in_eighths(planting.height_m * crown_share(species)), kLeastPlant_m);
+  const Species species = single_species(planting.species_mix = told);
+  planting.height_m = in_eighths(default_height_m(species));
+  planting.row_spacing_m = planting.plant_spacing_m =
+      std::max(in_eighths(planting.height_m * crown_share(species)), kLeastPlantSpacing_m);
   return planting;
 }
 
-std::vector<Planting> plan_plantings(const map::Features& features, std::span<const ground::Surface> surfaces,
+std::vector<Planting> plan_plantings(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
                                      const map::Heightfield& terrain) {
   std::vector<Planting> plantings;
-  for (const ground::Surface& surface : surfaces) {
-    const map::Growth& growth = growth_of(features, surface);
+  for (const ground::LandCoverPolygon& surface : surfaces) {
+    const map::PlantTags& plant_tags = growth_of(features, surface);
     for (const PlantingRow& row : kPlantings)
-      if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, growth, terrain));
+      if (row.surface == surface.surface) plantings.push_back(planting_on(surface, row, plant_tags, terrain));
     for (const PlantingRow& row : kCrops)
-      if (row.surface == surface.surface && growth.kind != map::PlantKind::kUntold &&
-          stock_for(growth, {}) == stock_of(row.species))
-        plantings.push_back(planting_on(surface, row, growth, terrain));
+      if (row.surface == surface.surface && plant_tags.kind != map::PlantKind::kUnknown &&
+          species_mix_for(plant_tags, {}) == species_mix_of(row.species))
+        plantings.push_back(planting_on(surface, row, plant_tags, terrain));
   }
   return plantings;
 }
@@ -127,18 +130,18 @@ Polyline beside(const Polyline& axis, double left_m) {
 }
 
 // Left ones are named apart from those on the right.
-void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<Row>& rows) {
+void add_avenue(const roads::Road& road, map::TreeSides sides, std::vector<TreeRow>& rows) {
   const std::uint32_t part = 2 * road.id.part;
   const auto add = [&](double left_m, std::uint32_t number) {
     Polyline line = beside(road.axis, left_m);
     if (line.size() >= 2)
-      rows.push_back({{road.id.osm, part + number}, std::move(line), stock_of(Mix::kTownTrees), 0, 0});
+      rows.push_back({{road.id.osm, part + number}, std::move(line), species_mix_of(PlantCommunity::kTownTrees), 0, 0});
   };
   if (sides != map::TreeSides::kRight) add(roads::left_m(road) + kBehindKerb_m, 0);
   if (sides != map::TreeSides::kLeft) add(-roads::right_m(road) - kBehindKerb_m, 1);
 }
 
-void add_avenues(const map::Features& features, std::span<const roads::Road> roads, std::vector<Row>& rows) {
+void add_avenues(const map::Features& features, std::span<const roads::Road> roads, std::vector<TreeRow>& rows) {
   for (const roads::Road& road : roads) {
     const auto found = std::ranges::lower_bound(features.tracks, ObjectId{road.id.osm, 0}, {}, &map::Track::id);
     if (found == features.tracks.end() || found->id.osm != road.id.osm || found->trees == map::TreeSides::kNone)
@@ -147,14 +150,14 @@ void add_avenues(const map::Features& features, std::span<const roads::Road> roa
   }
 }
 
-std::vector<Row> plan_rows(const map::Features& features, std::span<const roads::Road> roads, Report& report) {
-  std::vector<Row> rows;
+std::vector<TreeRow> plan_rows(const map::Features& features, std::span<const roads::Road> roads, Report& report) {
+  std::vector<TreeRow> rows;
   Account account;
   for (const map::TreeRow& row : features.tree_rows) {
     ++account.in, ++account.out;
-    const Stock stock = stock_for(row.growth, stock_of(Mix::kTownTrees));
-    rows.push_back(
-        {row.id, row.axis, stock, in_eighths(height_m_of(row.height_m, stock, row.growth)), in_eighths(row.spacing_m)});
+    const SpeciesMix species_mix = species_mix_for(row.plant_tags, species_mix_of(PlantCommunity::kTownTrees));
+    rows.push_back({row.id, row.axis, species_mix, in_eighths(height_m_of(row.height_m, species_mix, row.plant_tags)),
+                    in_eighths(row.spacing_m)});
   }
   report.account("plants", "row") = account;
   add_avenues(features, roads, rows);
@@ -163,7 +166,7 @@ std::vector<Row> plan_rows(const map::Features& features, std::span<const roads:
 
 }  // namespace
 
-Plants plan(const map::Features& features, std::span<const ground::Surface> surfaces,
+Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report) {
   Plants plants{plan_trees(features, report),
                 plan_woods(features, surfaces),
@@ -171,11 +174,11 @@ Plants plan(const map::Features& features, std::span<const ground::Surface> surf
                 plan_rows(features, roads, report),
                 {}};
   for (const map::PowerLine& line : features.power_lines)
-    plants.lanes.push_back({line.id, line.axis, in_eighths(line.lane_m)});
+    plants.corridors.push_back({line.id, line.axis, in_eighths(line.corridor_m)});
   std::ranges::stable_sort(plants.trees, {}, &Tree::id);
   std::ranges::stable_sort(plants.woods, {}, &Wood::surface);
   std::ranges::stable_sort(plants.plantings, {}, &Planting::surface);
-  std::ranges::stable_sort(plants.rows, {}, &Row::id);
+  std::ranges::stable_sort(plants.rows, {}, &TreeRow::id);
   return plants;
 }
 

@@ -13,17 +13,17 @@
 namespace citykiln::plants {
 
 struct Plants {
-  std::vector<Tree> trees;          ///< Sorted by id.
-  std::vector<Wood> woods;          ///< Sorted by surface.
-  std::vector<Planting> plantings;  ///< Sorted by surface.
-  std::vector<Row> rows;            ///< Sorted by id.
-  std::vector<Lane> lanes;          ///< Sorted by id.
+  std::vector<Tree> trees;                   ///< Sorted by id.
+  std::vector<Wood> woods;                   ///< Sorted by surface.
+  std::vector<Planting> plantings;           ///< Sorted by surface.
+  std::vector<TreeRow> rows;                 ///< Sorted by id.
+  std::vector<PowerLineCorridor> corridors;  ///< Sorted by id.
 };
 
 /// Single trees and rows as tagged, and along streets that tell they are lined with trees; a wood (woods_of.inc) or
 /// rows (plantings_of.inc, crops) for every surface whose class or tags say so. Ledger "plants/tree", "plants/row".
 /// Total. O(n log n).
-Plants plan(const map::Features& features, std::span<const ground::Surface> surfaces,
+Plants plan(const map::Features& features, std::span<const ground::LandCoverPolygon> surfaces,
             std::span<const roads::Road> roads, const map::Heightfield& terrain, Report& report);
 
 }  // namespace citykiln::plants

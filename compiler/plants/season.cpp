@@ -12,7 +12,7 @@ using Thousandths = std::array<int, 3>;
 
 struct PhaseRow {
   char letter;
-  Phase phase;
+  SeasonState state;
 };
 
 struct YearRow {
@@ -22,17 +22,18 @@ struct YearRow {
 };
 
 constexpr PhaseRow kPhases[] = {
-#define PHASE(letter, leafage, young, turned, stature) {letter, {leafage, young, turned, stature, {}, {}}},
+#define PHASE(letter, leaf_share, young, turned, height_share) \
+  {letter, {leaf_share, young, turned, height_share, {}, {}}},
 #define YEAR(species, months, yr, yg, yb, tr, tg, tb)
-#include "compiler/plants/years.inc"
+#include "compiler/plants/phenology.inc"
 #undef YEAR
 #undef PHASE
 };
 
 constexpr YearRow kYears[] = {
-#define PHASE(letter, leafage, young, turned, stature)
+#define PHASE(letter, leaf_share, young, turned, height_share)
 #define YEAR(species, months, yr, yg, yb, tr, tg, tb) {Species::species, months, {yr, yg, yb}, {tr, tg, tb}},
-#include "compiler/plants/years.inc"
+#include "compiler/plants/phenology.inc"
 #undef YEAR
 #undef PHASE
 };
@@ -40,8 +41,8 @@ constexpr YearRow kYears[] = {
 constexpr bool is_phase(char letter) {
   return std::ranges::any_of(kPhases, [&](const PhaseRow& row) { return row.letter == letter; });
 }
-static_assert(std::ranges::all_of(kYears, [](const YearRow& year) {
-  return year.months.size() == 12 && year.months[5] == 's' && std::ranges::all_of(year.months, is_phase);
+static_assert(std::ranges::species_in(kYears, [](const YearRow& year) {
+  return year.months.size() == 12 && year.months[5] == 's' && std::ranges::species_in(year.months, is_phase);
 }));
 
 // How far each variant is ahead of the mean where leaves turn; the first two, which are all that some levels have, as
@@ -60,15 +61,15 @@ Month month_for(std::string_view time, double latitude_deg) {
   return static_cast<Month>(latitude_deg > 0 ? month : (month + 5) % 12 + 1);
 }
 
-Phase phase_of(Prototype prototype, Month month) {
+SeasonState season_state_of(Prototype prototype, Month month) {
   const auto year = std::ranges::find(kYears, prototype.species, &YearRow::species);
   if (year == std::end(kYears)) return {};
   const char letter = year->months[(static_cast<std::size_t>(month) + 11) % 12];
-  Phase phase = std::ranges::find(kPhases, letter, &PhaseRow::letter)->phase;
-  phase.young_leaf = year->young, phase.turned_leaf = year->turned;
-  if (phase.turned > 0 && phase.turned < 1)
-    phase.turned = std::clamp(phase.turned + kAhead[prototype.variant % kVariants], 0.0, 1.0);
-  return phase;
+  SeasonState state = std::ranges::find(kPhases, letter, &PhaseRow::letter)->state;
+  state.young_leaf = year->young, state.turned_leaf = year->turned;
+  if (state.turned > 0 && state.turned < 1)
+    state.turned = std::clamp(state.turned + kAhead[prototype.variant % kVariants], 0.0, 1.0);
+  return state;
 }
 
 }  // namespace citykiln::plants

@@ -17,15 +17,15 @@ inline constexpr Month kMidsummer{6};
 Month month_for(std::string_view time, double latitude_deg);
 
 /// As a multiple of what species_looks.inc tells, and linear reflectance in thousandths.
-struct Phase {
-  double leafage = 1;            ///< Leaves that there are; 0: bare twigs.
+struct SeasonState {
+  double leaf_share = 1;         ///< LeafForm that there are; 0: bare twigs.
   double young = 0, turned = 0;  ///< Shares of those colours in the leaves'.
-  double stature = 1;            ///< Of the plant's height; 0: nothing stands.
+  double height_share = 1;       ///< Of the plant's height; 0: nothing stands.
   std::array<int, 3> young_leaf{}, turned_leaf{};
 };
 
 /// years.inc. Variants of a species turn one after the other. Whole summer plants for who is evergreen, and in
 /// midsummer.
-Phase phase_of(Prototype prototype, Month month);
+SeasonState season_state_of(Prototype prototype, Month month);
 
 }  // namespace citykiln::plants

@@ -4,7 +4,7 @@ namespace citykiln::plants {
 
 const SpeciesValues& values_of(Species species) {
   static constexpr SpeciesValues kValues[] = {
-#define SPECIES(name, file, leaves, height_m, tallest_m) {file, Leaves::leaves, height_m, tallest_m},
+#define SPECIES(name, file, leaves, height_m, tallest_m) {file, LeafForm::leaves, height_m, tallest_m},
 #include "compiler/plants/species.inc"
 #undef SPECIES
   };

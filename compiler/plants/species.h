@@ -14,11 +14,11 @@ enum class Species : std::uint8_t {
   kCount
 };
 
-enum class Leaves : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
+enum class LeafForm : std::uint8_t { kBroad, kNeedle, kPalm, kBlade };
 
 struct SpeciesValues {
   std::string_view file;  ///< Without ".lsys".
-  Leaves leaves{};
+  LeafForm leaves{};
   double height_m = 0;   ///< That the file grows it to.
   double tallest_m = 0;  ///< None is drawn taller.
 };

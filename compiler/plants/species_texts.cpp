@@ -12,11 +12,11 @@ std::span<const SpeciesText> shipped_species() {
   return texts;
 }
 
-std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges) {
+std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges) {
   std::set<Species> drawn;
   const auto add_all = [&](const auto& recipes) {
     for (const auto& recipe : recipes)
-      for (const Species species : all_of(recipe.stock)) drawn.insert(species);
+      for (const Species species : species_in(recipe.species_mix)) drawn.insert(species);
   };
   add_all(plants.trees), add_all(plants.woods), add_all(plants.plantings), add_all(plants.rows);
   // at the rims of forests

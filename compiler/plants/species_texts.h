@@ -20,6 +20,6 @@ struct SpeciesText {
 std::span<const SpeciesText> shipped_species();
 
 /// The files of all that may be drawn in a scene, sorted by name.
-std::vector<SpeciesText> species_for(const Plants& plants, bool has_hedges);
+std::vector<SpeciesText> species_texts_for(const Plants& plants, bool has_hedges);
 
 }  // namespace citykiln::plants

@@ -3,13 +3,13 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/props/expand.h"
+#include "compiler/props/generate.h"
 
 namespace citykiln::props {
 namespace {
 
-using materials::DressedMesh;
 using materials::Material;
+using materials::MaterialMesh;
 
 // A cross-section, counter-clockwise seen from the end of what is made of it.
 using Section = std::vector<Vec3>;
@@ -98,17 +98,17 @@ void add_arm(Mesh& metal, Mesh& glass, int detail) {
 
 }  // namespace
 
-Expanded lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
+GeneratedProp lamp_mesh(LampKind kind, double height_m, double tolerance_m) {
   if (height_m <= tolerance_m) return {{}, height_m};
   const bool has_arm = kind == LampKind::kArm;
   const Details& errors = has_arm ? kArmErrors : kPostTopErrors;
   int detail = 2;
   while (errors[detail] * height_m > tolerance_m) --detail;
-  DressedMesh metal{{}, Material::kPaintedMetal, materials::kNoTint, {}},
+  MaterialMesh metal{{}, Material::kPaintedMetal, materials::kNoTint, {}},
       glass{{}, Material::kLampGlass, materials::kNoTint, {}};
   add_pole(metal.mesh, detail, has_arm ? 0.955 : 0.91);
   has_arm ? add_arm(metal.mesh, glass.mesh, detail) : add_lantern(metal.mesh, glass.mesh, detail);
-  Expanded lamp{{std::move(metal)}, errors[detail] * height_m};
+  GeneratedProp lamp{{std::move(metal)}, errors[detail] * height_m};
   if (!glass.mesh.triangles.empty()) lamp.meshes.push_back(std::move(glass));
   return lamp;
 }

@@ -9,8 +9,8 @@
 namespace citykiln::props {
 namespace {
 
-using map::SurfaceClass;
-using map::SurfaceGroup;
+using map::LandCoverClass;
+using map::LandCoverGroup;
 using roads::Road;
 
 constexpr double kBehindKerb_m = 0.5, kBeyondEdge_m = 0.75;
@@ -22,10 +22,10 @@ constexpr double kBesideStreet_m = 6;
 constexpr double kFacingReach_m = 12;
 constexpr Lighting kElsewhere = {0, 6, LampKind::kPostTop};
 
-SurfaceGroup group_of(SurfaceClass surface) { return map::values_of(surface).group; }
-bool is_path(const Road& road) { return group_of(road.surface) == SurfaceGroup::kPath; }
+LandCoverGroup group_of(LandCoverClass surface) { return map::values_of(surface).group; }
+bool is_path(const Road& road) { return group_of(road.surface) == LandCoverGroup::kPath; }
 bool is_street(const Road& road) {
-  return group_of(road.surface) == SurfaceGroup::kRoad && road.surface != SurfaceClass::kRunway;
+  return group_of(road.surface) == LandCoverGroup::kRoad && road.surface != LandCoverClass::kRunway;
 }
 
 enum class Side : std::uint8_t { kLeft, kRight };
@@ -61,14 +61,14 @@ bool stands_in(const Box2& box, Vec2 p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
 }
 
-// A straight piece of a road: `length_m` is what passed_m counts it as.
+// A straight piece of a road: `length_m` is what start_along_m counts it as.
 struct Piece {
   Vec2 a, b;
-  double passed_m, length_m;
+  double start_along_m, length_m;
 };
 
 StreetLamp lamp_on(const Road& road, const Piece& piece, const Lighting& lighting, std::int64_t number) {
-  const double along_m = (static_cast<double>(number) + 0.5) * lighting.spacing_m - piece.passed_m;
+  const double along_m = (static_cast<double>(number) + 0.5) * lighting.spacing_m - piece.start_along_m;
   const Side side = lit_side(road, number);
   const Vec2 left = left_of(unit(piece.b - piece.a)), out = side == Side::kLeft ? left : left * -1.0;
   const Vec2 on_axis = piece.a + (piece.b - piece.a) * (along_m / piece.length_m);
@@ -91,7 +91,7 @@ Numbers numbers_near(const Piece& piece, const Lighting& lighting, const Box2& r
   const double foot_m = dot(reach.centre() - piece.a, unit(piece.b - piece.a));
   const double around_m = length(reach.max - reach.min) / 2 + 1;
   const double from_m = std::max(0.0, foot_m - around_m), to_m = std::min(piece.length_m, foot_m + around_m);
-  return numbers_between(piece.passed_m + from_m, piece.passed_m + to_m, lighting.spacing_m);
+  return numbers_between(piece.start_along_m + from_m, piece.start_along_m + to_m, lighting.spacing_m);
 }
 
 void add_lamps(std::vector<StreetLamp>& lamps, const Road& road, const Piece& piece, const Box2& box,
@@ -154,23 +154,23 @@ bool is_near(std::span<const Lamp> lamps, Vec2 p, double reach_m) {
 }
 
 // Foot paths may be a street's pavement, mapped for itself.
-bool bears_lamps(SurfaceClass surface) {
+bool bears_lamps(LandCoverClass surface) {
   switch (group_of(surface)) {
-    case SurfaceGroup::kRoad:
-    case SurfaceGroup::kRail:
-    case SurfaceGroup::kWater:
-    case SurfaceGroup::kBuilding:
+    case LandCoverGroup::kRoad:
+    case LandCoverGroup::kRail:
+    case LandCoverGroup::kWater:
+    case LandCoverGroup::kBuilding:
       return false;
-    case SurfaceGroup::kPath:
-      return surface == SurfaceClass::kFootPath || surface == SurfaceClass::kPavedFootPath;
+    case LandCoverGroup::kPath:
+      return surface == LandCoverClass::kFootPath || surface == LandCoverClass::kPavedFootPath;
     default:
-      return surface != SurfaceClass::kParkingLane;
+      return surface != LandCoverClass::kParkingLane;
   }
 }
 
-bool has_room(const ground::SurfaceMap& map, Vec2 p) {
-  const std::uint32_t top = ground::surface_at(map, p);
-  return top == ground::kNoSurface || bears_lamps(map.surfaces[top].surface);
+bool has_room(const ground::LandCoverIndex& map, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(map, p);
+  return top == ground::kNoLandCover || bears_lamps(map.surfaces[top].surface);
 }
 
 // What a mapped lamp lights.
@@ -201,41 +201,41 @@ StreetLamp standing(const Lamp& lamp, const Lit& lit) {
 
 }  // namespace
 
-Lighting lighting_of(SurfaceClass surface) {
+Lighting lighting_of(LandCoverClass surface) {
   switch (surface) {
-    case SurfaceClass::kMotorwayRoad:
+    case LandCoverClass::kMotorwayRoad:
       return {40, 12, LampKind::kArm};
-    case SurfaceClass::kPrimaryRoad:
+    case LandCoverClass::kPrimaryRoad:
       return {35, 10, LampKind::kArm};
-    case SurfaceClass::kSecondaryRoad:
+    case LandCoverClass::kSecondaryRoad:
       return {32, 10, LampKind::kArm};
-    case SurfaceClass::kTertiaryRoad:
+    case LandCoverClass::kTertiaryRoad:
       return {30, 8, LampKind::kArm};
-    case SurfaceClass::kRunway:
+    case LandCoverClass::kRunway:
       return {};
     default:
       break;
   }
-  if (group_of(surface) == SurfaceGroup::kRoad) return {25, 6, LampKind::kPostTop};
-  if (group_of(surface) == SurfaceGroup::kPath) return {20, 4, LampKind::kPostTop};
+  if (group_of(surface) == LandCoverGroup::kRoad) return {25, 6, LampKind::kPostTop};
+  if (group_of(surface) == LandCoverGroup::kPath) return {20, 4, LampKind::kPostTop};
   return {};
 }
 
 std::vector<StreetLamp> lamps_along(const Road& road, const Box2& box) {
   std::vector<StreetLamp> lamps;
   if (!road.is_lit || lighting_of(road.surface).spacing_m == 0) return lamps;
-  const Box2 reach = box.widened(breadth_m(road) + kBeyondEdge_m);
-  double passed_m = road.passed_m;
+  const Box2 reach = box.widened(max_offset_m(road) + kBeyondEdge_m);
+  double start_along_m = road.start_along_m;
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
     const double length_m = snapped(distance(road.axis[i], road.axis[i + 1]));
-    add_lamps(lamps, road, {road.axis[i], road.axis[i + 1], passed_m, length_m}, box, reach);
-    passed_m += length_m;
+    add_lamps(lamps, road, {road.axis[i], road.axis[i + 1], start_along_m, length_m}, box, reach);
+    start_along_m += length_m;
   }
   return lamps;
 }
 
 std::vector<StreetLamp> lamps_of_streets(std::span<const Road> roads, std::span<const Lamp> mapped,
-                                         const ground::SurfaceMap& surfaces, const Box2& box) {
+                                         const ground::LandCoverIndex& surfaces, const Box2& box) {
   const std::vector<Reaching> streets = lit_streets(roads);
   std::vector<StreetLamp> lamps;
   for (const Road& road : roads)

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/props/recipe.h"
 #include "compiler/roads/recipe.h"
 
@@ -32,7 +32,7 @@ struct Lighting {
   double height_m = 0;
   LampKind kind{};
 };
-Lighting lighting_of(map::SurfaceClass surface);
+Lighting lighting_of(map::LandCoverClass surface);
 
 /// A lamp that stands somewhere.
 struct StreetLamp {
@@ -63,7 +63,7 @@ std::vector<StreetLamp> lamps_along(const roads::Road& road, const Box2& box);
 /// @param surfaces  Must cover the box.
 /// Total. O(segments + lamps * (roads + mapped)).
 std::vector<StreetLamp> lamps_of_streets(std::span<const roads::Road> roads, std::span<const Lamp> mapped,
-                                         const ground::SurfaceMap& surfaces, const Box2& box);
+                                         const ground::LandCoverIndex& surfaces, const Box2& box);
 
 /// Mapped lamps as they stand: each faces the nearest place on the axis of a street within 12 m, where there is none of
 /// a path, where there is none +x; of equally near ones that of the first road. That road says the kind, and the height

@@ -9,10 +9,10 @@
 namespace citykiln::props {
 namespace {
 
-using map::SurfaceClass;
-using map::SurfaceGroup;
-using materials::DressedMesh;
+using map::LandCoverClass;
+using map::LandCoverGroup;
 using materials::Material;
+using materials::MaterialMesh;
 
 constexpr std::array kSides_m = {1.5, 1.25, 1.0, 0.75};
 
@@ -34,13 +34,13 @@ Corners corners_of(const TreePit& pit, double side_m) {
   return {pit.at - along - left, pit.at + along - left, pit.at + along + left, pit.at - along + left};
 }
 
-bool is_on_paving(const ground::SurfaceMap& surfaces, Vec2 p) {
-  const std::uint32_t top = ground::surface_at(surfaces, p);
-  return top != ground::kNoSurface && is_paving(surfaces.surfaces[top].surface);
+bool is_on_paving(const ground::LandCoverIndex& surfaces, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(surfaces, p);
+  return top != ground::kNoLandCover && is_paving(surfaces.surfaces[top].surface);
 }
 
 // Nothing in a map is so narrow that it passes between corners and middles of sides.
-bool has_paving_about(const ground::SurfaceMap& surfaces, const TreePit& pit) {
+bool has_paving_about(const ground::LandCoverIndex& surfaces, const TreePit& pit) {
   const Corners corners = corners_of(pit, pit.side_m);
   for (std::size_t i = 0; i < 4; ++i)
     if (!is_on_paving(surfaces, corners[i]) || !is_on_paving(surfaces, (corners[i] + corners[(i + 1) % 4]) * 0.5))
@@ -62,8 +62,8 @@ Axes axes_of(std::span<const roads::Road> roads) {
   Axes axes;
   std::vector<Box2> boxes;
   for (const roads::Road& road : roads) {
-    const SurfaceGroup group = map::values_of(road.surface).group;
-    if (group != SurfaceGroup::kRoad && group != SurfaceGroup::kPath) continue;
+    const LandCoverGroup group = map::values_of(road.surface).group;
+    if (group != LandCoverGroup::kRoad && group != LandCoverGroup::kPath) continue;
     for (std::size_t i = 0; i + 1 < road.axis.size(); ++i) {
       axes.segments.push_back({road.axis[i], road.axis[i + 1]});
       boxes.push_back(box_of(std::array{road.axis[i], road.axis[i + 1]}).widened(kRoadReach_m));
@@ -98,12 +98,12 @@ bool is_apart(std::span<const TreePit> pits, std::span<const std::uint32_t> of_t
   });
 }
 
-Vec3 on_ground(const ground::Carving& ground, Vec2 p, double up_m) {
+Vec3 on_ground(const ground::GradedTerrain& ground, Vec2 p, double up_m) {
   return snapped(at_height(p, land_m(ground, p) + up_m));
 }
 
 // Steep or bent paving has steps and walls, no pits.
-bool is_even(const TreePit& pit, const ground::Carving& ground) {
+bool is_even(const TreePit& pit, const ground::GradedTerrain& ground) {
   constexpr double kSteepest = 0.25;
   const Corners c = corners_of(pit, pit.side_m);
   std::array<double, 4> z_m;
@@ -123,16 +123,16 @@ void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std
   mesh.triangles.push_back({a, c, d});
 }
 
-DressedMesh soil_of(const TreePit& pit, const ground::Carving& ground, double side_m) {
-  DressedMesh soil{{}, Material::kEarth, materials::kNoTint, pit.feature};
+MaterialMesh soil_of(const TreePit& pit, const ground::GradedTerrain& ground, double side_m) {
+  MaterialMesh soil{{}, Material::kEarth, materials::kNoTint, pit.feature};
   for (const Vec2 p : corners_of(pit, side_m)) soil.mesh.positions.push_back(on_ground(ground, p, kSoil_m));
   add_quad(soil.mesh, 0, 1, 2, 3);
   return soil;
 }
 
 // Its outside, its top and its inside.
-DressedMesh edging_of(const TreePit& pit, const ground::Carving& ground) {
-  DressedMesh edging{{}, Material::kStone, materials::kNoTint, pit.feature};
+MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) {
+  MaterialMesh edging{{}, Material::kStone, materials::kNoTint, pit.feature};
   const double inner_m = pit.side_m - 2 * kEdgingWidth_m;
   for (const auto& [side_m, up_m] :
        {std::pair{pit.side_m, -kFoot_m}, {pit.side_m, kEdging_m}, {inner_m, kEdging_m}, {inner_m, kSoil_m}})
@@ -147,17 +147,17 @@ DressedMesh edging_of(const TreePit& pit, const ground::Carving& ground) {
 
 }  // namespace
 
-bool is_paving(SurfaceClass surface) {
+bool is_paving(LandCoverClass surface) {
   switch (surface) {
-    case SurfaceClass::kPavement:
-    case SurfaceClass::kSquare:
-    case SurfaceClass::kPlatform:
-    case SurfaceClass::kParking:
-    case SurfaceClass::kParkingLane:
-    case SurfaceClass::kTrafficIsland:
-    case SurfaceClass::kIsland:
-    case SurfaceClass::kPavedFootPath:
-    case SurfaceClass::kPedestrianStreet:
+    case LandCoverClass::kPavement:
+    case LandCoverClass::kSquare:
+    case LandCoverClass::kPlatform:
+    case LandCoverClass::kParking:
+    case LandCoverClass::kParkingLane:
+    case LandCoverClass::kTrafficIsland:
+    case LandCoverClass::kIsland:
+    case LandCoverClass::kPavedFootPath:
+    case LandCoverClass::kPedestrianStreet:
       return true;
     default:
       return false;
@@ -165,14 +165,14 @@ bool is_paving(SurfaceClass surface) {
 }
 
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
-                               const ground::SurfaceMap& surfaces) {
+                               const ground::LandCoverIndex& surfaces) {
   std::vector<Box2> boxes;
   for (const Placement& tree : trees)
     boxes.push_back(Box2{in_plan(tree.at), in_plan(tree.at)}.widened(2 * kSides_m[0]));
   const BoxGrid near = grid_of(boxes, kBucket_m);
   const Axes axes = axes_of(roads);
   std::vector<TreePit> pits;
-  std::vector<std::uint32_t> of_tree(trees.size(), ground::kNoSurface);
+  std::vector<std::uint32_t> of_tree(trees.size(), ground::kNoLandCover);
   for (std::size_t t = 0; t < trees.size(); ++t) {
     const Vec2 at = in_plan(trees[t].at);
     if (!is_on_paving(surfaces, at) || !is_apart(pits, of_tree, near, at)) continue;
@@ -188,9 +188,9 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
   return pits;
 }
 
-Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m) {
+GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m) {
   if (!is_even(pit, ground)) return {};
-  if (tolerance_m >= kPitsUpTo_m) return {{}, kEdging_m};
+  if (tolerance_m >= kNoTreePits_m) return {{}, kEdging_m};
   if (tolerance_m >= kEdging_m) return {{soil_of(pit, ground, pit.side_m)}, kEdging_m - kSoil_m};
   return {{edging_of(pit, ground), soil_of(pit, ground, pit.side_m - 2 * kEdgingWidth_m)}, 0};
 }

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "compiler/geometry/placement.h"
-#include "compiler/ground/cover/surface_map.h"
-#include "compiler/props/expand.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/props/generate.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::props {
@@ -26,10 +26,10 @@ struct TreePit {
 };
 
 /// From this tolerance on a pit is not seen: its tree hides its colour, and nothing of it is as high.
-inline constexpr double kPitsUpTo_m = 0.25;
+inline constexpr double kNoTreePits_m = 0.25;
 
 /// Is it paving that trees stand in: pavements, squares, parking, pedestrian streets, but no carriageway?
-bool is_paving(map::SurfaceClass surface);
+bool is_paving(map::LandCoverClass surface);
 
 /// The pits of those trees that have paving about them, in their order: along the nearest road or path within 20 m, or
 /// else east; as large as paving allows, from 1.5 m down to 0.75 m. A tree without so much has none, nor has one that
@@ -38,10 +38,10 @@ bool is_paving(map::SurfaceClass surface);
 /// @param surfaces  Must cover the trees and a metre about them.
 /// O(trees · roads near).
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,
-                               const ground::SurfaceMap& surfaces);
+                               const ground::LandCoverIndex& surfaces);
 
 /// On the ground at its corners; nothing where that is steep, or bent between them by over 2 cm. Where the edging is
-/// lower than the tolerance, soil alone; from kPitsUpTo_m on nothing. Error: the edging's height above what is left.
-Expanded expand(const TreePit& pit, const ground::Carving& ground, double tolerance_m);
+/// lower than the tolerance, soil alone; from kNoTreePits_m on nothing. Error: the edging's height above what is left.
+GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m);
 
 }  // namespace citykiln::props

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/roads/junctions/round_places.h"
+#include "compiler/roads/junctions/circular_nodes.h"
 
 namespace citykiln::roads {
 namespace {
@@ -71,13 +71,15 @@ bool is_node(std::span<const Road> roads, const std::vector<Arm>& arms, Family f
 
 }  // namespace
 
-Family family_of(map::SurfaceClass surface) {
-  using map::SurfaceClass;
-  using map::SurfaceGroup;
-  if (surface == SurfaceClass::kRunway) return Family::kOther;
-  if (surface == SurfaceClass::kFarmTrack) return Family::kStreet;
-  const SurfaceGroup group = map::values_of(surface).group;
-  return group == SurfaceGroup::kRoad ? Family::kStreet : group == SurfaceGroup::kPath ? Family::kPath : Family::kOther;
+Family family_of(map::LandCoverClass surface) {
+  using map::LandCoverClass;
+  using map::LandCoverGroup;
+  if (surface == LandCoverClass::kRunway) return Family::kOther;
+  if (surface == LandCoverClass::kFarmTrack) return Family::kStreet;
+  const LandCoverGroup group = map::values_of(surface).group;
+  return group == LandCoverGroup::kRoad   ? Family::kStreet
+         : group == LandCoverGroup::kPath ? Family::kPath
+                                          : Family::kOther;
 }
 
 double left_of(std::span<const Road> roads, const Arm& arm) {
@@ -97,8 +99,8 @@ std::vector<Node> find_nodes(std::span<const Road> roads) {
   return nodes;
 }
 
-std::vector<Ends> ends_of(std::span<const Road> roads) {
-  std::vector<Ends> ends(roads.size());
+std::vector<StripEnds> ends_of(std::span<const Road> roads) {
+  std::vector<StripEnds> ends(roads.size());
   for_each_place(roads, [&](const Passing&, const std::vector<Arm>& arms) {
     if (arms.size() != 2) return;
     for (const auto& [arm, other] : {std::pair(arms[0], arms[1]), std::pair(arms[1], arms[0])}) {

@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::roads {
 
 /// Roads meet within their family: a footpath that ends on a street is no junction of streets.
 enum class Family : std::uint8_t { kStreet, kPath, kOther };
-Family family_of(map::SurfaceClass surface);
+Family family_of(map::LandCoverClass surface);
 
 /// A road as it leaves a place: from axis[vertex] towards axis[vertex + step].
 struct Arm {
@@ -37,7 +37,7 @@ struct Node {
 std::vector<Node> find_nodes(std::span<const Road> roads);
 
 /// How each road's strip ends: with a joint where it goes on into one other road of its family. O(n log n) in vertices.
-std::vector<Ends> ends_of(std::span<const Road> roads);
+std::vector<StripEnds> ends_of(std::span<const Road> roads);
 
 /// Two roads, or both ends of a loop, that go on into each other and meet no third: their ends' arms.
 struct Joint {

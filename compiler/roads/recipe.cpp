@@ -41,16 +41,16 @@ double raised_right_m(const Road& road) { return raised_before_kerb_m(from_the_r
 double paved_left_m(const Road& road) { return raised_left_m(road) - verges_before_pavement_m(road.section.lanes); }
 double paved_right_m(const Road& road) { return raised_right_m(road) - verges_before_pavement_m(from_the_right(road)); }
 
-std::vector<double> distances_along(const Polyline& axis, double passed_m) {
-  std::vector<double> along = {passed_m};
+std::vector<double> distances_along(const Polyline& axis, double start_along_m) {
+  std::vector<double> along = {start_along_m};
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
     along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
   return along;
 }
 
-std::vector<double> distances_along(const Road& road) { return distances_along(road.axis, road.passed_m); }
+std::vector<double> distances_along(const Road& road) { return distances_along(road.axis, road.start_along_m); }
 
-double breadth_m(const Road& road) {
+double max_offset_m(const Road& road) {
   // a mitre of less than a right angle lies within 1.42 of what it bends
   return 1.5 * std::max(left_m(road) + raised_left_m(road), right_m(road) + raised_right_m(road));
 }

@@ -56,12 +56,12 @@ Polyline part_of(const Polyline& axis, Run run) {
 }
 
 // Those that lie along the run, and the ones before and after it: what they allow holds in between.
-std::vector<Pinch> pinches_between(const std::vector<Pinch>& pinches, double from_m, double to_m) {
-  auto first = std::ranges::lower_bound(pinches, from_m, {}, &Pinch::at_m);
-  auto last = std::ranges::upper_bound(pinches, to_m, {}, &Pinch::at_m);
-  if (first != pinches.begin()) --first;
-  if (last != pinches.end()) ++last;
-  std::vector<Pinch> kept(first, last);
+std::vector<WidthLimit> pinches_between(const std::vector<WidthLimit>& width_limits, double from_m, double to_m) {
+  auto first = std::ranges::lower_bound(width_limits, from_m, {}, &WidthLimit::at_m);
+  auto last = std::ranges::upper_bound(width_limits, to_m, {}, &WidthLimit::at_m);
+  if (first != width_limits.begin()) --first;
+  if (last != width_limits.end()) ++last;
+  std::vector<WidthLimit> kept(first, last);
   if (!kept.empty()) kept.front().is_wall = false;
   return kept;
 }
@@ -70,9 +70,9 @@ Road part_of(const Road& road, Run run) {
   const std::vector<double> along = distances_along(road);
   Road part = road;
   part.axis = part_of(road.axis, run);
-  part.passed_m = along[run.first];
-  part.narrowing = {pinches_between(road.narrowing.left, along[run.first], along[run.last]),
-                    pinches_between(road.narrowing.right, along[run.first], along[run.last])};
+  part.start_along_m = along[run.first];
+  part.width_limits = {pinches_between(road.width_limits.left, along[run.first], along[run.last]),
+                       pinches_between(road.width_limits.right, along[run.first], along[run.last])};
   const auto knots = between(road.profile, along[run.first], along[run.last]);
   part.profile.assign(knots.begin(), knots.end());
   std::erase_if(part.points, [&](const map::TrackPoint& p) { return p.vertex < run.first || p.vertex > run.last; });
@@ -81,10 +81,10 @@ Road part_of(const Road& road, Run run) {
 }
 
 Strip part_of(const Strip& strip, Run run) {
-  const std::vector<double> along = distances_along(strip.axis, strip.passed_m);
+  const std::vector<double> along = distances_along(strip.axis, strip.start_along_m);
   Strip part = strip;
   part.axis = part_of(strip.axis, run);
-  part.passed_m = along[run.first];
+  part.start_along_m = along[run.first];
   const auto knots = between(strip.profile, along[run.first], along[run.last]);
   part.profile.assign(knots.begin(), knots.end());
   return part;
@@ -94,7 +94,7 @@ Strip part_of(const Strip& strip, Run run) {
 
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
   // cells look a metre beyond themselves
-  const Box2 near = box.widened(breadth_m(road) + 1);
+  const Box2 near = box.widened(max_offset_m(road) + 1);
   std::vector<Road> parts;
   for (const Run run : with_neighbours(road.axis, runs_near(road.axis, near.widened(halo_m)), near))
     parts.push_back(part_of(road, run));

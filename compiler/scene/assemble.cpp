@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "compiler/contract/for_each_slot.h"
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/trim.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::scene {
 namespace {
@@ -72,7 +72,7 @@ struct Sorted {
       barriers, lamps;
 };
 
-Box2 box_of_surface(const ground::Surface& surface) {
+Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
   Box2 box;
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) box.grow(p);
@@ -80,20 +80,20 @@ Box2 box_of_surface(const ground::Surface& surface) {
 }
 
 Box2 box_of_road(const roads::Road& road) {
-  return citykiln::box_of(road.axis).widened(breadth_m(road) + kRoadHalo_m - kHalo_m);
+  return citykiln::box_of(road.axis).widened(max_offset_m(road) + kRoadHalo_m - kHalo_m);
 }
 
 Box2 box_of_strip(const roads::Strip& strip) {
-  return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kCarve_m);
+  return citykiln::box_of(strip.axis).widened(ground::reach_m(strip) + ground::kGrading_m);
 }
 
 // by_touch() widens by more than matters to plants.
-Box2 near_tile(const Box2& box) { return box.widened(plants::kNear_m - kHalo_m); }
+Box2 near_tile(const Box2& box) { return box.widened(plants::kObstacleInfluence_m - kHalo_m); }
 
 // Where they carve the ground, and in the tile that they are part of, even if that is far off.
 ByTile by_touch_or_anchor(const TileGrid& grid, std::span<const structures::Span> spans) {
   ByTile tiles = by_touch(grid, spans, [](const structures::Span& s) {
-    return citykiln::box_of(s.axis).widened(breadth_m(s) + ground::kCarve_m);
+    return citykiln::box_of(s.axis).widened(max_offset_m(s) + ground::kGrading_m);
   });
   const ByTile anchored = by_anchor(grid, spans, [](const structures::Span& s) { return s.axis.front(); });
   for (std::size_t t = 0; t < tiles.size(); ++t) {
@@ -120,12 +120,12 @@ ByTile barriers_by_tile(const TileGrid& grid, std::span<const props::Barrier> ba
 
 Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(building.footprint.outer).centre(); }
 
-Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::Surface> junctions) {
+Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
   const auto stands = [](const auto& object) { return object.at; };
   return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
           by_touch(grid, std::span(recipes.roads), box_of_road),
           by_touch(grid, junctions, box_of_surface),
-          by_touch(grid, std::span(recipes.streams), box_of_strip),
+          by_touch(grid, std::span(recipes.watercourses), box_of_strip),
           by_touch(grid, std::span(recipes.buildings),
                    [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
           by_anchor(grid, std::span(recipes.buildings), anchor_of),
@@ -136,9 +136,11 @@ Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<cons
                      return near_tile(Box2{t.at, t.at});
                    }),
           by_touch(grid, std::span(recipes.plants.rows),
-                   [](const plants::Row& r) { return near_tile(citykiln::box_of(r.axis)); }),
-          by_touch(grid, std::span(recipes.plants.lanes),
-                   [](const plants::Lane& l) { return near_tile(citykiln::box_of(l.axis).widened(l.width_m / 2)); }),
+                   [](const plants::TreeRow& r) { return near_tile(citykiln::box_of(r.axis)); }),
+          by_touch(grid, std::span(recipes.plants.corridors),
+                   [](const plants::PowerLineCorridor& l) {
+                     return near_tile(citykiln::box_of(l.axis).widened(l.width_m / 2));
+                   }),
           barriers_by_tile(grid, recipes.props.barriers),
           by_anchor(grid, std::span(recipes.props.lamps), stands)};
 }
@@ -150,33 +152,34 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
   return picked;
 }
 
-bool covers_tile(const ground::Surface& surface, const Box2& tile) {
+bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
   return box_of_surface(surface).touches(tile.widened(1));
 }
 
 // A junction whose arms the chunk's roads can tell.
-bool is_told_by_roads(const roads::Junction& junction, const Box2& tile) {
-  const Box2 walked = citykiln::box_of(junction.places).widened(roads::kReach_m), known = tile.widened(kRoadHalo_m);
+bool has_all_arms(const roads::Junction& junction, const Box2& tile) {
+  const Box2 walked = citykiln::box_of(junction.places).widened(roads::kJunctionRadius_m),
+             known = tile.widened(kRoadHalo_m);
   return known.contains(walked.min) && known.contains(walked.max);
 }
 
 // What each junction covers, and the pavements round its corners.
 struct JunctionCovers {
-  std::vector<ground::Surface> surfaces, pavements;
+  std::vector<ground::LandCoverPolygon> surfaces, pavements;
 };
 
 // Areas, and the junctions and footprints of buildings that are not told in this chunk, trimmed.
-std::vector<ground::Surface> surfaces_for(const Recipes& recipes, const Sorted& sorted, const JunctionCovers& junctions,
-                                          std::size_t t, const Box2& tile) {
+std::vector<ground::LandCoverPolygon> surfaces_for(const Recipes& recipes, const Sorted& sorted,
+                                                   const JunctionCovers& junctions, std::size_t t, const Box2& tile) {
   const Box2 reach = tile.widened(kHalo_m);
-  std::vector<ground::Surface> surfaces;
-  const auto add = [&](const ground::Surface& whole) {
-    ground::Surface trimmed = ground::trimmed_to(whole, reach);
+  std::vector<ground::LandCoverPolygon> surfaces;
+  const auto add = [&](const ground::LandCoverPolygon& whole) {
+    ground::LandCoverPolygon trimmed = ground::trimmed_to(whole, reach);
     if (!trimmed.rings.empty()) surfaces.push_back(std::move(trimmed));
   };
   for (const std::uint32_t i : sorted.surfaces[t]) add(recipes.surfaces[i]);
   for (const std::uint32_t i : sorted.junctions[t]) {
-    if (is_told_by_roads(recipes.junctions[i], tile)) continue;
+    if (has_all_arms(recipes.junctions[i], tile)) continue;
     if (covers_tile(junctions.surfaces[i], tile)) add(junctions.surfaces[i]);
     if (covers_tile(junctions.pavements[i], tile)) add(junctions.pavements[i]);
   }
@@ -201,7 +204,7 @@ std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted&
                                            const Box2& tile) {
   std::vector<roads::Junction> told;
   for (const std::uint32_t i : sorted.junctions[t])
-    if (is_told_by_roads(recipes.junctions[i], tile)) told.push_back(recipes.junctions[i]);
+    if (has_all_arms(recipes.junctions[i], tile)) told.push_back(recipes.junctions[i]);
   return told;
 }
 
@@ -209,7 +212,7 @@ std::vector<roads::Junction> junctions_for(const Recipes& recipes, const Sorted&
 JunctionCovers junction_covers(const Recipes& recipes, int threads) {
   const auto arms = roads::arms_of(recipes.junctions, recipes.roads);
   const auto each = [&](auto cover_of_junction) {
-    return for_each_slot<ground::Surface>(recipes.junctions.size(), threads, [&](std::size_t i) {
+    return for_each_slot<ground::LandCoverPolygon>(recipes.junctions.size(), threads, [&](std::size_t i) {
       return cover_of_junction(recipes.junctions[i], recipes.roads, arms[i]);
     });
   };
@@ -218,7 +221,8 @@ JunctionCovers junction_covers(const Recipes& recipes, int threads) {
 
 // What grows on them: woods, plantings.
 template <typename Growing>
-std::vector<Growing> growing_on(const std::vector<ground::Surface>& surfaces, const std::vector<Growing>& all) {
+std::vector<Growing> growing_on(const std::vector<ground::LandCoverPolygon>& surfaces,
+                                const std::vector<Growing>& all) {
   std::vector<Growing> here;
   for (const Growing& growing : all) {
     const auto found = std::lower_bound(surfaces.begin(), surfaces.end(), growing.surface,
@@ -237,7 +241,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.surfaces = surfaces_for(recipes, sorted, junctions, t, tile);
   chunk.roads = strips_for(recipes.roads, sorted.roads[t], tile, kRoadHalo_m);
   chunk.junctions = junctions_for(recipes, sorted, t, tile);
-  chunk.streams = strips_for(recipes.streams, sorted.streams[t], tile, kHalo_m);
+  chunk.watercourses = strips_for(recipes.watercourses, sorted.streams[t], tile, kHalo_m);
   chunk.bridges = pick(recipes.structures.bridges, sorted.bridges[t]);
   chunk.tunnels = pick(recipes.structures.tunnels, sorted.tunnels[t]);
   chunk.buildings = pick(recipes.buildings, sorted.buildings[t]);
@@ -245,7 +249,7 @@ Chunk chunk_of(const Recipes& recipes, const Sorted& sorted, const JunctionCover
   chunk.woods = growing_on(chunk.surfaces, recipes.plants.woods);
   chunk.plantings = growing_on(chunk.surfaces, recipes.plants.plantings);
   chunk.tree_rows = pick(recipes.plants.rows, sorted.tree_rows[t]);
-  chunk.lanes = pick(recipes.plants.lanes, sorted.lanes[t]);
+  chunk.corridors = pick(recipes.plants.corridors, sorted.lanes[t]);
   chunk.barriers = pick(recipes.props.barriers, sorted.barriers[t]);
   chunk.lamps = pick(recipes.props.lamps, sorted.lamps[t]);
   return chunk;

@@ -13,9 +13,9 @@ namespace citykiln::scene {
 /// All that the stages planned, for the whole region.
 struct Recipes {
   map::Heightfield heights;
-  std::vector<ground::Surface> surfaces;
+  std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<roads::Road> roads;
-  std::vector<roads::Strip> streams;
+  std::vector<roads::Strip> watercourses;
   std::vector<roads::Junction> junctions;
   structures::Structures structures;
   std::vector<buildings::Building> buildings;

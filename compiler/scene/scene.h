@@ -54,23 +54,24 @@ struct Header {
 /// roads and footprints are in every chunk they touch (widened by kHalo_m, roads by some metres more), trimmed;
 /// junctions in every chunk within 32 m; bridges and tunnels likewise, whole, and in the chunk of their first point, of
 /// which they are part (is_anchored); trees, tree rows, hedges and lanes, whole, in every chunk they touch widened by
-/// plants::kNear_m; everything else is in the chunk of its anchor alone.
+/// plants::kObstacleInfluence_m; everything else is in the chunk of its anchor alone.
 struct Chunk {
   TileKey tile;
   map::Heightfield heights;
-  std::vector<ground::Surface> surfaces;  ///< Areas, and footprints of buildings that are anchored in other tiles.
+  std::vector<ground::LandCoverPolygon>
+      surfaces;  ///< Areas, and footprints of buildings that are anchored in other tiles.
   std::vector<roads::Road> roads;
-  std::vector<roads::Strip> streams;  ///< Running water.
-  /// Sorted by first arm. All whose arms the roads can tell: those within roads::kKnown_m at least. Others that cover
-  /// ground of the tile are surfaces.
+  std::vector<roads::Strip> watercourses;  ///< Running water.
+  /// Sorted by first arm. All whose arms the roads can tell: those within roads::kJunctionHalo_m at least. Others that
+  /// cover ground of the tile are surfaces.
   std::vector<roads::Junction> junctions;
   std::vector<structures::Span> bridges, tunnels;
-  std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (surfaces_of).
+  std::vector<buildings::Building> buildings;  ///< Their own footprints cover the ground too (coarse_land_cover).
   std::vector<plants::Tree> trees;
   std::vector<plants::Wood> woods;
   std::vector<plants::Planting> plantings;
-  std::vector<plants::Row> tree_rows;
-  std::vector<plants::Lane> lanes;
+  std::vector<plants::TreeRow> tree_rows;
+  std::vector<plants::PowerLineCorridor> corridors;
   std::vector<props::Barrier> barriers;
   std::vector<props::Lamp> lamps;
   bool operator==(const Chunk&) const = default;

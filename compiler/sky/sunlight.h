@@ -1,7 +1,7 @@
 // What is left of the sun's light when it comes through the air.
 #pragma once
 
-#include "compiler/sky/expand.h"
+#include "compiler/sky/generate.h"
 
 namespace citykiln::sky {
 

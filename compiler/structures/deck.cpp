@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/ground/grading/road_field.h"
+#include "compiler/ground/grading/road_influence.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/pieces/lane_strips.h"
 
 namespace citykiln::structures {
 namespace {
 
-using materials::DressedMesh;
+using materials::MaterialMesh;
 using roads::LaneStrip;
 
 // Slabs are at their full thickness from this share of the half width inwards.
@@ -18,12 +18,12 @@ constexpr double kFullThickness = 0.65;
 // Where a deck's edge lies on another deck it stays below that one's road.
 constexpr double kOpenRise_m = -0.03125;
 
-bool is_open(const std::vector<Opening>& openings, double at_m) {
-  return std::ranges::any_of(openings, [&](const Opening& o) { return o.from_m < at_m && at_m < o.to_m; });
+bool is_open(const std::vector<ParapetGap>& openings, double at_m) {
+  return std::ranges::any_of(openings, [&](const ParapetGap& o) { return o.from_m < at_m && at_m < o.to_m; });
 }
 
 bool is_raised(const LaneStrip& strip) {
-  return strip.lanes.empty() ? strip.surface == map::SurfaceClass::kKerb : strip.lanes.front().is_raised;
+  return strip.lanes.empty() ? strip.surface == map::LandCoverClass::kKerb : strip.lanes.front().is_raised;
 }
 
 // Of each strip, above the road's edges: carriageways lie a kerb below what is raised beside them.
@@ -34,10 +34,11 @@ std::vector<double> rises_of(const Span& bridge, const std::vector<LaneStrip>& s
   return rises;
 }
 
-roads::Pattern pattern_of(const Span& bridge, const LaneStrip& strip) {
-  roads::Pattern pattern{strip.surface, strip.lanes, roads::Stretch::kAlong, roads::Control::kNone, bridge.side};
-  pattern.has_kerb_left = strip.has_kerb_left, pattern.has_kerb_right = strip.has_kerb_right;
-  return pattern;
+roads::MarkingLayout marking_layout_of(const Span& bridge, const LaneStrip& strip) {
+  roads::MarkingLayout layout{strip.surface, strip.lanes, roads::StretchKind::kAlong, roads::Control::kNone,
+                              bridge.side};
+  layout.has_kerb_left = strip.has_kerb_left, layout.has_kerb_right = strip.has_kerb_right;
+  return layout;
 }
 
 // u across from the strip's left edge, v along.
@@ -48,18 +49,18 @@ std::vector<Vec2> uvs_of(std::span<const Rib> ribs, double width_m) {
 }
 
 void add_strip(const Span& bridge, std::span<const Rib> ribs, const LaneStrip& strip, double rise_m, bool may_be_marked,
-               Expanded& expanded) {
-  DressedMesh dressed{{}, values_of(strip.surface).material, materials::kNoTint, bridge.id.osm};
+               GeneratedStructure& generated) {
+  MaterialMesh dressed{{}, values_of(strip.surface).material, materials::kNoTint, bridge.id.osm};
   add_band(ribs, {strip.left_m, rise_m}, {strip.right_m, rise_m}, dressed.mesh);
   if (may_be_marked && !strip.lanes.empty()) {
-    roads::Pattern pattern = pattern_of(bridge, strip);
-    if (roads::is_marked(pattern)) {
+    roads::MarkingLayout layout = marking_layout_of(bridge, strip);
+    if (roads::is_marked(layout)) {
       dressed.uvs = uvs_of(ribs, strip.left_m - strip.right_m);
-      expanded.marked.push_back({std::move(dressed), std::move(pattern)});
+      generated.marked.push_back({std::move(dressed), std::move(layout)});
       return;
     }
   }
-  expanded.meshes.push_back(std::move(dressed));
+  generated.meshes.push_back(std::move(dressed));
 }
 
 // The top of the road from left to right, kerbs' faces and all.
@@ -73,7 +74,7 @@ Section top_of(const std::vector<LaneStrip>& strips, const std::vector<double>& 
 }
 
 // All of the slab but its top, from the top's right end round below to its left end.
-Section below_of(const DeckShape& shape, double left_top, double right_top) {
+Section below_of(const DeckDimensions& shape, double left_top, double right_top) {
   const double out_left = shape.left_m + kParapet_m, out_right = -shape.right_m - kParapet_m;
   Section below = {{-shape.right_m, right_top}, {out_right, right_top}, {out_right, -shape.edge_m}};
   if (shape.thickness_m > shape.edge_m) {
@@ -87,14 +88,14 @@ Section below_of(const DeckShape& shape, double left_top, double right_top) {
 
 Mesh slab_of(std::span<const Rib> ribs, const Section& top, const Section& below) {
   Mesh mesh;
-  add_steps(ribs, top, mesh);
+  add_kerb_faces(ribs, top, mesh);
   Section round = below;
   round.insert(round.begin(), top.back());
   round.push_back(top.front());
   for (std::size_t i = 0; i + 1 < round.size(); ++i)
     if (round[i] != round[i + 1]) add_band(ribs, round[i], round[i + 1], mesh);
 
-  const Section whole = outline_of(top, below);
+  const Section whole = closed_section(top, below);
   add_cap(ribs.front(), whole, true, mesh);
   add_cap(ribs.back(), whole, false, mesh);
   return mesh;
@@ -103,22 +104,22 @@ Mesh slab_of(std::span<const Rib> ribs, const Section& top, const Section& below
 }  // namespace
 
 Section add_road(const Span& span, std::span<const Rib> ribs, bool has_kerbs, double lane_tolerance_m,
-                 Expanded& expanded) {
+                 GeneratedStructure& generated) {
   const std::vector<LaneStrip> strips = roads::strips_of(span, lane_tolerance_m);
   const std::vector<double> rises = rises_of(span, strips, has_kerbs);
-  for (std::size_t i = 0; i < strips.size(); ++i) add_strip(span, ribs, strips[i], rises[i], has_kerbs, expanded);
+  for (std::size_t i = 0; i < strips.size(); ++i) add_strip(span, ribs, strips[i], rises[i], has_kerbs, generated);
   return top_of(strips, rises);
 }
 
-void add_steps(std::span<const Rib> ribs, const Section& road, Mesh& mesh) {
+void add_kerb_faces(std::span<const Rib> ribs, const Section& road, Mesh& mesh) {
   for (std::size_t i = 1; i + 1 < road.size(); i += 2)
     if (road[i] != road[i + 1]) add_band(ribs, road[i], road[i + 1], mesh);
 }
 
-std::vector<Rib> with_openings(const Span& bridge, std::span<const Rib> ribs) {
+std::vector<Rib> split_at_gaps(const Span& bridge, std::span<const Rib> ribs) {
   std::vector<Rib> all(ribs.begin(), ribs.end());
-  for (const auto* side : {&bridge.left_open, &bridge.right_open})
-    for (const Opening& o : *side)
+  for (const auto* side : {&bridge.left_gaps, &bridge.right_gaps})
+    for (const ParapetGap& o : *side)
       for (const double at_m : {o.from_m, o.to_m})
         if (ribs.front().along_m < at_m && at_m < ribs.back().along_m) all.push_back(rib_at(ribs, at_m));
   std::ranges::stable_sort(all, {}, &Rib::along_m);
@@ -130,7 +131,7 @@ std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs) {
   std::vector<EdgeRun> runs;
   for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
     const double middle_m = (ribs[i].along_m + ribs[i + 1].along_m) / 2;
-    const bool left = is_open(bridge.left_open, middle_m), right = is_open(bridge.right_open, middle_m);
+    const bool left = is_open(bridge.left_gaps, middle_m), right = is_open(bridge.right_gaps, middle_m);
     if (runs.empty() || runs.back().is_left_open != left || runs.back().is_right_open != right)
       runs.push_back({{ribs[i]}, left, right});
     runs.back().ribs.push_back(ribs[i + 1]);
@@ -138,7 +139,7 @@ std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs) {
   return runs;
 }
 
-Section outline_of(const Section& road, const Section& round) {
+Section closed_section(const Section& road, const Section& round) {
   Section outline = road;
   outline.insert(outline.end(), round.begin(), round.end());
   outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
@@ -146,14 +147,14 @@ Section outline_of(const Section& road, const Section& round) {
   return outline;
 }
 
-void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, const DeckDetail& detail,
-              double lane_tolerance_m, Expanded& expanded) {
-  const Section top = add_road(bridge, ribs, detail.has_kerbs, lane_tolerance_m, expanded);
+void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& shape, const DeckDetail& detail,
+              double lane_tolerance_m, GeneratedStructure& generated) {
+  const Section top = add_road(bridge, ribs, detail.has_kerbs, lane_tolerance_m, generated);
   if (!detail.has_slab) return;
   for (const EdgeRun& run : edge_runs(bridge, ribs)) {
     const auto edge = [&](bool is_open) { return !detail.has_parapets ? 0 : is_open ? kOpenRise_m : shape.parapet_m; };
     const Section below = below_of(shape, edge(run.is_left_open), edge(run.is_right_open));
-    expanded.meshes.push_back(
+    generated.meshes.push_back(
         {slab_of(run.ribs, top, below), materials::Material::kConcrete, materials::kNoTint, bridge.id.osm});
   }
 }

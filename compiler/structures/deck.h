@@ -1,8 +1,8 @@
 // The deck of a bridge: its road, and the slab with parapets that closes it from below.
 #pragma once
 
-#include "compiler/structures/deck_shape.h"
-#include "compiler/structures/expand.h"
+#include "compiler/structures/deck_dimensions.h"
+#include "compiler/structures/generate.h"
 
 namespace citykiln::structures {
 
@@ -15,13 +15,13 @@ struct DeckDetail {
 /// @param has_kerbs         False: what is raised lies level with the carriageway, and nothing is marked.
 /// @param lane_tolerance_m  Strips that are narrower are part of their neighbours.
 Section add_road(const Span& span, std::span<const Rib> ribs, bool has_kerbs, double lane_tolerance_m,
-                 Expanded& expanded);
+                 GeneratedStructure& generated);
 
 /// What stands upright between a road's strips.
-void add_steps(std::span<const Rib> ribs, const Section& road, Mesh& mesh);
+void add_kerb_faces(std::span<const Rib> ribs, const Section& road, Mesh& mesh);
 
 /// A road's section and what goes round from its right end to its left one, as one ring without repeats.
-Section outline_of(const Section& road, const Section& round);
+Section closed_section(const Section& road, const Section& round);
 
 /// A run of ribs along which the same edges have parapets.
 struct EdgeRun {
@@ -32,11 +32,11 @@ struct EdgeRun {
 std::vector<EdgeRun> edge_runs(const Span& bridge, std::span<const Rib> ribs);
 
 /// The ribs, and those where an opening begins or ends.
-std::vector<Rib> with_openings(const Span& bridge, std::span<const Rib> ribs);
+std::vector<Rib> split_at_gaps(const Span& bridge, std::span<const Rib> ribs);
 
 /// Adds the road's strips, and, where there is a slab, what closes them: parapets, edges, underside, both ends.
 /// @param lane_tolerance_m  Strips that are narrower are part of their neighbours.
-void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckShape& shape, const DeckDetail& detail,
-              double lane_tolerance_m, Expanded& expanded);
+void add_deck(const Span& bridge, std::span<const Rib> ribs, const DeckDimensions& shape, const DeckDetail& detail,
+              double lane_tolerance_m, GeneratedStructure& generated);
 
 }  // namespace citykiln::structures

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compiler/roads/plan.h"
-#include "compiler/structures/bore.h"
 #include "compiler/structures/span_ends.h"
+#include "compiler/structures/tunnel.h"
 
 namespace citykiln::structures {
 namespace {
@@ -36,7 +36,7 @@ Structures plan(const map::Features& features, std::span<const Profile> off_grou
     Span span = span_of(track, off_ground[next], ends[next]);
     ++next;
     const bool is_bridge = track.passage == map::Passage::kBridge;
-    span.is_bored = !is_bridge && lies_under(span, heights);
+    span.is_bored = !is_bridge && is_underground(span, heights);
     if (!is_bridge && !span.is_bored) report.add(Code::kTunnelNotMeshed, track.id.osm);
     (is_bridge ? structures.bridges : structures.tunnels).push_back(std::move(span));
   }

@@ -7,7 +7,7 @@
 
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/plan.h"
 #include "compiler/structures/supports.h"
 
@@ -31,7 +31,7 @@ constexpr int kWaterPriority = 50, kPathPriority = 70;
 
 double quarters(double v) { return std::floor(v * 4 + 0.5) / 4; }
 
-Box2 box_of_surface(const ground::Surface& surface) {
+Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
   Box2 box;
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) box.grow(p);
@@ -52,16 +52,17 @@ struct Placed {
 
 // What is in the way, all over the map.
 struct Site {
-  const ground::Carving& carving;
-  std::vector<const ground::Surface*> standing;  // what somebody would miss
+  const ground::GradedTerrain& graded;
+  std::vector<const ground::LandCoverPolygon*> standing;  // what somebody would miss
   BoxGrid near_standing, near_decks;
   std::vector<DeckPiece> decks;
 };
 
-Site site_of(std::span<const Span> bridges, const ground::Carving& carving, std::span<const ground::Surface> standing) {
-  Site site{carving, {}, {}, {}, {}};
+Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
+             std::span<const ground::LandCoverPolygon> standing) {
+  Site site{graded, {}, {}, {}, {}};
   std::vector<Box2> boxes;
-  for (const ground::Surface& s : standing) {
+  for (const ground::LandCoverPolygon& s : standing) {
     const Box2 box = box_of_surface(s);
     if (box.is_empty() || map::values_of(s.surface).priority < kWaterPriority) continue;
     site.standing.push_back(&s);
@@ -71,7 +72,7 @@ Site site_of(std::span<const Span> bridges, const ground::Carving& carving, std:
   boxes.clear();
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     const std::vector<Rib> ribs = ribs_of(bridges[b]);
-    const DeckShape shape = deck_shape(bridges[b], kShortBay_m);
+    const DeckDimensions shape = deck_dimensions(bridges[b], kShortBay_m);
     const double half_m = std::max(shape.left_m, shape.right_m) + kParapet_m;
     for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
       site.decks.push_back({b, ribs[i], ribs[i + 1], half_m});
@@ -88,10 +89,10 @@ struct Placing {
   std::uint32_t number;
   const Span& bridge;
   std::vector<Rib> ribs;
-  DeckShape shape;
+  DeckDimensions shape;
   Box2 box;
-  std::vector<ground::Surface> near;
-  ground::SurfaceMap map;
+  std::vector<ground::LandCoverPolygon> near;
+  ground::LandCoverIndex map;
 
   // The middle and both ends of a foot, and two between.
   std::vector<Vec2> foot_at(const Rib& rib) const {
@@ -135,7 +136,7 @@ struct Placing {
   double foot_m(const Rib& rib) const {
     double lowest_m = rib.z_m;
     for (const Vec2 p : foot_at(rib)) {
-      const ground::Heights heights = ground::heights_at(site.carving, p);
+      const ground::Heights heights = ground::heights_at(site.graded, p);
       const double land_m = of(heights, ground::HeightLayer::kLand), water_m = of(heights, ground::HeightLayer::kWater);
       lowest_m = std::min(lowest_m, water_m < land_m ? water_m - kDeepInWater_m : land_m - kDeep_m);
     }
@@ -145,13 +146,13 @@ struct Placing {
 
 Placing placing_of(const Site& site, std::uint32_t number, const Span& bridge) {
   const double bay_m = std::clamp(roads::distances_along(bridge).back(), kShortBay_m, kLongBay_m);
-  Placing placing{site, number, bridge, ribs_of(bridge), deck_shape(bridge, bay_m), {}, {}, {}};
+  Placing placing{site, number, bridge, ribs_of(bridge), deck_dimensions(bridge, bay_m), {}, {}, {}};
   placing.box = box_of(bridge.axis).widened(kSee_m);
   for (const std::uint32_t i : boxes_about(site.near_standing, placing.box)) {
-    ground::Surface trimmed = ground::trimmed_to(*site.standing[i], placing.box.widened(1));
+    ground::LandCoverPolygon trimmed = ground::trimmed_to(*site.standing[i], placing.box.widened(1));
     if (!trimmed.rings.empty()) placing.near.push_back(std::move(trimmed));
   }
-  if (!placing.near.empty()) placing.map = ground::map_surfaces(placing.near, placing.box);
+  if (!placing.near.empty()) placing.map = ground::index_land_cover(placing.near, placing.box);
   return placing;
 }
 
@@ -202,9 +203,9 @@ void count(Outcome outcome, const Span& bridge, double bay_m, Account& account, 
 
 }  // namespace
 
-std::vector<Span> place_piers(std::vector<Span> bridges, const ground::Carving& carving,
-                              std::span<const ground::Surface> standing, Report& report) {
-  const Site site = site_of(bridges, carving, standing);
+std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
+                              std::span<const ground::LandCoverPolygon> standing, Report& report) {
+  const Site site = site_of(bridges, graded, standing);
   Account account;
   std::vector<Placed> placed;
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {

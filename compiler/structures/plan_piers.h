@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/contract/report.h"
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/structures/recipe.h"
 
 namespace citykiln::structures {
@@ -20,11 +20,11 @@ namespace citykiln::structures {
 ///
 /// Guarantees: no pier's foot comes nearer than kPierClear_m to a road, rails, a path, a building or a lower bridge;
 /// it stands in water only where there is no dry place within reach; piers of one bridge are 15 to 40 m apart where
-/// places are free, and one stands where bridges meet. Each ends below the carved ground. A bridge lower than 2 m has
+/// places are free, and one stands where bridges meet. Each ends below the graded terrain. A bridge lower than 2 m has
 /// none, and no pier is higher than 60 m. What a bridge gets hangs on what is within 64 m of it, and on bridges it is
 /// joined with. Ledger "structures/pier"; dropped: kNoPlaceForPier. O(bridges · what is near).
-std::vector<Span> place_piers(std::vector<Span> bridges, const ground::Carving& carving,
-                              std::span<const ground::Surface> standing, Report& report);
+std::vector<Span> place_piers(std::vector<Span> bridges, const ground::GradedTerrain& graded,
+                              std::span<const ground::LandCoverPolygon> standing, Report& report);
 
 inline constexpr double kPierClear_m = 0.5;
 

@@ -104,7 +104,7 @@ double off_line_m(Vec3 p, Vec3 a, Vec3 b) {
 struct Thinning {
   std::span<const Rib> ribs;
   double left_m, right_m, tolerance_m;
-  FewRibs few{};
+  SimplifiedRibs few{};
 
   double off_m(std::size_t i, std::size_t a, std::size_t b) const {
     double off = 0;
@@ -143,7 +143,7 @@ std::vector<Rib> ribs_of(const Span& span) {
   return ribs.size() < 2 ? std::vector<Rib>() : ribs;
 }
 
-FewRibs few_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m) {
+SimplifiedRibs simplify_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m) {
   if (ribs.size() < 2) return {};
   Thinning thinning{ribs, left_m, right_m, tolerance_m};
   thinning.few.ribs.push_back(ribs.front());

@@ -29,13 +29,13 @@ Vec3 point_on(const Rib& rib, double left_m, double rise_m);
 std::vector<Rib> ribs_of(const Span& span);
 
 /// Those that are needed.
-struct FewRibs {
+struct SimplifiedRibs {
   std::vector<Rib> ribs;
   double error_m = 0;  ///< What was left out lies no farther from the edges of what is left.
 };
 /// Leaves out ribs where the edges stay within the tolerance of the straight line. The first and the last stay.
 /// @param left_m, right_m  From the axis to the edges.
 /// O(n²) at worst. Douglas, Peucker (1973).
-FewRibs few_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m);
+SimplifiedRibs simplify_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m);
 
 }  // namespace citykiln::structures

@@ -81,8 +81,8 @@ struct EndFinder {
     if (!spans.empty()) return {};
     const std::vector<Leaving> roads = others(end, true);
     if (roads.size() == 1 && goes_on(end, roads[0])) return {EndKind::kGround, beyond(roads[0]), 0};
-    if (!roads.empty()) return {EndKind::kAcross, {}, cut_m(end, roads)};
-    return {touches_ground(end) ? EndKind::kAcross : EndKind::kLoose, {}, 0};
+    if (!roads.empty()) return {EndKind::kBesideRoad, {}, cut_m(end, roads)};
+    return {touches_ground(end) ? EndKind::kBesideRoad : EndKind::kFree, {}, 0};
   }
 };
 

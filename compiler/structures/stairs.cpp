@@ -6,7 +6,7 @@
 #include <span>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 #include "compiler/structures/loft.h"
 
 namespace citykiln::structures {
@@ -31,19 +31,19 @@ struct Crossing {
 
 struct Looking {
   const roads::Road& steps;
-  const ground::SurfaceMap& map;
-  const ground::Carving& ground;
+  const ground::LandCoverIndex& map;
+  const ground::GradedTerrain& ground;
   const Box2& box;
   double left_m, right_m;
 
   // The surface of these steps, or none.
-  const ground::Surface* surface_at(Vec2 p) const {
+  const ground::LandCoverPolygon* land_cover_at(Vec2 p) const {
     if (!box.contains(p)) return nullptr;
-    const std::uint32_t s = ground::surface_at(map, p);
-    return s != ground::kNoSurface && map.surfaces[s].surface == steps.surface ? &map.surfaces[s] : nullptr;
+    const std::uint32_t s = ground::land_cover_at(map, p);
+    return s != ground::kNoLandCover && map.surfaces[s].surface == steps.surface ? &map.surfaces[s] : nullptr;
   }
 
-  Crossing crossing(Vec2 p, Vec2 left, const ground::Surface& surface) const {
+  Crossing crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
     Crossing c{snapped(p + left * left_m), snapped(p - left * right_m)};
     const ground::FaceHeight height = ground::face_height_of(surface);
     const auto ground_m = [&](Vec2 at) { return of(ground::heights_at(ground, at), height); };
@@ -84,7 +84,7 @@ std::vector<std::vector<Crossing>> runs_of(const Looking& looking) {
     const int count = std::max(1, static_cast<int>(distance(axis[i], axis[i + 1]) / kEvery_m));
     for (int k = 0; k < count; ++k) {
       const Vec2 p = snapped(axis[i] + (axis[i + 1] - axis[i]) * (static_cast<double>(k) / count));
-      const ground::Surface* surface = looking.surface_at(p);
+      const ground::LandCoverPolygon* surface = looking.land_cover_at(p);
       if (surface == nullptr) {
         if (!runs.back().empty()) runs.emplace_back();
         continue;
@@ -173,7 +173,7 @@ void add_flights(std::vector<Crossing>& run, Stairs& stairs) {
 
 }  // namespace
 
-Stairs stairs_on(const roads::Road& steps, const ground::SurfaceMap& map, const ground::Carving& ground,
+Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& map, const ground::GradedTerrain& ground,
                  const Box2& box) {
   Stairs stairs{steps.id.osm, {}, 0};
   const Looking looking{steps, map, ground, box, roads::left_m(steps), roads::right_m(steps)};

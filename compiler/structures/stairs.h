@@ -1,4 +1,4 @@
-// Outdoor stairs: what `highway=steps` is where it is seen close by. They lie on the carved ground, which is a ramp
+// Outdoor stairs: what `highway=steps` is where it is seen close by. They lie on the graded terrain, which is a ramp
 // under them, so that from afar they may be left out.
 //
 //               ___|      treads are level; each lies as high as the ground at its upper end
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "compiler/geometry/mesh.h"
-#include "compiler/ground/cover/surface_map.h"
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::structures {
@@ -31,7 +31,7 @@ struct Stairs {
 /// out. O(length).
 /// @param map      Of the surfaces that cover the box, and what is near it.
 /// @param ground   Known in the box and a road's breadth around it.
-Stairs stairs_on(const roads::Road& steps, const ground::SurfaceMap& map, const ground::Carving& ground,
+Stairs stairs_on(const roads::Road& steps, const ground::LandCoverIndex& map, const ground::GradedTerrain& ground,
                  const Box2& box);
 
 }  // namespace citykiln::structures

@@ -16,9 +16,9 @@ constexpr double kBeamShare = 0.8, kBeam_m = 1.25, kBeamHigh_m = 1;
 constexpr double kColumnRadius_m = 0.55, kColumnsApart_m = 8;
 constexpr int kColumnSides = 8;
 
-double width_m(const DeckShape& shape) { return shape.left_m + shape.right_m + 2 * kParapet_m; }
-double middle_m(const DeckShape& shape) { return (shape.left_m - shape.right_m) / 2; }
-bool is_broad(const DeckShape& shape) { return width_m(shape) > kBroad_m; }
+double width_m(const DeckDimensions& shape) { return shape.left_m + shape.right_m + 2 * kParapet_m; }
+double middle_m(const DeckDimensions& shape) { return (shape.left_m - shape.right_m) / 2; }
+bool is_broad(const DeckDimensions& shape) { return width_m(shape) > kBroad_m; }
 
 // A rectangle about a place of the rib's line, counter-clockwise.
 std::array<Vec2, 4> rectangle(const Rib& rib, double left_m, double half_across_m, double half_along_m) {
@@ -34,7 +34,7 @@ std::vector<Vec2> circle(Vec2 centre) {
   return ring;
 }
 
-void add_columns(const Rib& rib, const DeckShape& shape, double from_m, double to_m, Mesh& mesh) {
+void add_columns(const Rib& rib, const DeckDimensions& shape, double from_m, double to_m, Mesh& mesh) {
   const double long_m = kBeamShare * width_m(shape) - 2 * kBeam_m;
   const int gaps = std::max(1, static_cast<int>(long_m / kColumnsApart_m + 0.5));
   const Vec2 left = unit(rib.out);
@@ -46,12 +46,12 @@ void add_columns(const Rib& rib, const DeckShape& shape, double from_m, double t
 
 }  // namespace
 
-PierFoot foot_of(const DeckShape& shape) {
+PierFoot foot_of(const DeckDimensions& shape) {
   if (!is_broad(shape)) return {kWallShare * width_m(shape) / 2, kWall_m / 2};
   return {kBeamShare * width_m(shape) / 2, kBeam_m / 2};
 }
 
-void add_pier(std::span<const Rib> ribs, const DeckShape& shape, const Pier& pier, Mesh& mesh) {
+void add_pier(std::span<const Rib> ribs, const DeckDimensions& shape, const Pier& pier, Mesh& mesh) {
   const Rib rib = rib_at(ribs, pier.at_m);
   const PierFoot foot = foot_of(shape);
   const auto base = rectangle(rib, middle_m(shape), foot.half_across_m, foot.half_along_m);
@@ -66,7 +66,7 @@ void add_pier(std::span<const Rib> ribs, const DeckShape& shape, const Pier& pie
   if (beam_m > pier.foot_m) add_columns(rib, shape, pier.foot_m, beam_m, mesh);
 }
 
-void add_abutment(std::span<const Rib> ribs, const DeckShape& shape, bool is_begin, Mesh& mesh) {
+void add_abutment(std::span<const Rib> ribs, const DeckDimensions& shape, bool is_begin, Mesh& mesh) {
   const double end_m = is_begin ? ribs.front().along_m : ribs.back().along_m;
   const double inner_m =
       end_m + (is_begin ? 1 : -1) * std::min(kAbutmentLength_m, (ribs.back().along_m - ribs.front().along_m) / 4);

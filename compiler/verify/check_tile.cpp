@@ -8,11 +8,11 @@
 #include <map>
 
 #include "compiler/bake/bake.h"
-#include "compiler/bake/fire_ground.h"
+#include "compiler/bake/ground_cells.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/ground/expand.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/ground/generate.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/verify/ground_index.h"
 #include "compiler/verify/measure_footing.h"
 #include "compiler/verify/measure_lakes.h"
@@ -31,12 +31,12 @@ constexpr int kSamplesASide = 1024;
 constexpr int kOneThread = 1;
 
 // What the ground of some levels is to be: how it is carved, what covers it, and each cell as exact as it gets. Cells
-// refer to the carving: it stays where it is.
+// refer to the graded terrain: it stays where it is.
 struct Truth {
   Box2 box;
-  bool is_plain;  // roads as from kPlainRoads_m on
-  ground::Carving carving;
-  std::vector<ground::Surface> surfaces;
+  bool is_plain;  // roads as from kRoadDetail_m on
+  ground::GradedTerrain graded;
+  std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<ground::Reference> cells;
 
   const ground::Reference& at(Vec2 p) const {
@@ -52,7 +52,7 @@ using WaterLevels = std::multimap<OsmId, double>;
 
 WaterLevels water_levels_of(const scene::Chunk& chunk) {
   WaterLevels levels;
-  for (const ground::Surface& surface : chunk.surfaces)
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
     if (surface.level_m) levels.emplace(surface.id.osm, *surface.level_m);
   return levels;
 }
@@ -69,21 +69,24 @@ struct TileUnderCheck {
   Findings& findings() { return checked.findings; }
 };
 
-bool is_plain(double tolerance_m) { return tolerance_m >= scene::kPlainRoads_m; }
+bool is_plain(double tolerance_m) { return tolerance_m >= scene::kRoadDetail_m; }
 
 // That of the level before where it is the same.
 const Truth& truth_at(TileUnderCheck& tile, double tolerance_m) {
   const scene::Header& header = tile.subject.scene.header;
-  std::vector<ground::Surface> surfaces = scene::cover_of(header, tile.chunk, tolerance_m).surfaces;
+  std::vector<ground::LandCoverPolygon> surfaces = scene::land_cover_of(header, tile.chunk, tolerance_m).surfaces;
   const Truth* before = tile.truth.get();
   if (before && before->is_plain == is_plain(tolerance_m) && before->surfaces == surfaces) return *before;
-  tile.truth = std::make_unique<Truth>(Truth{
-      tile.box, is_plain(tolerance_m), scene::carving_of(header, tile.chunk, tolerance_m), std::move(surfaces), {}});
-  tile.truth->cells = bake::reference_cells(tile.truth->carving, tile.truth->surfaces, tile.box, kOneThread);
+  tile.truth = std::make_unique<Truth>(Truth{tile.box,
+                                             is_plain(tolerance_m),
+                                             scene::graded_terrain_of(header, tile.chunk, tolerance_m),
+                                             std::move(surfaces),
+                                             {}});
+  tile.truth->cells = bake::reference_cells(tile.truth->graded, tile.truth->surfaces, tile.box, kOneThread);
   const Truth& truth = *tile.truth;
   const auto at = [&](Vec2 p) -> const ground::Reference& { return truth.at(p); };
   tile.findings().following = worse(tile.findings().following,
-                                    measure_following(truth.carving, truth.surfaces, at, tile.box, kSamplesASide / 2));
+                                    measure_following(truth.graded, truth.surfaces, at, tile.box, kSamplesASide / 2));
   return truth;
 }
 
@@ -153,8 +156,8 @@ void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std
 }
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const std::vector<ground::Surface> surfaces = scene::surfaces_of(tile.chunk);
-  const Trunks trunks = measure_trunks(level, ground::map_surfaces(surfaces, tile.box.widened(scene::kHalo_m)));
+  const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(tile.chunk);
+  const Trunks trunks = measure_trunks(level, ground::index_land_cover(surfaces, tile.box.widened(scene::kHalo_m)));
   tile.findings().trunks.test_all(trunks.trees, trunks.misplaced == 0,
                                   fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
                                               trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y));
@@ -165,7 +168,7 @@ bool is_baked(const Subject& subject, bake::PreparedTile& prepared, std::size_t 
               std::span<const std::byte> bytes) {
   Report ignored;
   const RunRecord& record = subject.record;
-  const bake::BakedTile baked = bake::fire_prepared(prepared, level, kOneThread, ignored);
+  const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
       exporters::encode_tile(baked, subject.scene.header, instancing_of(record.instances_as_nodes),
                              compression_of(record.compress), kOneThread);
@@ -201,7 +204,7 @@ Result<CheckedTile> check_tile(const Subject& subject, std::span<const WrittenTi
     return Error{subject.folder + "/" + levels.front().file.name, "is a tile that the manifest does not have"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, subject.grove);
+  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, subject.prototypes);
   TileUnderCheck tile{subject, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_level(tile, *prepared, i, levels[i].file); !done) return done.error();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/bake/grove.h"
+#include "compiler/bake/prototype_cache.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/verify/findings.h"
@@ -21,7 +21,7 @@ struct Subject {
   RunRecord record;
   scene::Scene scene;
   Standing standing;
-  std::shared_ptr<const bake::Grove> grove;
+  std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
 
 /// The edges at each side of a tile at one level, waiting for the neighbour's.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/verify/measure_ground.h"
 

@@ -13,22 +13,22 @@
 #include "compiler/geometry/box_grid.h"
 #include "compiler/ground/profiles/crossings.h"
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::verify {
 namespace {
 
-using map::SurfaceGroup;
+using map::LandCoverGroup;
 
-/// Of the carved ground: no kerbs.
-constexpr double kTolerance_m = scene::kPlainRoads_m;
+/// Of the graded terrain: no kerbs.
+constexpr double kTolerance_m = scene::kRoadDetail_m;
 constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
 enum class Kind { kBore, kGround, kDeck };
 
-SurfaceGroup group_of(map::SurfaceClass surface) { return map::values_of(surface).group; }
+LandCoverGroup group_of(map::LandCoverClass surface) { return map::values_of(surface).group; }
 
 /// A road of the ground as far as a chunk knows it, or a span.
 struct Line {
@@ -44,7 +44,7 @@ struct Line {
 Line line_of(const roads::Road& road) { return {&road, Kind::kGround, 0, true}; }
 
 Line line_of(const structures::Span& span, Kind kind) {
-  const bool is_corridor = kind == Kind::kBore && group_of(span.surface) == SurfaceGroup::kPath && span.layer >= 0;
+  const bool is_corridor = kind == Kind::kBore && group_of(span.surface) == LandCoverGroup::kPath && span.layer >= 0;
   const int told = kind == Kind::kDeck ? 1 : -1;
   return {&span, kind, span.layer == 0 ? told : span.layer, !is_corridor};
 }
@@ -73,8 +73,8 @@ struct Network {
   }
 };
 
-double joining_m(map::SurfaceClass surface, double length_m) {
-  if (group_of(surface) == SurfaceGroup::kRail) return ground::kRailJoins * length_m;
+double joining_m(map::LandCoverClass surface, double length_m) {
+  if (group_of(surface) == LandCoverGroup::kRail) return ground::kRailJoins * length_m;
   return (ground::is_graded(surface) ? 1 : ground::kPathJoins) * length_m;
 }
 
@@ -195,7 +195,7 @@ std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 /// Of pairs of names, where most is missing.
 struct Worst {
-  double lack_m = 0;
+  double shortfall_m = 0;
   Vec2 at;
 };
 using Pairs = std::map<std::pair<OsmId, OsmId>, Worst>;
@@ -232,8 +232,8 @@ class Measurer {
   bool is_here(Vec2 p) const { return box_.min.x <= p.x && p.x < box_.max.x && box_.min.y <= p.y && p.y < box_.max.y; }
 
   double ground_m(Vec2 p) {
-    if (!carving_) carving_.emplace(scene::carving_of(header_, chunk_, kTolerance_m));
-    return ground::land_m(*carving_, p);
+    if (!graded_) graded_.emplace(scene::graded_terrain_of(header_, chunk_, kTolerance_m));
+    return ground::land_m(*graded_, p);
   }
 
   double height_m(const Place& place) {
@@ -242,9 +242,9 @@ class Measurer {
     return knot_at(road.profile, roads::distances_along(road)[place.segment] + distance(place.from(), place.at)).z_m;
   }
 
-  void add(OsmId upper, OsmId lower, double lack_m, Vec2 at) {
-    const auto [pair, is_new] = pairs_.try_emplace({upper, lower}, Worst{lack_m, at});
-    if (lack_m > pair->second.lack_m) pair->second = {lack_m, at};
+  void add(OsmId upper, OsmId lower, double shortfall_m, Vec2 at) {
+    const auto [pair, is_new] = pairs_.try_emplace({upper, lower}, Worst{shortfall_m, at});
+    if (shortfall_m > pair->second.shortfall_m) pair->second = {shortfall_m, at};
   }
 
   void add(const Place& a, const Place& b) {
@@ -252,7 +252,7 @@ class Measurer {
     const bool is_above = a.line->rank() > b.line->rank();
     const Place &upper = is_above ? a : b, &lower = is_above ? b : a;
     if (are_joined(network_, upper, lower) || passes_a_mouth(upper, lower)) return;
-    const double wanted_m = ground::wanted_room_m(upper.line->road->surface, lower.line->road->surface);
+    const double wanted_m = ground::wanted_clearance_m(upper.line->road->surface, lower.line->road->surface);
     add(upper.line->road->id.osm, lower.line->road->id.osm, height_m(lower) + wanted_m - height_m(upper), upper.at);
   }
 
@@ -305,13 +305,13 @@ class Measurer {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       for (const roads::Strip& stream : chunk_.streams) cross_stream({&line, i, {}}, stream);
-      for (const ground::Surface& water : chunk_.surfaces)
+      for (const ground::LandCoverPolygon& water : chunk_.surfaces)
         if (water.level_m) cross_standing({&line, i, {}}, water);
     }
   }
 
   void cross_stream(Place place, const roads::Strip& stream) {
-    const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
+    const std::vector<double> along = roads::distances_along(stream.axis, stream.start_along_m);
     for (std::size_t i = 0; i + 1 < stream.axis.size(); ++i) {
       const auto at = intersection(place.from(), place.to(), stream.axis[i], stream.axis[i + 1]);
       if (!at || !is_here(*at)) continue;
@@ -319,19 +319,20 @@ class Measurer {
       const double water_m = stream.profile.empty()
                                  ? height_m_at(chunk_.heights, *at)
                                  : knot_at(stream.profile, along[i] + distance(stream.axis[i], *at)).z_m;
-      const double wanted_m = ground::wanted_over_water_m(stream.left_m + stream.right_m);
+      const double wanted_m = ground::wanted_clearance_over_water_m(stream.left_m + stream.right_m);
       add(place.line->road->id.osm, stream.id.osm, water_m + wanted_m - height_m(place), *at);
     }
   }
 
-  void cross_standing(Place place, const ground::Surface& water) {
+  void cross_standing(Place place, const ground::LandCoverPolygon& water) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(distance(place.from(), place.to()) / kEvery_m)));
     for (int k = 0; k <= pieces; ++k) {
       place.at = place.from() + (place.to() - place.from()) * (static_cast<double>(k) / pieces);
       int winding = 0;
       for (const Ring& ring : water.rings) winding += is_here(place.at) ? winding_number(ring, place.at) : 0;
       if (winding > 0)
-        add(place.line->road->id.osm, water.id.osm, *water.level_m + ground::kOverWater_m - height_m(place), place.at);
+        add(place.line->road->id.osm, water.id.osm, *water.level_m + ground::kClearanceOverWater_m - height_m(place),
+            place.at);
     }
   }
 
@@ -342,7 +343,7 @@ class Measurer {
   std::vector<Line> lines_;
   std::vector<Place> segments_;
   BoxGrid grid_;
-  std::optional<ground::Carving> carving_;
+  std::optional<ground::GradedTerrain> graded_;
   Pairs pairs_;
 };
 
@@ -357,16 +358,16 @@ Clearances measure_clearances(const scene::Scene& scene, int threads) {
   for (const Pairs& pairs : of_tiles) {
     for (const auto& [pair, worst] : pairs) {
       const auto [known, is_new] = all.try_emplace(pair, worst);
-      if (worst.lack_m > known->second.lack_m) known->second = worst;
+      if (worst.shortfall_m > known->second.shortfall_m) known->second = worst;
     }
   }
   Clearances sum;
   sum.crossings = all.size();
   for (const auto& [pair, worst] : all) {
-    sum.lacking += worst.lack_m > ground::kLackMargin_m;
-    sum.lacking_over_1_m += worst.lack_m > 1, sum.lacking_over_3_m += worst.lack_m > 3;
-    if (worst.lack_m <= sum.largest_lack_m) continue;
-    sum.largest_lack_m = worst.lack_m, sum.at = worst.at;
+    sum.shortfalls += worst.shortfall_m > ground::kShortfallMargin_m;
+    sum.shortfalls_over_1_m += worst.shortfall_m > 1, sum.shortfalls_over_3_m += worst.shortfall_m > 3;
+    if (worst.shortfall_m <= sum.largest_shortfall_m) continue;
+    sum.largest_shortfall_m = worst.shortfall_m, sum.at = worst.at;
     sum.upper = pair.first, sum.lower = pair.second;
   }
   return sum;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "compiler/contract/draw.h"
-#include "compiler/ground/cover/surface_map.h"
-#include "compiler/ground/grading/follow_lines.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/grading/bend_points.h"
 
 namespace citykiln::verify {
 
@@ -13,20 +13,20 @@ Following worse(const Following& a, const Following& b) {
   return {a.places + b.places, a.over + b.over, worst.largest_m, worst.at};
 }
 
-Following measure_following(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
+Following measure_following(const ground::GradedTerrain& graded, std::span<const ground::LandCoverPolygon> surfaces,
                             const ReferenceAt& reference_at, const Box2& box, int a_side) {
-  const ground::SurfaceMap map = map_surfaces(surfaces, box);
+  const ground::LandCoverIndex map = index_land_cover(surfaces, box);
   const Draw draw(0, StableId{0}, "samples of the reference");
   Following following;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(a_side * a_side); ++i) {
     const double u = (i % a_side + draw.unit(2 * i)) / a_side, v = (i / a_side + draw.unit(2 * i + 1)) / a_side;
     const Vec2 p{box.min.x + u * box.width(), box.min.y + v * box.height()};
-    const std::uint32_t surface = surface_at(map, p);
+    const std::uint32_t surface = land_cover_at(map, p);
     const ground::FaceHeight face =
-        surface == ground::kNoSurface ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
+        surface == ground::kNoLandCover ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
     if (face.level_m) continue;
-    const double off_m = std::abs(of(heights_at(carving, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
-    ++following.places, following.over += off_m > 2 * ground::kFollow_m;
+    const double off_m = std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
+    ++following.places, following.over += off_m > 2 * ground::kReferenceError_m;
     if (off_m > following.largest_m) following.largest_m = off_m, following.at = p;
   }
   return following;

@@ -1,4 +1,4 @@
-// How closely the triangulated reference follows the carved ground it stands for.
+// How closely the triangulated reference follows the graded terrain it stands for.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <span>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/mesh/reference.h"
 
 namespace citykiln::verify {
@@ -26,7 +26,7 @@ using ReferenceAt = std::function<const ground::Reference&(Vec2)>;
 
 /// At a random place in every square of a lattice over the box, on the layer of what covers it; standing water is left
 /// out. O(samples).
-Following measure_following(const ground::Carving& carving, std::span<const ground::Surface> surfaces,
+Following measure_following(const ground::GradedTerrain& graded, std::span<const ground::LandCoverPolygon> surfaces,
                             const ReferenceAt& reference_at, const Box2& box, int a_side);
 
 }  // namespace citykiln::verify

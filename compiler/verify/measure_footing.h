@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/scene/scene.h"
 #include "compiler/verify/ground_index.h"
 

@@ -7,7 +7,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::verify {
 namespace {
@@ -17,14 +17,14 @@ using Corners = std::array<Vec3, 3>;
 bool is_of_ground(materials::Material material) {
   // what holds steep land in towns and beside roads
   if (material == materials::Material::kStone) return true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(map::SurfaceClass::kCount); ++i) {
-    if (map::values_of(static_cast<map::SurfaceClass>(i)).material == material) return true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(map::LandCoverClass::kCount); ++i) {
+    if (map::values_of(static_cast<map::LandCoverClass>(i)).material == material) return true;
   }
   return false;
 }
 
 // Nothing of a building itself is made of what lies under it.
-const materials::Material kUnderHouses = map::values_of(map::SurfaceClass::kBuilding).material;
+const materials::Material kUnderHouses = map::values_of(map::LandCoverClass::kBuilding).material;
 
 bool stands(const Standing& standing, OsmId feature, materials::Material material) {
   if (std::ranges::binary_search(standing.leaving, feature)) return true;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/geometry/box.h"
 #include "compiler/geometry/vec.h"
 

@@ -6,24 +6,24 @@
 
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/tolerance.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::verify {
 namespace {
 
 /// Fine enough to see kerbs, if there are any.
-constexpr double kFine_m = scene::kPlainRoads_m / 2;
+constexpr double kFine_m = scene::kRoadDetail_m / 2;
 
-Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
+Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   Lakes lakes;
-  for (const ground::Surface& surface : chunk.surfaces) {
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
     if (!surface.level_m) continue;
     double off_m = 0;
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
         if (box.contains(p))
-          off_m = std::max(off_m, std::abs(of(heights_at(carving, p), ground::HeightLayer::kWater) - *surface.level_m));
+          off_m = std::max(off_m, std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
     ++lakes.waters;
     lakes.not_level += off_m > kQuantum_m;
     if (off_m > lakes.largest_m) lakes.largest_m = off_m, lakes.worst = surface.id.osm;
@@ -31,27 +31,27 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving
   return lakes;
 }
 
-RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
+RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
-    return {of(heights_at(carving, p), ground::HeightLayer::kRoad)};
+    return {of(heights_at(graded, p), ground::HeightLayer::kRoad)};
   });
 }
 
-Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::Carving& carving) {
-  const auto ground = [&](Vec2 p) -> std::optional<double> { return land_m(carving, p); };
+Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
+  const auto ground = [&](Vec2 p) -> std::optional<double> { return land_m(graded, p); };
   const auto wall = [](const buildings::Building& b, Vec2) -> std::optional<double> { return b.bottom_m; };
   return measure_footing(chunk, box, kNoGap_m, ground, wall);
 }
 
 HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
-  const ground::Carving carving = scene::carving_of(scene.header, chunk, kFine_m);
+  const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, kFine_m);
   return {measure_grades(scene.header, chunk),
           {},
-          road_faces_of(chunk, box, carving),
+          road_faces_of(chunk, box, graded),
           measure_rises(chunk),
-          lakes_of(chunk, box, carving),
-          footing_of(chunk, box, carving),
+          lakes_of(chunk, box, graded),
+          footing_of(chunk, box, graded),
           {}};
 }
 

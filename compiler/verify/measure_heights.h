@@ -15,10 +15,10 @@ namespace citykiln::verify {
 struct HeightMeasures {
   Grades grades;
   Jumps jumps;
-  RoadFaces road_faces;  ///< Profiles against the carved ground.
+  RoadFaces road_faces;  ///< Profiles against the graded terrain.
   Rises rises;
-  Lakes lakes;      ///< Levels against the carved ground, along shores.
-  Footing footing;  ///< Buildings' lower ends against the carved ground.
+  Lakes lakes;      ///< Levels against the graded terrain, along shores.
+  Footing footing;  ///< Buildings' lower ends against the graded terrain.
   Clearances clearances;
 };
 

@@ -31,7 +31,7 @@ Lakes worse(const Lakes& a, const Lakes& b) {
 
 Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground) {
   std::map<OsmId, Water> waters;
-  for (const ground::Surface& surface : chunk.surfaces)
+  for (const ground::LandCoverPolygon& surface : chunk.surfaces)
     if (surface.level_m) waters[surface.id.osm].levels_m.push_back(*surface.level_m);
   for (const GroundFace& face : ground.faces) {
     const auto water = waters.find(face.feature);

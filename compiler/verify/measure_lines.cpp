@@ -15,7 +15,7 @@ namespace {
 using structures::Span;
 
 /// A stretch of even grade in the tile.
-void add_stretch(Grades& grades, map::SurfaceClass surface, double run_m, double rise_m) {
+void add_stretch(Grades& grades, map::LandCoverClass surface, double run_m, double rise_m) {
   const double limit = ground::grade_rule_of(surface).limit;
   grades.length_m += run_m;
   if (std::abs(rise_m) > limit * run_m + 2 * ground::kKnotError_m) grades.over_m += run_m;
@@ -119,7 +119,7 @@ Jumps measure_jumps(const scene::Scene& scene) {
 }
 
 Rises measure_rises(const scene::Chunk& chunk) {
-  const ground::WaterMeasures measured = ground::measure_waters({}, chunk.streams, chunk.heights);
+  const ground::WaterMeasures measured = ground::measure_waters({}, chunk.watercourses, chunk.heights);
   return {measured.streams, measured.streams_that_rise, measured.largest_rise_m};
 }
 

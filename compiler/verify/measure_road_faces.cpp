@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/geometry/box_grid.h"
-#include "compiler/ground/grading/road_field.h"
+#include "compiler/ground/grading/road_influence.h"
 
 namespace citykiln::verify {
 namespace {
@@ -26,7 +26,7 @@ std::vector<Piece> pieces_of(const std::vector<roads::Road>& roads) {
   std::vector<Piece> pieces;
   for (std::uint32_t r = 0; r < roads.size(); ++r) {
     const std::vector<double> along = roads::distances_along(roads[r]);
-    const double reach_m = roads::breadth_m(roads[r]) + kMixed_m;
+    const double reach_m = roads::max_offset_m(roads[r]) + kMixed_m;
     for (std::size_t i = 0; i + 1 < along.size(); ++i)
       pieces.push_back({roads[r].axis[i], roads[r].axis[i + 1], along[i], along[i + 1], reach_m, r});
   }

@@ -10,7 +10,7 @@ namespace {
 using plants::Species;
 
 bool has_trunk(Species species) {
-  return plants::values_of(species).leaves != plants::Leaves::kBlade && species != Species::kHedge;
+  return plants::values_of(species).leaves != plants::LeafForm::kBlade && species != Species::kHedge;
 }
 
 /// "oak_3", "PostTopLamp".
@@ -21,16 +21,16 @@ bool is_tree(std::string_view name) {
   return false;
 }
 
-bool is_no_place(const ground::SurfaceMap& map, Vec2 p) {
-  const std::uint32_t top = ground::surface_at(map, p);
-  if (top == ground::kNoSurface) return false;
-  const map::SurfaceClass surface = map.surfaces[top].surface;
-  if (surface == map::SurfaceClass::kPedestrianStreet) return false;
+bool is_no_place(const ground::LandCoverIndex& map, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(map, p);
+  if (top == ground::kNoLandCover) return false;
+  const map::LandCoverClass surface = map.surfaces[top].surface;
+  if (surface == map::LandCoverClass::kPedestrianStreet) return false;
   switch (map::values_of(surface).group) {
-    case map::SurfaceGroup::kRoad:
-    case map::SurfaceGroup::kRail:
-    case map::SurfaceGroup::kBuilding:
-    case map::SurfaceGroup::kWater:
+    case map::LandCoverGroup::kRoad:
+    case map::LandCoverGroup::kRail:
+    case map::LandCoverGroup::kBuilding:
+    case map::LandCoverGroup::kWater:
       return true;
     default:
       return false;
@@ -39,9 +39,9 @@ bool is_no_place(const ground::SurfaceMap& map, Vec2 p) {
 
 }  // namespace
 
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::SurfaceMap& map) {
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map) {
   Trunks trunks;
-  for (const bake::Instanced& instanced : tile.instanced) {
+  for (const bake::InstancedMesh& instanced : tile.instanced) {
     if (!is_tree(instanced.name)) continue;
     for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
       const bake::Float3& offset = instanced.translations[i];

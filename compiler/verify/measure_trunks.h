@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "compiler/bake/baked.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/bake/baked_tile.h"
+#include "compiler/ground/cover/land_cover_index.h"
 
 namespace citykiln::verify {
 
@@ -20,6 +20,6 @@ struct Trunks {
 ///
 /// @param map  What covers the ground of the tile.
 /// O(instances).
-Trunks measure_trunks(const bake::BakedTile& tile, const ground::SurfaceMap& map);
+Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
 
 }  // namespace citykiln::verify

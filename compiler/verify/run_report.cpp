@@ -116,10 +116,10 @@ double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 /// Of the recipes, or as the planner saw them.
 Json clearances_of(const auto& measured) {
   return {{"crossings", measured.crossings},
-          {"lacking", measured.lacking},
-          {"lacking_over_1_m", measured.lacking_over_1_m},
-          {"lacking_over_3_m", measured.lacking_over_3_m},
-          {"largest_lack_m", measured.largest_lack_m}};
+          {"shortfalls", measured.shortfalls},
+          {"shortfalls_over_1_m", measured.shortfalls_over_1_m},
+          {"shortfalls_over_3_m", measured.shortfalls_over_3_m},
+          {"largest_shortfall_m", measured.largest_shortfall_m}};
 }
 
 /// Aims are 0 but for what is shared out over the length of roads, and for clearances.

@@ -47,12 +47,12 @@ std::vector<OsmId> houses_of(const scene::Scene& scene) {
 std::vector<std::pair<OsmId, materials::Material>> fields_of(const scene::Scene& scene,
                                                              const std::vector<OsmId>& houses) {
   std::vector<std::pair<OsmId, materials::Material>> fields;
-  const auto add = [&](OsmId osm, map::SurfaceClass surface) {
-    if (surface != map::SurfaceClass::kBuilding && std::ranges::binary_search(houses, osm))
+  const auto add = [&](OsmId osm, map::LandCoverClass surface) {
+    if (surface != map::LandCoverClass::kBuilding && std::ranges::binary_search(houses, osm))
       fields.emplace_back(osm, map::values_of(surface).material);
   };
   for (const scene::Chunk& chunk : scene.chunks) {
-    for (const ground::Surface& surface : chunk.surfaces) add(surface.id.osm, surface.surface);
+    for (const ground::LandCoverPolygon& surface : chunk.surfaces) add(surface.id.osm, surface.surface);
     for (const roads::Road& road : chunk.roads) add(road.id.osm, road.surface);
   }
   std::ranges::sort(fields);
@@ -63,7 +63,7 @@ std::vector<OsmId> steps_of(const scene::Scene& scene) {
   std::vector<OsmId> steps;
   for (const scene::Chunk& chunk : scene.chunks)
     for (const roads::Road& road : chunk.roads)
-      if (road.surface == map::SurfaceClass::kSteps) steps.push_back(road.id.osm);
+      if (road.surface == map::LandCoverClass::kSteps) steps.push_back(road.id.osm);
   std::ranges::sort(steps);
   return steps;
 }

@@ -8,8 +8,8 @@
 #include "compiler/contract/for_each_slot.h"
 #include "exporters/gltf/draco_codec.h"
 #include "exporters/gltf/glb_parts.h"
-#include "exporters/gltf/mesh_streams.h"
 #include "exporters/gltf/meshopt_codec.h"
+#include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -43,7 +43,7 @@ const Json& view_of(const Json& gltf, const Json& accessor) {
   return gltf.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
 }
 
-Stream stream_of(const GlbParts& plain, const std::string& name, const Json& accessor) {
+VertexAttribute stream_of(const GlbParts& plain, const std::string& name, const Json& accessor) {
   const auto bytes = bytes_of_view(plain, view_of(plain.gltf, accessor));
   return {name, component_of(accessor), width_of(accessor), {bytes.begin(), bytes.end()}};
 }
@@ -57,9 +57,9 @@ std::vector<std::uint32_t> indices_of(const GlbParts& plain, const Json& accesso
   return indices;
 }
 
-MeshStreams streams_of(const GlbParts& plain, const Json& primitive) {
+MeshArrays streams_of(const GlbParts& plain, const Json& primitive) {
   const Json& accessors = plain.gltf.at("accessors");
-  MeshStreams mesh;
+  MeshArrays mesh;
   for (const auto& [name, number] : primitive.at("attributes").items()) {
     const Json& accessor = accessors.at(number.get<std::size_t>());
     mesh.count = accessor.at("count").get<std::size_t>();
@@ -193,7 +193,7 @@ void demand(Json& gltf, const char* extension) {
 
 // ---- back ----------------------------------------------------------------------------------------------------------
 
-void put_stream(const Stream& stream, std::size_t count, Json& accessor, GlbParts& parts) {
+void put_stream(const VertexAttribute& stream, std::size_t count, Json& accessor, GlbParts& parts) {
   accessor["bufferView"] = add_view(parts, stream.bytes);
   accessor["count"] = count, accessor["componentType"] = static_cast<int>(stream.component);
   accessor.erase("byteOffset");
@@ -222,7 +222,7 @@ struct Unpacking {
 void unpack_draco(Json& primitive, Unpacking& unpacking) {
   GlbParts& parts = unpacking.parts;
   const Json extension = primitive.at("extensions").at(kDraco);
-  std::vector<Stream> wanted;
+  std::vector<VertexAttribute> wanted;
   std::vector<int> ids;
   for (const auto& [name, number] : primitive.at("attributes").items()) {
     const Json& accessor = parts.gltf.at("accessors").at(number.get<std::size_t>());

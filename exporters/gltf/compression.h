@@ -11,7 +11,7 @@ enum class Compression { kNone, kDraco, kMeshopt };
 
 /// Places of packed meshes. One grid for all tiles and levels: origins of tiles are whole metres, so it is the plane's
 /// own, and what two tiles share they still share.
-inline constexpr double kPackedPlace_m = kQuantum_m;
+inline constexpr double kPackedPosition_m = kQuantum_m;
 /// On sheets and atlases: a tenth of their finest texel.
 inline constexpr double kPackedUv_m = 0x1p-9;
 /// Of each of the two numbers of a normal on an octahedron: at most 0.3° off.

@@ -9,8 +9,8 @@
 #include "exporters/gltf/decode_pictures.h"
 #include "exporters/gltf/decode_primitives.h"
 #include "exporters/gltf/glb.h"
-#include "exporters/gltf/glb_doubts.h"
-#include "exporters/gltf/glb_source.h"
+#include "exporters/gltf/glb_checks.h"
+#include "exporters/gltf/glb_reader.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -18,10 +18,10 @@ namespace {
 using bake::BakedTile;
 using bake::Float3;
 using bake::Float4;
-using bake::Instanced;
+using bake::InstancedMesh;
 using tinygltf::Value;
 
-std::vector<OsmId> features_of(Source& source) {
+std::vector<OsmId> features_of(GltfReader& source) {
   const auto extension = source.model.extensions.find("EXT_structural_metadata");
   expect(extension != source.model.extensions.end(), "the table of OSM ids");
   const Value& tables = member(extension->second, "propertyTables");
@@ -41,10 +41,10 @@ std::vector<OsmId> features_of(Source& source) {
   return features;
 }
 
-Instanced extended(Source& source, const tinygltf::Node& node, std::size_t features) {
+InstancedMesh extended(GltfReader& source, const tinygltf::Node& node, std::size_t features) {
   const Value& attributes = member(node.extensions.at("EXT_mesh_gpu_instancing"), "attributes");
   const auto accessor = [&](const char* name) { return whole(member(attributes, name)); };
-  Instanced out{node.name, primitives_of(source, node.mesh, features), {}, {}, {}, {}};
+  InstancedMesh out{node.name, primitives_of(source, node.mesh, features), {}, {}, {}, {}};
   out.translations =
       turned(values_of<Float3>(source, accessor("TRANSLATION"), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3));
   out.rotations =
@@ -61,7 +61,7 @@ Instanced extended(Source& source, const tinygltf::Node& node, std::size_t featu
   return out;
 }
 
-void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out) {
+void add_single(const tinygltf::Node& node, std::size_t features, InstancedMesh& out) {
   expect(node.translation.size() == 3 && node.rotation.size() == 4 && node.scale.size() == 3,
          "a place for each instance");
   const auto f = [](double v) {
@@ -78,7 +78,7 @@ void add_single(const tinygltf::Node& node, std::size_t features, Instanced& out
 }
 
 // Each mesh belongs to one kind of thing, whose nodes follow each other. Returns each one's cutout, by its picture.
-std::vector<std::optional<std::size_t>> add_instances(Source& source, const tinygltf::Node& root, BakedTile& tile) {
+std::vector<std::optional<std::size_t>> add_instances(GltfReader& source, const tinygltf::Node& root, BakedTile& tile) {
   std::vector<std::optional<std::size_t>> cutouts;  // one an entry of tile.instanced
   int last_mesh = root.mesh;
   bool is_open = false;
@@ -100,17 +100,17 @@ std::vector<std::optional<std::size_t>> add_instances(Source& source, const tiny
   return cutouts;
 }
 
-std::optional<bake::SeenFrom> seen_from_of(const Value& extras) {
-  if (!extras.Has("seen_from")) return std::nullopt;
-  const Value &seen = member(extras, "seen_from"), &eye = member(seen, "eye_m");
-  return bake::SeenFrom{{element(eye, 0), element(eye, 1), element(eye, 2)},
-                        number(member(seen, "focal_px")),
-                        number(member(seen, "pixel_error"))};
+std::optional<bake::Viewpoint> viewpoint_of(const Value& extras) {
+  if (!extras.Has("viewpoint")) return std::nullopt;
+  const Value &seen = member(extras, "viewpoint"), &eye = member(seen, "eye_m");
+  return bake::Viewpoint{{element(eye, 0), element(eye, 1), element(eye, 2)},
+                         number(member(seen, "focal_px")),
+                         number(member(seen, "pixel_error"))};
 }
 
 BakedTile tile_of(const tinygltf::Model& model) {
   expect(!model.nodes.empty() && model.buffers.size() == 1, "a node for the tile, and one buffer");
-  Source source{model, model.buffers.front().data.size()};
+  GltfReader source{model, model.buffers.front().data.size()};
   const tinygltf::Node& root = model.nodes.front();
   BakedTile tile;
   const Value &key = member(root.extras, "tile"), &origin = member(root.extras, "origin_m");
@@ -119,7 +119,7 @@ BakedTile tile_of(const tinygltf::Model& model) {
   tile.origin = {element(origin, 0), element(origin, 1), element(origin, 2)};
   tile.tolerance_m = number(member(root.extras, "tolerance_m")), tile.error_m = number(member(root.extras, "error_m"));
   tile.plant_error_m = number(member(root.extras, "plant_error_m"));
-  tile.seen_from = seen_from_of(root.extras);
+  tile.viewpoint = viewpoint_of(root.extras);
   tile.features = features_of(source);
   if (root.mesh >= 0) tile.primitives = primitives_of(source, root.mesh, tile.features.size());
   const auto cutouts = add_instances(source, root, tile);
@@ -142,7 +142,7 @@ BakedTile tile_of_plain(std::span<const std::byte> bytes) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(leave_picture, nullptr);
   if (!loader.LoadBinaryFromMemory(&model, &error, &warning, data, size))
-    throw Wrong{"binary glTF: " + error.substr(0, error.find('\n'))};
+    throw FormatError{"binary glTF: " + error.substr(0, error.find('\n'))};
   return tile_of(model);
 }
 
@@ -152,10 +152,10 @@ Result<BakedTile> decode_glb(std::span<const std::byte> bytes, const std::string
   try {
     expect(bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0,
            "a binary glTF file, which begins with glTF");
-    expect_frame(bytes);
+    expect_chunks(bytes);
     const auto plain = decompressed_glb(bytes);
     return tile_of_plain(plain ? *plain : bytes);
-  } catch (const Wrong& wrong) {
+  } catch (const FormatError& wrong) {
     return Error{name, "expected " + wrong.what};
   } catch (const std::exception& thrown) {
     return Error{name, std::string("expected binary glTF: ") + thrown.what()};

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exporters/gltf/glb_names.h"
+#include "exporters/gltf/material_names.h"
 
 namespace citykiln::exporters {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using bake::Float2;
 using bake::Float3;
 using bake::Primitive;
-using materials::Coloured;
+using materials::ColourSource;
 
 int attribute(const std::map<std::string, int>& attributes, const char* name) {
   const auto found = attributes.find(name);
@@ -19,24 +19,27 @@ int attribute(const std::map<std::string, int>& attributes, const char* name) {
 }
 
 // Metres, or 16 bits that count steps.
-std::vector<Float2> uvs_of(Source& source, int accessor_number) {
+std::vector<Float2> uvs_of(GltfReader& source, int accessor_number) {
   if (item(source.model.accessors, accessor_number, "an accessor that exists").componentType ==
       TINYGLTF_COMPONENT_TYPE_FLOAT)
     return finite(values_of<Float2>(source, accessor_number, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2));
   std::vector<Float2> uvs;
   for (const auto& [u, v] : values_of<std::array<std::uint16_t, 2>>(
            source, accessor_number, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2))
-    uvs.push_back(
-        {static_cast<float>(u * materials::kTexturePlace_m), static_cast<float>(v * materials::kTexturePlace_m)});
+    uvs.push_back({static_cast<float>(u * materials::kTextureCoordinateStep_m),
+                   static_cast<float>(v * materials::kTextureCoordinateStep_m)});
   return uvs;
 }
 
-bool has_picture(const tinygltf::Model& model, Coloured coloured) {
-  const char* name = coloured == Coloured::kBySheet ? "sheet" : coloured == Coloured::kByCutout ? "cutout" : "imprints";
-  return coloured == Coloured::kByMaterial || std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
+bool has_picture(const tinygltf::Model& model, ColourSource colour_source) {
+  const char* name = colour_source == ColourSource::kByMarkingAtlas ? "marking_atlas"
+                     : colour_source == ColourSource::kByCutout     ? "cutout"
+                                                                    : "facade_atlas";
+  return colour_source == ColourSource::kByMaterial ||
+         std::ranges::count(model.images, name, &tinygltf::Image::name) > 0;
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int accessor, std::size_t vertices) {
+std::vector<std::array<std::uint32_t, 3>> triangles_of(GltfReader& source, int accessor, std::size_t vertices) {
   const bool narrow = item(source.model.accessors, accessor, "an accessor that exists").componentType ==
                       TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   std::vector<std::uint32_t> indices;
@@ -56,10 +59,11 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(Source& source, int acces
   return triangles;
 }
 
-Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t features) {
+Primitive primitive_of(GltfReader& source, const tinygltf::Primitive& p, std::size_t features) {
   Primitive out;
-  const bake::PrimitiveKey key = key_named(item(source.model.materials, p.material, "a material that exists").name);
-  out.material = key.material, out.coloured = key.coloured;
+  const bake::PrimitiveKey key =
+      primitive_key_named(item(source.model.materials, p.material, "a material that exists").name);
+  out.material = key.material, out.colour_source = key.colour_source;
   out.positions = turned(values_of<Float3>(source, attribute(p.attributes, "POSITION"), TINYGLTF_COMPONENT_TYPE_FLOAT,
                                            TINYGLTF_TYPE_VEC3));
   out.normals = turned(
@@ -75,7 +79,8 @@ Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t
   expect(out.normals.size() == n && out.colours.size() == n && (out.features.empty() || out.features.size() == n) &&
              (out.uvs.empty() || out.uvs.size() == n),
          "as many values in each attribute");
-  expect(out.coloured == Coloured::kByMaterial || (!out.uvs.empty() && has_picture(source.model, out.coloured)),
+  expect(out.colour_source == ColourSource::kByMaterial ||
+             (!out.uvs.empty() && has_picture(source.model, out.colour_source)),
          "a sheet, and a place on it, for each corner that is on it");
   out.triangles = triangles_of(source, p.indices, n);
   return out;
@@ -83,7 +88,7 @@ Primitive primitive_of(Source& source, const tinygltf::Primitive& p, std::size_t
 
 }  // namespace
 
-std::vector<Primitive> primitives_of(Source& source, int mesh, std::size_t features) {
+std::vector<Primitive> primitives_of(GltfReader& source, int mesh, std::size_t features) {
   std::vector<Primitive> primitives;
   for (const tinygltf::Primitive& p : item(source.model.meshes, mesh, "a mesh that exists").primitives)
     primitives.push_back(primitive_of(source, p, features));

@@ -48,7 +48,7 @@ struct Values {
   std::size_t count = 0;
 };
 
-Values different_values(const Stream& stream, std::size_t vertices) {
+Values different_values(const VertexAttribute& stream, std::size_t vertices) {
   const std::size_t stride = stride_of(stream);
   Values values{{}, std::vector<unsigned int>(vertices), 0};
   values.count =
@@ -68,7 +68,7 @@ void set_apart(unsigned int vertex, std::size_t stride, Values& places) {
 }
 
 // Draco leaves out triangles two of whose corners are one place.
-void keep_thin_triangles(const MeshStreams& mesh, std::size_t stride, Values& places) {
+void keep_thin_triangles(const MeshArrays& mesh, std::size_t stride, Values& places) {
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     const unsigned int a = mesh.indices[t], b = mesh.indices[t + 1], c = mesh.indices[t + 2];
     auto& place = places.of_vertex;
@@ -77,7 +77,7 @@ void keep_thin_triangles(const MeshStreams& mesh, std::size_t stride, Values& pl
   }
 }
 
-int add_stream(const MeshStreams& mesh, const Stream& stream, draco::Mesh& out) {
+int add_stream(const MeshArrays& mesh, const VertexAttribute& stream, draco::Mesh& out) {
   const std::size_t stride = stride_of(stream);
   Values values = different_values(stream, mesh.count);
   if (stream.name == "POSITION") keep_thin_triangles(mesh, stride, values);
@@ -118,14 +118,14 @@ void set_steps(draco::ExpertEncoder& encoder, int id, const Steps& steps, std::s
   set_grid(encoder, id, steps.exponent, {origin.begin(), origin.end()}, bits);
 }
 
-void set_quantisation(draco::ExpertEncoder& encoder, int id, const Stream& stream) {
+void set_quantisation(draco::ExpertEncoder& encoder, int id, const VertexAttribute& stream) {
   if (stream.name == "NORMAL") return encoder.SetAttributeQuantization(id, kPackedNormalBits);
   // a grid that has -1 and 1
   if (stream.name == "TANGENT") return set_grid(encoder, id, -11, {-1, -1, -1, -1}, 0);
   if (const auto steps = steps_of(stream)) set_steps(encoder, id, *steps, stream.width);
 }
 
-void add_triangles(const MeshStreams& mesh, draco::Mesh& out) {
+void add_triangles(const MeshArrays& mesh, draco::Mesh& out) {
   out.set_num_points(static_cast<std::uint32_t>(mesh.count));
   out.SetNumFaces(mesh.indices.size() / 3);
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
@@ -134,7 +134,7 @@ void add_triangles(const MeshStreams& mesh, draco::Mesh& out) {
                  draco::PointIndex(mesh.indices[t + 2])});
 }
 
-bool read_stream(const draco::Mesh& mesh, int id, Stream& stream) {
+bool read_stream(const draco::Mesh& mesh, int id, VertexAttribute& stream) {
   const draco::PointAttribute* const attribute =
       id >= 0 ? mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id)) : nullptr;
   const std::size_t stride = stride_of(stream);
@@ -153,11 +153,11 @@ bool read_stream(const draco::Mesh& mesh, int id, Stream& stream) {
 
 }  // namespace
 
-std::optional<DracoMesh> encode_draco(const MeshStreams& mesh) {
+std::optional<DracoMesh> encode_draco(const MeshArrays& mesh) {
   draco::Mesh plain;
   add_triangles(mesh, plain);
   DracoMesh out;
-  for (const Stream& stream : mesh.streams) out.ids.push_back(add_stream(mesh, stream, plain));
+  for (const VertexAttribute& stream : mesh.streams) out.ids.push_back(add_stream(mesh, stream, plain));
   draco::ExpertEncoder encoder(plain);
   encoder.SetTrackEncodedProperties(true);
   for (std::size_t i = 0; i < mesh.streams.size(); ++i) set_quantisation(encoder, out.ids[i], mesh.streams[i]);
@@ -169,15 +169,15 @@ std::optional<DracoMesh> encode_draco(const MeshStreams& mesh) {
   return out;
 }
 
-std::optional<MeshStreams> decode_draco(std::span<const unsigned char> bytes, std::vector<Stream> wanted,
-                                        std::span<const int> ids) {
+std::optional<MeshArrays> decode_draco(std::span<const unsigned char> bytes, std::vector<VertexAttribute> wanted,
+                                       std::span<const int> ids) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;
   auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) return std::nullopt;
   const draco::Mesh& mesh = *decoded.value();
-  MeshStreams out{mesh.num_points(), std::move(wanted), {}};
+  MeshArrays out{mesh.num_points(), std::move(wanted), {}};
   for (std::size_t i = 0; i < out.streams.size(); ++i)
     if (!read_stream(mesh, ids[i], out.streams[i])) return std::nullopt;
   for (std::uint32_t t = 0; t < mesh.num_faces(); ++t)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exporters/gltf/mesh_streams.h"
+#include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
 
@@ -19,10 +19,10 @@ struct DracoMesh {
 /// Vertices and triangles in another order. Normals are on kPackedNormalBits of an octahedron, tangents in steps of
 /// 2^-11; all else is as it was, for numbers on the grid of packed meshes are packed as such. No triangle is left out,
 /// even where its corners are one place. Nothing: Draco will not have it; then it stays as it is.
-std::optional<DracoMesh> encode_draco(const MeshStreams& mesh);
+std::optional<DracoMesh> encode_draco(const MeshArrays& mesh);
 
 /// The mesh that was encoded; `wanted` are streams without bytes. Nothing: the bytes are not what they say.
-std::optional<MeshStreams> decode_draco(std::span<const unsigned char> bytes, std::vector<Stream> wanted,
-                                        std::span<const int> ids);
+std::optional<MeshArrays> decode_draco(std::span<const unsigned char> bytes, std::vector<VertexAttribute> wanted,
+                                       std::span<const int> ids);
 
 }  // namespace citykiln::exporters

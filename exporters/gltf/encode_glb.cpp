@@ -7,8 +7,8 @@
 #include "exporters/gltf/compress_glb.h"
 #include "exporters/gltf/encode_pictures.h"
 #include "exporters/gltf/glb.h"
-#include "exporters/gltf/glb_filling.h"
-#include "exporters/gltf/glb_frame.h"
+#include "exporters/gltf/glb_axes.h"
+#include "exporters/gltf/glb_builder.h"
 #include "exporters/gltf/glb_parts.h"
 #include "exporters/gltf/quantise.h"
 #include "exporters/gltf/tangents.h"
@@ -19,9 +19,9 @@ namespace {
 using bake::BakedTile;
 using bake::Float3;
 using bake::Float4;
-using bake::Instanced;
+using bake::InstancedMesh;
 using bake::Primitive;
-using materials::Coloured;
+using materials::ColourSource;
 using tinygltf::Value;
 using Object = Value::Object;
 using Array = Value::Array;
@@ -30,7 +30,7 @@ Value text(const std::string& s) { return Value(s); }
 Value number(double v) { return Value(v); }
 Value whole(std::size_t v) { return Value(static_cast<int>(v)); }
 
-int add_positions(Filling& f, const std::vector<Float3>& positions) {
+int add_positions(GlbBuilder& f, const std::vector<Float3>& positions) {
   const int accessor = f.add_turned(positions, TINYGLTF_TYPE_VEC3);
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<double> low(3, kFar), high(3, -kFar);
@@ -43,7 +43,7 @@ int add_positions(Filling& f, const std::vector<Float3>& positions) {
   return accessor;
 }
 
-int add_indices(Filling& f, const Primitive& p) {
+int add_indices(GlbBuilder& f, const Primitive& p) {
   constexpr int kTarget = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
   const std::size_t count = p.triangles.size() * 3;
   if (p.positions.size() >= 65535)
@@ -58,7 +58,7 @@ int add_indices(Filling& f, const Primitive& p) {
 }
 
 // The extension that says: attribute _FEATURE_ID_0 numbers rows of property table 0.
-Value feature_ids(Filling& f, const char* extension) {
+Value feature_ids(GlbBuilder& f, const char* extension) {
   f.extensions.insert(extension);
   const Object ids = {
       {"featureCount", whole(f.tile.features.size())}, {"attribute", Value(0)}, {"propertyTable", Value(0)}};
@@ -68,26 +68,26 @@ Value feature_ids(Filling& f, const char* extension) {
 // 16 bits count steps on textures from 0 to nearly four periods.
 constexpr double kMostSteps = 65535;
 
-bool is_in_steps(const Primitive& p) {
+bool has_quantised_uvs(const Primitive& p) {
   const auto fits = [](float v) {
-    const double steps = v / materials::kTexturePlace_m;
+    const double steps = v / materials::kTextureCoordinateStep_m;
     return steps >= 0 && steps <= kMostSteps && steps == std::floor(steps);
   };
-  return p.coloured == Coloured::kByMaterial &&
+  return p.colour_source == ColourSource::kByMaterial &&
          std::ranges::all_of(p.uvs, [&](const bake::Float2& uv) { return fits(uv[0]) && fits(uv[1]); });
 }
 
-Look look_of(const Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
-  if (p.coloured == Coloured::kByCutout) return {key_of(p), nullptr, false, cutout};
-  if (p.coloured != Coloured::kByMaterial) return {key_of(p)};
+MaterialKey material_key_of(const GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
+  if (p.colour_source == ColourSource::kByCutout) return {key_of(p), nullptr, false, cutout};
+  if (p.colour_source != ColourSource::kByMaterial) return {key_of(p)};
   const auto found = std::ranges::find(f.tile.textures, p.material, &materials::Texture::material);
-  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, Coloured::kByMaterial}};
-  return {key_of(p), &*found, is_in_steps(p)};
+  if (p.uvs.empty() || found == f.tile.textures.end()) return {{p.material, false, ColourSource::kByMaterial}};
+  return {key_of(p), &*found, has_quantised_uvs(p)};
 }
 
 // A picture shown by places of so many metres a unit.
 template <typename Info>
-Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
+Info shown(GlbBuilder& f, const materials::TextureImage& picture, double unit_m) {
   const Array scale = {number(unit_m / (picture.columns * picture.texel_m)),
                        number(unit_m / (picture.rows * picture.texel_m))};
   f.extensions.insert("KHR_texture_transform");
@@ -98,33 +98,34 @@ Info shown(Filling& f, const materials::Sheet& picture, double unit_m) {
 }
 
 // What is on a sheet keeps the default colour, white: the sheet says how much light each place sends back.
-void set_colour(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
+void set_colour(GlbBuilder& f, const MaterialKey& look, tinygltf::PbrMetallicRoughness& m) {
   const auto& base = values_of(look.key.material).base_colour;
-  if (look.key.coloured == Coloured::kBySheet) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
-  if (look.key.coloured == Coloured::kByAtlas)
-    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.colour, 1);
+  if (look.key.colour_source == ColourSource::kByMarkingAtlas)
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.sheet, 1);
+  if (look.key.colour_source == ColourSource::kByAtlas)
+    m.baseColorTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.colour, 1);
   if (look.cutout != nullptr) m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.cutout->colour, 1);
-  if (look.key.coloured != Coloured::kByMaterial) return;
+  if (look.key.colour_source != ColourSource::kByMaterial) return;
   m.baseColorFactor = {base[0], base[1], base[2], 1};
   if (look.texture == nullptr || look.texture->colour.texels.empty()) return;
   const auto factor = colour_factor(*look.texture);
   m.baseColorFactor = {factor[0], factor[1], factor[2], 1};
-  const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+  const double unit_m = look.has_quantised_uvs ? kMostSteps * materials::kTextureCoordinateStep_m : 1;
   m.baseColorTexture = shown<tinygltf::TextureInfo>(f, look.texture->colour, unit_m);
 }
 
-const materials::Sheet* normals_of(const Filling& f, const Look& look) {
-  const materials::Sheet* normals = nullptr;
-  if (look.key.coloured == Coloured::kByAtlas) normals = &f.tile.imprints.normal;
+const materials::TextureImage* normals_of(const GlbBuilder& f, const MaterialKey& look) {
+  const materials::TextureImage* normals = nullptr;
+  if (look.key.colour_source == ColourSource::kByAtlas) normals = &f.tile.facade_atlas.normal;
   if (look.texture != nullptr) normals = &look.texture->normal;
   if (look.cutout != nullptr) normals = &look.cutout->normal;
   return normals == nullptr || normals->texels.empty() ? nullptr : normals;
 }
 
 // What is on the atlas keeps the default factors, 1.
-void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m) {
-  if (look.key.coloured == Coloured::kByAtlas) {
-    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.surface, 1);
+void set_surface(GlbBuilder& f, const MaterialKey& look, tinygltf::PbrMetallicRoughness& m) {
+  if (look.key.colour_source == ColourSource::kByAtlas) {
+    m.metallicRoughnessTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.surface, 1);
     return;
   }
   const auto& values = values_of(look.key.material);
@@ -132,24 +133,24 @@ void set_surface(Filling& f, const Look& look, tinygltf::PbrMetallicRoughness& m
 }
 
 // What it sends out by itself: 1 is kEmission_cd_m2.
-void set_emission(Filling& f, const Look& look, tinygltf::Material& m) {
-  if (look.key.coloured == Coloured::kByAtlas && !f.tile.imprints.emission.texels.empty()) {
-    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.imprints.emission, 1);
+void set_emission(GlbBuilder& f, const MaterialKey& look, tinygltf::Material& m) {
+  if (look.key.colour_source == ColourSource::kByAtlas && !f.tile.facade_atlas.emission.texels.empty()) {
+    m.emissiveTexture = shown<tinygltf::TextureInfo>(f, f.tile.facade_atlas.emission, 1);
     m.emissiveFactor = {1, 1, 1};
   }
   const auto own = emission_of(look.key.material);
-  if (look.key.coloured == Coloured::kByMaterial && emits(look.key.material))
+  if (look.key.colour_source == ColourSource::kByMaterial && emits(look.key.material))
     m.emissiveFactor = {own[0], own[1], own[2]};
 }
 
-int material_number(Filling& f, const Look& look) {
+int material_number(GlbBuilder& f, const MaterialKey& look) {
   const auto same = std::ranges::find(f.looks, look);
   if (same != f.looks.end()) return static_cast<int>(same - f.looks.begin());
   tinygltf::Material m;
   m.name = material_name(look.key, f.tile.textures);
   set_colour(f, look, m.pbrMetallicRoughness);
-  if (const materials::Sheet* normals = normals_of(f, look)) {
-    const double unit_m = look.is_in_steps ? kMostSteps * materials::kTexturePlace_m : 1;
+  if (const materials::TextureImage* normals = normals_of(f, look)) {
+    const double unit_m = look.has_quantised_uvs ? kMostSteps * materials::kTextureCoordinateStep_m : 1;
     m.normalTexture = shown<tinygltf::NormalTextureInfo>(f, *normals, unit_m);
   }
   // leaves are flat; what is less than half there is not
@@ -160,19 +161,19 @@ int material_number(Filling& f, const Look& look) {
   return static_cast<int>(f.looks.size()) - 1;
 }
 
-int add_uvs(Filling& f, const Primitive& p, const Look& look) {
-  if (!look.is_in_steps) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
-  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTexturePlace_m); };
+int add_uvs(GlbBuilder& f, const Primitive& p, const MaterialKey& look) {
+  if (!look.has_quantised_uvs) return f.add_attribute(p.uvs, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
+  const auto step = [](float v) { return static_cast<std::uint16_t>(v / materials::kTextureCoordinateStep_m); };
   const int steps = f.add_view_of(p.uvs, TINYGLTF_TARGET_ARRAY_BUFFER, [&](const bake::Float2& uv) {
     return std::array{step(uv[0]), step(uv[1])};
   });
   return f.add_accessor(steps, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC2, p.uvs.size(), true);
 }
 
-tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::Cutout* cutout) {
+tinygltf::Primitive primitive_of(GlbBuilder& f, const Primitive& p, const impostor::Cutout* cutout) {
   tinygltf::Primitive out;
   out.mode = TINYGLTF_MODE_TRIANGLES;
-  const Look look = look_of(f, p, cutout);
+  const MaterialKey look = material_key_of(f, p, cutout);
   out.material = material_number(f, look);
   out.attributes["POSITION"] = add_positions(f, p.positions);
   out.attributes["NORMAL"] = f.add_turned(p.normals, TINYGLTF_TYPE_VEC3);
@@ -188,8 +189,8 @@ tinygltf::Primitive primitive_of(Filling& f, const Primitive& p, const imprint::
   return out;
 }
 
-int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& primitives,
-             const imprint::Cutout* cutout = nullptr) {
+int add_mesh(GlbBuilder& f, const std::string& name, const std::vector<Primitive>& primitives,
+             const impostor::Cutout* cutout = nullptr) {
   tinygltf::Mesh mesh;
   mesh.name = name;
   for (const Primitive& p : primitives) mesh.primitives.push_back(primitive_of(f, p, cutout));
@@ -197,13 +198,13 @@ int add_mesh(Filling& f, const std::string& name, const std::vector<Primitive>& 
   return static_cast<int>(f.model.meshes.size()) - 1;
 }
 
-int add_node(Filling& f, tinygltf::Node node) {
+int add_node(GlbBuilder& f, tinygltf::Node node) {
   f.model.nodes.push_back(std::move(node));
   return static_cast<int>(f.model.nodes.size()) - 1;
 }
 
 // One node for all, with its places as attributes.
-void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+void add_extended(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& children) {
   tinygltf::Node node;
   node.name = instanced.name, node.mesh = mesh;
   std::vector<Float3> scales;
@@ -220,7 +221,7 @@ void add_extended(Filling& f, const Instanced& instanced, int mesh, std::vector<
 }
 
 // A node a place, all with one mesh.
-void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vector<int>& children) {
+void add_single_nodes(GlbBuilder& f, const InstancedMesh& instanced, int mesh, std::vector<int>& children) {
   for (std::size_t i = 0; i < instanced.translations.size(); ++i) {
     tinygltf::Node node;
     node.name = instanced.name, node.mesh = mesh;
@@ -234,7 +235,7 @@ void add_single_nodes(Filling& f, const Instanced& instanced, int mesh, std::vec
 }
 
 // Which OSM element each feature is: row 0 is none.
-Value property_table(Filling& f) {
+Value property_table(GlbBuilder& f) {
   std::vector<std::uint64_t> ids;
   std::vector<std::uint8_t> types;
   for (const OsmId& id : f.tile.features)
@@ -274,8 +275,8 @@ Value extras_of(const BakedTile& tile, const scene::Header& header) {
                    {"plant_error_m", number(tile.plant_error_m)},
                    {"rounding_m", number(rounding_m(tile.primitives))},
                    {"plane", Value(plane)}};
-  if (const auto& seen = tile.seen_from)
-    extras["seen_from"] = Value(Object{{"eye_m", vector(seen->eye)},
+  if (const auto& seen = tile.viewpoint)
+    extras["viewpoint"] = Value(Object{{"eye_m", vector(seen->eye)},
                                        {"focal_px", number(seen->focal_px)},
                                        {"pixel_error", number(seen->pixel_error)}});
   return Value(std::move(extras));
@@ -290,14 +291,14 @@ tinygltf::Node root_of(const BakedTile& tile, const scene::Header& header) {
   return root;
 }
 
-void fill(Filling& f, Instancing instancing) {
+void fill(GlbBuilder& f, Instancing instancing) {
   f.model.asset.version = "2.0", f.model.asset.generator = "citykiln 0.1.0",
   f.model.asset.copyright = joined(f.header.attributions);
   f.model.buffers.emplace_back();
   add_node(f, root_of(f.tile, f.header));
   if (!f.tile.primitives.empty()) f.model.nodes[0].mesh = add_mesh(f, "tile", f.tile.primitives);
   std::vector<int> children;
-  for (const Instanced& instanced : f.tile.instanced) {
+  for (const InstancedMesh& instanced : f.tile.instanced) {
     const int mesh = add_mesh(f, instanced.name, instanced.primitives, cutout_like(f, instanced.cutout));
     instancing == Instancing::kExtension ? add_extended(f, instanced, mesh, children)
                                          : add_single_nodes(f, instanced, mesh, children);
@@ -322,7 +323,7 @@ std::size_t bytes_of_meshes(const std::vector<Primitive>& primitives) {
 }
 
 GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instancing instancing) {
-  Filling f{tile, header, {}, {}, {}, {}, {}};
+  GlbBuilder f{tile, header, {}, {}, {}, {}, {}};
   f.buffer.reserve(bytes_of_meshes(tile.primitives));
   find_cutouts(f);
   fill(f, instancing);
@@ -336,11 +337,11 @@ GlbParts plain_parts(const BakedTile& tile, const scene::Header& header, Instanc
 
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures) {
   const std::string name(values_of(key.material).name);
-  if (key.coloured == Coloured::kBySheet) return name + "Marked";
-  if (key.coloured == Coloured::kByAtlas) return name + "Imprinted";
-  if (key.coloured == Coloured::kByCutout) return name + "Cutout";
+  if (key.colour_source == ColourSource::kByMarkingAtlas) return name + "Marked";
+  if (key.colour_source == ColourSource::kByAtlas) return name + "Facade";
+  if (key.colour_source == ColourSource::kByCutout) return name + "Cutout";
   const bool is_textured = std::ranges::count(textures, key.material, &materials::Texture::material) > 0;
-  return !key.has_uvs && is_textured ? name + "Plain" : name;
+  return !key.has_uvs && is_textured ? name + "Untextured" : name;
 }
 
 std::vector<std::byte> encode_glb(const BakedTile& tile, const scene::Header& header, Instancing instancing,

@@ -8,10 +8,10 @@ namespace citykiln::exporters {
 namespace {
 
 using bake::BakedTile;
-using bake::Instanced;
+using bake::InstancedMesh;
 using tinygltf::Value;
 
-int add_sampler(Filling& f, int wrap_across, int wrap_along) {
+int add_sampler(GlbBuilder& f, int wrap_across, int wrap_along) {
   tinygltf::Sampler sampler;
   sampler.wrapS = wrap_across, sampler.wrapT = wrap_along;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
@@ -21,7 +21,7 @@ int add_sampler(Filling& f, int wrap_across, int wrap_along) {
 }
 
 // A picture, its texels' size beside it: what scale it has is rounded. @param opacity  None, or one a texel.
-void add_picture(Filling& f, const materials::Sheet& picture, const std::string& name, int sampler,
+void add_picture(GlbBuilder& f, const materials::TextureImage& picture, const std::string& name, int sampler,
                  std::span<const std::uint8_t> opacity = {}) {
   if (picture.texels.empty()) return;
   tinygltf::Image image;
@@ -33,7 +33,7 @@ void add_picture(Filling& f, const materials::Sheet& picture, const std::string&
   f.model.images.push_back(image), f.model.textures.push_back(texture);
 }
 
-void add_textures(Filling& f) {
+void add_textures(GlbBuilder& f) {
   if (f.tile.textures.empty()) return;
   const int repeating = add_sampler(f, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT);
   for (const materials::Texture& texture : f.tile.textures) {
@@ -45,54 +45,54 @@ void add_textures(Filling& f) {
 
 }  // namespace
 
-void find_cutouts(Filling& f) {
-  for (const Instanced& instanced : f.tile.instanced) {
-    const auto is_alike = [&](const imprint::Cutout* other) { return *other == instanced.cutout; };
+void find_cutouts(GlbBuilder& f) {
+  for (const InstancedMesh& instanced : f.tile.instanced) {
+    const auto is_alike = [&](const impostor::Cutout* other) { return *other == instanced.cutout; };
     if (!instanced.cutout.colour.texels.empty() && std::ranges::none_of(f.cutouts, is_alike))
       f.cutouts.push_back(&instanced.cutout);
   }
 }
 
-const imprint::Cutout* cutout_like(const Filling& f, const imprint::Cutout& cutout) {
-  const auto is_alike = [&](const imprint::Cutout* other) { return *other == cutout; };
+const impostor::Cutout* cutout_like(const GlbBuilder& f, const impostor::Cutout& cutout) {
+  const auto is_alike = [&](const impostor::Cutout* other) { return *other == cutout; };
   const auto found = std::ranges::find_if(f.cutouts, is_alike);
   return found == f.cutouts.end() ? nullptr : *found;
 }
 
-int picture_number(const Filling& f, const materials::Sheet* picture) {
+int picture_number(const GlbBuilder& f, const materials::TextureImage* picture) {
   const BakedTile& tile = f.tile;
   int number = 0;
-  const auto is_it = [&](const materials::Sheet& other) {
+  const auto is_it = [&](const materials::TextureImage& other) {
     if (&other == picture) return true;
     number += other.texels.empty() ? 0 : 1;
     return false;
   };
-  const imprint::Atlas& atlas = tile.imprints;
+  const impostor::Atlas& atlas = tile.facade_atlas;
   if (is_it(tile.sheet) || is_it(atlas.colour) || is_it(atlas.surface) || is_it(atlas.emission) || is_it(atlas.normal))
     return number;
   for (const materials::Texture& texture : tile.textures)
     if (is_it(texture.colour) || is_it(texture.normal)) return number;
-  for (const imprint::Cutout* cutout : f.cutouts)
+  for (const impostor::Cutout* cutout : f.cutouts)
     if (is_it(cutout->colour) || is_it(cutout->normal)) break;
   return number;
 }
 
-void add_pictures(Filling& f) {
+void add_pictures(GlbBuilder& f) {
   // strips lie side by side, so that the sheet repeats along v alone
   if (!f.tile.sheet.texels.empty())
-    add_picture(f, f.tile.sheet, "sheet",
+    add_picture(f, f.tile.sheet, "marking_atlas",
                 add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_REPEAT));
-  if (!f.tile.imprints.colour.texels.empty()) {
+  if (!f.tile.facade_atlas.colour.texels.empty()) {
     const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-    add_picture(f, f.tile.imprints.colour, "imprints", clamped);
-    add_picture(f, f.tile.imprints.surface, "imprintsSurface", clamped);
-    add_picture(f, f.tile.imprints.emission, "imprintsEmission", clamped);
-    add_picture(f, f.tile.imprints.normal, "imprintsNormal", clamped);
+    add_picture(f, f.tile.facade_atlas.colour, "facade_atlas", clamped);
+    add_picture(f, f.tile.facade_atlas.surface, "facadesSurface", clamped);
+    add_picture(f, f.tile.facade_atlas.emission, "facadesEmission", clamped);
+    add_picture(f, f.tile.facade_atlas.normal, "facadesNormal", clamped);
   }
   add_textures(f);
   if (f.cutouts.empty()) return;
   const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
-  for (const imprint::Cutout* cutout : f.cutouts) {
+  for (const impostor::Cutout* cutout : f.cutouts) {
     add_picture(f, cutout->colour, "cutout", clamped, cutout->opacity);
     add_picture(f, cutout->normal, "cutoutNormal", clamped);
   }

@@ -20,7 +20,7 @@ std::string glb_name(scene::TileKey tile, std::size_t level) {
 std::uint64_t triangles_of(const bake::BakedTile& tile) {
   std::uint64_t count = 0;
   for (const bake::Primitive& primitive : tile.primitives) count += primitive.triangles.size();
-  for (const bake::Instanced& instanced : tile.instanced) {
+  for (const bake::InstancedMesh& instanced : tile.instanced) {
     for (const bake::Primitive& primitive : instanced.primitives)
       count += primitive.triangles.size() * instanced.translations.size();
   }
@@ -29,7 +29,7 @@ std::uint64_t triangles_of(const bake::BakedTile& tile) {
 
 std::uint64_t instances_of(const bake::BakedTile& tile) {
   std::uint64_t count = 0;
-  for (const bake::Instanced& instanced : tile.instanced) count += instanced.translations.size();
+  for (const bake::InstancedMesh& instanced : tile.instanced) count += instanced.translations.size();
   return count;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 #include "compiler/contract/result.h"
 #include "exporters/gltf/compression.h"
 
@@ -17,7 +17,7 @@ namespace citykiln::exporters {
 enum class Instancing { kExtension, kNodes };
 
 /// The material under which a primitive is written: "Asphalt"; "AsphaltMarked" where it is on the sheet,
-/// "PaintImprinted" on the atlas, "BroadLeafCutout" on a cutout (alphaMode MASK, both sides); "AsphaltPlain" where it
+/// "PaintFacade" on the atlas, "BroadLeafCutout" on a cutout (alphaMode MASK, both sides); "AsphaltUntextured" where it
 /// has no uvs, and Asphalt has one of the tile's textures.
 std::string material_name(const bake::PrimitiveKey& key, std::span<const materials::Texture> textures);
 
@@ -25,9 +25,9 @@ std::string material_name(const bake::PrimitiveKey& key, std::span<const materia
 /// (EXT_mesh_features, EXT_instance_features) into a property table of UINT64 OSM ids and UINT8 element types
 /// (EXT_structural_metadata); the tile's origin as doubles, error, tolerance, tile and the worst rounding to
 /// single precision in the root node's extras, and for which eye it was made, if for one; attribution in
-/// asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of materials::kTexturePlace_m; the
-/// sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform from there to the picture: its
-/// row 0, v = 0, is the picture's top; each cutout once, for all shapes that have the same; TANGENT where there are
+/// asset.copyright; uvs as TEXCOORD_0, metres, or on textures 16 bits in steps of materials::kTextureCoordinateStep_m;
+/// the sheet, the atlas and the textures as PNGs inside, shown with KHR_texture_transform from there to the picture:
+/// its row 0, v = 0, is the picture's top; each cutout once, for all shapes that have the same; TANGENT where there are
 /// normals. Same input, same bytes. Valid by Khronos' validator with 0 errors and 0 warnings. Packed, it holds
 /// quantised(tile) (quantise.h), whose error it states, vertices and triangles in another order, and normals of
 /// kPackedNormalBits. @param threads  Never changes a byte.

@@ -16,13 +16,13 @@ using Short4 = std::array<std::int16_t, 4>;
 bool is_direction(const std::string& name) { return name == "NORMAL" || name == "TANGENT"; }
 
 // First triangles that share corners follow each other, then corners in the order in which they are used.
-void reorder(MeshStreams& mesh) {
+void reorder(MeshArrays& mesh) {
   const std::size_t corners = mesh.indices.size();
   meshopt_optimizeVertexCacheStrip(mesh.indices.data(), mesh.indices.data(), corners, mesh.count);
   std::vector<unsigned int> places(mesh.count);
   const std::size_t used = meshopt_optimizeVertexFetchRemap(places.data(), mesh.indices.data(), corners, mesh.count);
   meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), corners, places.data());
-  for (Stream& stream : mesh.streams) {
+  for (VertexAttribute& stream : mesh.streams) {
     std::vector<unsigned char> ordered(used * stride_of(stream));
     meshopt_remapVertexBuffer(ordered.data(), stream.bytes.data(), mesh.count, stride_of(stream), places.data());
     stream.bytes = std::move(ordered);
@@ -37,7 +37,7 @@ MeshoptView packed(const void* values, std::size_t count, std::size_t stride, co
   return view;
 }
 
-MeshoptStream packed_direction(const Stream& stream, std::size_t count) {
+MeshoptAttribute packed_direction(const VertexAttribute& stream, std::size_t count) {
   std::vector<float> wide(count * 4);
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&wide[i * 4], stream.bytes.data() + i * stride_of(stream), stride_of(stream));
@@ -54,9 +54,9 @@ MeshoptView packed_steps(Steps steps, std::size_t count, std::size_t stride) {
   return packed(steps.counts.data(), count, stride, "EXPONENTIAL");
 }
 
-MeshoptStream packed_stream(const Stream& stream, std::size_t count) {
+MeshoptAttribute packed_stream(const VertexAttribute& stream, std::size_t count) {
   if (is_direction(stream.name)) return packed_direction(stream, count);
-  MeshoptStream out{stream.name, stream.component, stream.width, {}};
+  MeshoptAttribute out{stream.name, stream.component, stream.width, {}};
   if (auto steps = steps_of(stream))
     out.view = packed_steps(std::move(*steps), count, stride_of(stream));
   else
@@ -64,7 +64,7 @@ MeshoptStream packed_stream(const Stream& stream, std::size_t count) {
   return out;
 }
 
-MeshoptView packed_indices(const MeshStreams& mesh, std::size_t stride) {
+MeshoptView packed_indices(const MeshArrays& mesh, std::size_t stride) {
   MeshoptView view{{}, mesh.indices.size(), stride, "TRIANGLES", "NONE"};
   view.bytes.resize(meshopt_encodeIndexBufferBound(mesh.indices.size(), mesh.count));
   view.bytes.resize(
@@ -105,17 +105,17 @@ std::vector<unsigned char> as_floats(const std::vector<unsigned char>& bytes, st
 
 }  // namespace
 
-MeshoptMesh encode_meshopt(MeshStreams mesh, std::size_t index_stride) {
+MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride) {
   reorder(mesh);
   MeshoptMesh out;
-  for (const Stream& stream : mesh.streams) out.streams.push_back(packed_stream(stream, mesh.count));
+  for (const VertexAttribute& stream : mesh.streams) out.streams.push_back(packed_stream(stream, mesh.count));
   out.indices = packed_indices(mesh, index_stride);
   return out;
 }
 
-std::optional<Stream> decode_meshopt(const MeshoptStream& stream) {
+std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& stream) {
   const auto& [name, component, width, view] = stream;
-  Stream out{name, component, width, {}};
+  VertexAttribute out{name, component, width, {}};
   const bool is_octahedral = view.filter == "OCTAHEDRAL";
   const bool fits = is_octahedral ? is_direction(name) && component == Component::kShort && view.stride == 8 &&
                                         (width == 3 || width == 4)
@@ -126,7 +126,7 @@ std::optional<Stream> decode_meshopt(const MeshoptStream& stream) {
     return std::nullopt;
   unfilter(view.filter, out.bytes, view.count, view.stride);
   if (!is_octahedral) return out;
-  return Stream{name, Component::kFloat, width, as_floats(out.bytes, view.count, width)};
+  return VertexAttribute{name, Component::kFloat, width, as_floats(out.bytes, view.count, width)};
 }
 
 std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view) {

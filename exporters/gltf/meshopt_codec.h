@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exporters/gltf/mesh_streams.h"
+#include "exporters/gltf/vertex_attributes.h"
 
 namespace citykiln::exporters {
 
@@ -17,7 +17,7 @@ struct MeshoptView {
   std::string filter = "NONE";        ///< Or "OCTAHEDRAL", "EXPONENTIAL".
 };
 
-struct MeshoptStream {
+struct MeshoptAttribute {
   std::string name;
   Component component{};  ///< Of what it decodes to.
   std::size_t width = 0;
@@ -25,18 +25,18 @@ struct MeshoptStream {
 };
 
 struct MeshoptMesh {
-  std::vector<MeshoptStream> streams;  ///< In the mesh's order.
+  std::vector<MeshoptAttribute> streams;  ///< In the mesh's order.
   MeshoptView indices;
 };
 
 /// Vertices and triangles in another order (for the caches of graphics cards, which also is what packs best).
 /// Normals and tangents become 16 bits a number, on kPackedNormalBits of an octahedron; all else is as it was. Numbers
 /// on the grid of packed meshes are packed as such. @param index_stride  2 or 4.
-MeshoptMesh encode_meshopt(MeshStreams mesh, std::size_t index_stride);
+MeshoptMesh encode_meshopt(MeshArrays mesh, std::size_t index_stride);
 
 /// What a stream was, normals and tangents in single precision and of unit length. Nothing: the bytes are not what they
 /// say, or claim more than so few can hold.
-std::optional<Stream> decode_meshopt(const MeshoptStream& stream);
+std::optional<VertexAttribute> decode_meshopt(const MeshoptAttribute& stream);
 std::optional<std::vector<std::uint32_t>> decode_meshopt_indices(const MeshoptView& view);
 
 }  // namespace citykiln::exporters

@@ -11,29 +11,29 @@
 namespace citykiln::exporters {
 namespace {
 
-using materials::Sheet;
+using materials::TextureImage;
 
 // A picture as libpng takes it.
-png_image picture_of(const Sheet& sheet) {
+png_image picture_of(const TextureImage& sheet) {
   png_image picture{};
   picture.version = PNG_IMAGE_VERSION;
   picture.width = sheet.columns, picture.height = sheet.rows, picture.format = PNG_FORMAT_RGB;
   return picture;
 }
 
-std::uint32_t packed(Sheet::Texel texel) { return std::uint32_t{texel[0]} << 16 | texel[1] << 8 | texel[2]; }
+std::uint32_t packed(TextureImage::Texel texel) { return std::uint32_t{texel[0]} << 16 | texel[1] << 8 | texel[2]; }
 
 // The colours in order, and each one's number, to be looked up only.
 struct Palette {
-  std::vector<Sheet::Texel> colours;
+  std::vector<TextureImage::Texel> colours;
   std::unordered_map<std::uint32_t, std::uint8_t> numbers;
 };
 
 // More than 256 are no palette, and given up.
-std::optional<Palette> palette_of(const Sheet& sheet) {
+std::optional<Palette> palette_of(const TextureImage& sheet) {
   constexpr std::size_t kMost = 256;
   Palette palette;
-  for (const Sheet::Texel& texel : sheet.texels) {
+  for (const TextureImage::Texel& texel : sheet.texels) {
     if (!palette.numbers.try_emplace(packed(texel)).second) continue;
     if (palette.numbers.size() > kMost) return std::nullopt;
     palette.colours.push_back(texel);
@@ -55,7 +55,7 @@ std::vector<std::byte> written(png_image& picture, const void* pixels, const voi
 
 // No file holds more: eight pixels a byte, which deflate makes a thousandth of.
 std::uint64_t most_texels_in(std::size_t bytes) {
-  return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMostTexels);
+  return std::min<std::uint64_t>(8 * 1032 * bytes, materials::kMaxImageTexels);
 }
 
 // Begins to read, if it is no larger than a sheet may be. libpng keeps the picture's address: it must stay where it is.
@@ -64,7 +64,7 @@ Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const s
   if (png_image_begin_read_from_memory(&picture, bytes.data(), bytes.size()) == 0)
     return Error{name, std::string("expected a PNG picture: ") + picture.message};
   const std::uint64_t texels = std::uint64_t{picture.width} * picture.height;
-  if (std::max(picture.width, picture.height) <= materials::kWidestSheet_px && texels <= most_texels_in(bytes.size()))
+  if (std::max(picture.width, picture.height) <= materials::kMaxImageSide_px && texels <= most_texels_in(bytes.size()))
     return Done{};
   png_image_free(&picture);
   return Error{name, "expected a picture of no more texels than a sheet may have"};
@@ -72,20 +72,20 @@ Result<Done> begin(png_image& picture, std::span<const std::byte> bytes, const s
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const Sheet& sheet) {
+std::vector<std::byte> encode_png(const TextureImage& sheet) {
   assert(sheet.texels.size() == std::size_t{sheet.columns} * sheet.rows && !sheet.texels.empty());
   png_image picture = picture_of(sheet);
   const std::optional<Palette> palette = palette_of(sheet);
   if (!palette) return written(picture, sheet.texels.data(), nullptr);
   std::vector<std::uint8_t> numbers;
   numbers.reserve(sheet.texels.size());
-  for (const Sheet::Texel& texel : sheet.texels) numbers.push_back(palette->numbers.at(packed(texel)));
+  for (const TextureImage::Texel& texel : sheet.texels) numbers.push_back(palette->numbers.at(packed(texel)));
   picture.format = PNG_FORMAT_RGB_COLORMAP;
   picture.colormap_entries = static_cast<png_uint_32>(palette->colours.size());
   return written(picture, numbers.data(), palette->colours.data());
 }
 
-std::vector<std::byte> encode_png(const Sheet& sheet, std::span<const std::uint8_t> opacity) {
+std::vector<std::byte> encode_png(const TextureImage& sheet, std::span<const std::uint8_t> opacity) {
   assert(sheet.texels.size() == opacity.size() && !sheet.texels.empty());
   png_image picture = picture_of(sheet);
   picture.format = PNG_FORMAT_RGBA;
@@ -97,10 +97,11 @@ std::vector<std::byte> encode_png(const Sheet& sheet, std::span<const std::uint8
   return written(picture, pixels.data(), nullptr);
 }
 
-Result<Sheet> decode_png(std::span<const std::byte> bytes, const std::string& name) {
+Result<TextureImage> decode_png(std::span<const std::byte> bytes, const std::string& name) {
   png_image picture{};
   if (const auto begun = begin(picture, bytes, name); !begun) return begun.error();
-  Sheet sheet{0, picture.width, picture.height, std::vector<Sheet::Texel>(std::size_t{picture.width} * picture.height)};
+  TextureImage sheet{0, picture.width, picture.height,
+                     std::vector<TextureImage::Texel>(std::size_t{picture.width} * picture.height)};
   picture.format = PNG_FORMAT_RGB;
   const png_color black{};
   if (png_image_finish_read(&picture, &black, sheet.texels.data(), 0, nullptr) == 0)
@@ -108,14 +109,14 @@ Result<Sheet> decode_png(std::span<const std::byte> bytes, const std::string& na
   return sheet;
 }
 
-Result<CutPicture> decode_cut_png(std::span<const std::byte> bytes, const std::string& name) {
+Result<CutoutImage> decode_cutout_png(std::span<const std::byte> bytes, const std::string& name) {
   png_image picture{};
   if (const auto begun = begin(picture, bytes, name); !begun) return begun.error();
   std::vector<std::array<std::uint8_t, 4>> pixels(std::size_t{picture.width} * picture.height);
   picture.format = PNG_FORMAT_RGBA;
   if (png_image_finish_read(&picture, nullptr, pixels.data(), 0, nullptr) == 0)
     return Error{name, std::string("expected a whole PNG picture: ") + picture.message};
-  CutPicture cut;
+  CutoutImage cut;
   cut.colour.columns = picture.width, cut.colour.rows = picture.height;
   for (const auto& [r, g, b, opacity] : pixels) cut.colour.texels.push_back({r, g, b}), cut.opacity.push_back(opacity);
   return cut;

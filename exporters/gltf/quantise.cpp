@@ -26,7 +26,7 @@ double put_on_grid(std::vector<Primitive>& primitives) {
   for (Primitive& primitive : primitives) {
     for (Float3& p : primitive.positions) {
       const Float3 before = p;
-      for (float& c : p) c = on_grid(kPackedPlace_m, c);
+      for (float& c : p) c = on_grid(kPackedPosition_m, c);
       farthest_m = std::max(farthest_m, distance_m(before, p));
     }
     for (bake::Float2& uv : primitive.uvs)
@@ -50,7 +50,7 @@ double rounding_m(std::span<const Primitive> primitives) {
 bake::BakedTile quantised(bake::BakedTile tile) {
   const double before_m = rounding_m(tile.primitives);
   double farthest_m = put_on_grid(tile.primitives);
-  for (bake::Instanced& instanced : tile.instanced) {
+  for (bake::InstancedMesh& instanced : tile.instanced) {
     const double moved_m = put_on_grid(instanced.primitives);
     for (const float scale : instanced.scales) farthest_m = std::max(farthest_m, moved_m * std::abs(scale));
   }

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 
 namespace citykiln::exporters {
 
@@ -11,7 +11,7 @@ namespace citykiln::exporters {
 /// ground is, half a last bit in each direction elsewhere, as on walls.
 double rounding_m(std::span<const bake::Primitive> primitives);
 
-/// The tile with all places on the grid of kPackedPlace_m, and uvs on that of kPackedUv_m; error_m is larger by the
+/// The tile with all places on the grid of kPackedPosition_m, and uvs on that of kPackedUv_m; error_m is larger by the
 /// farthest that any place has moved, in the world: at most half a step times √3 (for copies: and their scale), and by
 /// the rounding before.
 ///

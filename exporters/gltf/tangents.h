@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 
 namespace citykiln::exporters {
 

@@ -4,4 +4,4 @@
 #include <fstream>
 
 #define TINYGLTF_IMPLEMENTATION
-#include "exporters/gltf/tinygltf_switches.h"
+#include "exporters/gltf/tinygltf_config.h"

@@ -3,9 +3,9 @@
 #include <bit>
 #include <cmath>
 
-#include "exporters/kiln/chunk_fields.h"
-#include "exporters/kiln/describe_buildings.h"
-#include "exporters/kiln/describe_roads.h"
+#include "exporters/kiln/building_codec.h"
+#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/road_codec.h"
 
 // Writing and reading are one description: `describe` walks a chunk once, and a Writer or a Reader stands behind it.
 namespace citykiln::exporters {
@@ -16,7 +16,7 @@ using scene::Chunk;
 constexpr std::size_t kMostPerFile = 1u << 28;
 
 // Standing water has one.
-void level(auto& io, ground::Surface& s) {
+void level(auto& io, ground::LandCoverPolygon& s) {
   bool is_levelled = s.level_m.has_value();
   flag(io, "levelled", is_levelled);
   if (!is_levelled) return;
@@ -24,21 +24,21 @@ void level(auto& io, ground::Surface& s) {
   quanta(io, "water level", *s.level_m, kProfileQuantum_m);
 }
 
-void describe(auto& io, ground::Surface& s) {
+void serialise(auto& io, ground::LandCoverPolygon& s) {
   id(io, s.id);
-  enumerator(io, "surface class", s.surface, map::SurfaceClass::kCount);
+  enumerator(io, "surface class", s.surface, map::LandCoverClass::kCount);
   io.number("surface area", s.area_m2);
   list(io, "surface rings", s.rings, 1, [&](Ring& ring) { points(io, "ring points", ring, 3); });
   level(io, s);
   flag(io, "graded", s.is_graded);
 }
 
-void stock(auto& io, Stream name, plants::Stock& stock) {
-  auto number = static_cast<std::uint8_t>(stock);
+void species_mix(auto& io, Stream name, plants::SpeciesMix& species_mix) {
+  auto number = static_cast<std::uint8_t>(species_mix);
   io.number(name, number);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
-    if (!plants::is_stock(number)) io.fail(name), number = 0;
-  stock = plants::Stock{number};
+    if (!plants::is_species_mix(number)) io.fail(name), number = 0;
+  species_mix = plants::SpeciesMix{number};
 }
 
 // Whole eighths of a metre, below 256 m.
@@ -50,48 +50,49 @@ void eighths(auto& io, Stream name, double& value, double least_m) {
     if (!(value >= least_m && value < 256)) io.fail(name), value = 1;
 }
 
-void describe(auto& io, plants::Tree& t) {
+void serialise(auto& io, plants::Tree& t) {
   id(io, t.id);
   io.point(t.at), io.metres("tree height", t.height_m);
-  stock(io, "tree stock", t.stock);
+  species_mix(io, "tree species mix", t.species_mix);
 }
 
-void describe(auto& io, plants::Wood& w) {
+void serialise(auto& io, plants::Wood& w) {
   id(io, w.surface);
-  stock(io, "wood", w.stock), io.number("wood", w.per_ha), eighths(io, "wood", w.height_m, 0.125);
+  species_mix(io, "wood", w.species_mix), io.number("wood", w.trees_per_ha), eighths(io, "wood", w.height_m, 0.125);
   if constexpr (std::remove_reference_t<decltype(io)>::kReads)
     // what would ask for a million trees a hectare, or none, is no wood
-    if (w.per_ha < plants::kLeastPerHa || w.per_ha > plants::kMostPerHa) io.fail("wood");
+    if (w.trees_per_ha < plants::kLeastTreesPerHa || w.trees_per_ha > plants::kMostTreesPerHa) io.fail("wood");
 }
 
-void describe(auto& io, plants::Planting& p) {
+void serialise(auto& io, plants::Planting& p) {
   id(io, p.surface);
-  stock(io, "planting", p.stock), io.number("planting", p.heading);
-  eighths(io, "planting", p.row_m, plants::kLeastPlant_m), eighths(io, "planting", p.plant_m, plants::kLeastPlant_m);
+  species_mix(io, "planting", p.species_mix), io.number("planting", p.heading);
+  eighths(io, "planting", p.row_spacing_m, plants::kLeastPlantSpacing_m),
+      eighths(io, "planting", p.plant_spacing_m, plants::kLeastPlantSpacing_m);
   eighths(io, "planting", p.height_m, 0.125);
 }
 
-void describe(auto& io, plants::Row& r) {
+void serialise(auto& io, plants::TreeRow& r) {
   id(io, r.id);
   points(io, "tree row points", r.axis, 2);
-  stock(io, "tree row", r.stock);
+  species_mix(io, "tree row", r.species_mix);
   eighths(io, "tree row", r.height_m, 0), eighths(io, "tree row", r.spacing_m, 0);
 }
 
-void describe(auto& io, plants::Lane& l) {
+void serialise(auto& io, plants::PowerLineCorridor& l) {
   id(io, l.id);
-  points(io, "power lane points", l.axis, 2);
-  eighths(io, "power lane", l.width_m, 0);
+  points(io, "power corridor points", l.axis, 2);
+  eighths(io, "power corridor", l.width_m, 0);
 }
 
-void describe(auto& io, props::Barrier& b) {
+void serialise(auto& io, props::Barrier& b) {
   id(io, b.id);
   points(io, "barrier points", b.axis, 2);
   enumerator(io, "barrier kind", b.kind, static_cast<map::BarrierKind>(6));
   io.metres("barrier height", b.height_m), io.metres("barrier width", b.width_m);
 }
 
-void describe(auto& io, props::Lamp& l) {
+void serialise(auto& io, props::Lamp& l) {
   id(io, l.id);
   io.point(l.at), io.metres("lamp height", l.height_m);
 }
@@ -152,33 +153,33 @@ void heights(Io& io, map::Heightfield& h) {
 }
 
 template <typename Io>
-void describe(Io& io, Chunk& c) {
+void serialise(Io& io, Chunk& c) {
   std::uint64_t is_coarse = io.point_step_m == kMapStep_m ? 1 : 0;
   io.number("point step", is_coarse);
   if constexpr (Io::kReads)
     if (is_coarse > 1) io.fail("point step");
   io.point_step_m = is_coarse != 0 ? kMapStep_m : kQuantum_m;
   heights(io, c.heights);
-  list(io, "surfaces", c.surfaces, 0, [&](auto& o) { describe(io, o); });
+  list(io, "surfaces", c.surfaces, 0, [&](auto& o) { serialise(io, o); });
   KindsOfChunk kinds = kinds_of_chunk(io, c);
   roads_of(io, c.roads, kinds);
-  list(io, "junctions", c.junctions, 0, [&](auto& o) { describe(io, o); });
-  list(io, "streams", c.streams, 0, [&](auto& o) { describe(io, o); });
-  list(io, "bridges", c.bridges, 0, [&](auto& o) { describe(io, o, kinds); });
-  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { describe(io, o, kinds); });
-  list(io, "buildings", c.buildings, 0, [&](auto& o) { describe(io, o); });
-  list(io, "trees", c.trees, 0, [&](auto& o) { describe(io, o); });
-  list(io, "woods", c.woods, 0, [&](auto& o) { describe(io, o); });
-  list(io, "plantings", c.plantings, 0, [&](auto& o) { describe(io, o); });
-  list(io, "tree rows", c.tree_rows, 0, [&](auto& o) { describe(io, o); });
-  list(io, "power lanes", c.lanes, 0, [&](auto& o) { describe(io, o); });
-  list(io, "barriers", c.barriers, 0, [&](auto& o) { describe(io, o); });
-  list(io, "lamps", c.lamps, 0, [&](auto& o) { describe(io, o); });
+  list(io, "junctions", c.junctions, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "watercourses", c.watercourses, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "bridges", c.bridges, 0, [&](auto& o) { serialise(io, o, kinds); });
+  list(io, "tunnels", c.tunnels, 0, [&](auto& o) { serialise(io, o, kinds); });
+  list(io, "buildings", c.buildings, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "trees", c.trees, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "woods", c.woods, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "plantings", c.plantings, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "tree rows", c.tree_rows, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "power corridors", c.corridors, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "barriers", c.barriers, 0, [&](auto& o) { serialise(io, o); });
+  list(io, "lamps", c.lamps, 0, [&](auto& o) { serialise(io, o); });
 }
 
 double step_of(Chunk& chunk) {
-  StepFinder finder;
-  describe(finder, chunk);
+  PointStepProbe finder;
+  serialise(finder, chunk);
   return finder.point_step_m;
 }
 
@@ -191,7 +192,7 @@ Streams encode_chunk(const Chunk& chunk) {
   // the description is one for both ways, so it takes what it may change
   Chunk copy = chunk;
   writer.point_step_m = step_of(copy);
-  describe(writer, copy);
+  serialise(writer, copy);
   Streams streams;
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (!writer.streams[i].bytes().empty()) streams[kStreamNames[i]] = writer.streams[i].bytes();
@@ -208,7 +209,7 @@ std::optional<Chunk> decode_chunk(const Streams& streams, scene::TileKey tile, s
   }
   Chunk chunk;
   chunk.tile = tile;
-  describe(reader, chunk);
+  serialise(reader, chunk);
   for (std::size_t i = 0; i < kStreamNames.size(); ++i)
     if (reader.wrong.empty() && reader.streams[i] && !reader.streams[i]->is_finished()) reader.wrong = kStreamNames[i];
   wrong = reader.wrong;

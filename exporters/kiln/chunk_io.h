@@ -17,9 +17,9 @@
 
 namespace citykiln::exporters {
 
-inline constexpr std::size_t kMostAtOnce = 1u << 12;
+inline constexpr std::size_t kMaxReserve = 1u << 12;
 // The plane reaches 80 degrees of longitude from its origin: 16 000 km.
-inline constexpr double kFarthest_m = 0x1p25;
+inline constexpr double kMaxCoordinate_m = 0x1p25;
 
 // Points that several rings and lines share are written once. A point is a step along the list of those that came
 // before (a shared border is followed forwards or backwards), a jump to one of them, or new.
@@ -108,7 +108,7 @@ struct Reader {
   std::int64_t jump() { return checked("point jumps", &StreamReader::get_signed); }
   double place(Stream name, double step_m) {
     const double value = static_cast<double>(checked(name, &StreamReader::get_delta)) * step_m;
-    if (std::abs(value) <= kFarthest_m) return value;
+    if (std::abs(value) <= kMaxCoordinate_m) return value;
     fail(name);
     return 0;
   }
@@ -138,7 +138,7 @@ struct Reader {
 };
 
 /// Looks at every point of a chunk and leaves it as it is.
-struct StepFinder {
+struct PointStepProbe {
   static constexpr bool kReads = false;
   double point_step_m = kMapStep_m;
 

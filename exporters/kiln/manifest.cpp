@@ -28,7 +28,7 @@ using RawBytes = std::vector<std::uint8_t>;
 
 constexpr char kMagic[8] = {'C', 'I', 'T', 'Y', 'K', 'I', 'L', 'N'};
 constexpr std::uint16_t kMajor = 1, kMinor = 3;
-constexpr const char* kExpanderVersion = "0.1.0";
+constexpr const char* kGeneratorVersion = "0.1.0";
 constexpr const char* kLicence =
     "This manifest is a derivative database of OpenStreetMap, made available under the Open Database License (ODbL) "
     "1.0; see https://www.openstreetmap.org/copyright";
@@ -47,16 +47,16 @@ std::uint64_t tables_hash() {
   std::string names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
     names += values_of(static_cast<materials::Material>(m)).name, names += ' ';
-  for (int s = 0; s < static_cast<int>(map::SurfaceClass::kCount); ++s)
-    names += values_of(static_cast<map::SurfaceClass>(s)).name, names += ' ';
+  for (int s = 0; s < static_cast<int>(map::LandCoverClass::kCount); ++s)
+    names += values_of(static_cast<map::LandCoverClass>(s)).name, names += ' ';
   for (int b = 0; b < static_cast<int>(map::BuildingClass::kCount); ++b)
     names += values_of(static_cast<map::BuildingClass>(b)).name, names += ' ';
   for (int s = 0; s < static_cast<int>(buildings::Style::kCount); ++s)
     names += buildings::rules_of(static_cast<buildings::Style>(s)), names += ' ';
   for (int s = 0; s < static_cast<int>(plants::Species::kCount); ++s)
     names += values_of(static_cast<plants::Species>(s)).file, names += ' ';
-  for (int m = 0; m < static_cast<int>(plants::Mix::kCount); ++m)
-    names += name_of(stock_of(static_cast<plants::Mix>(m))), names += ' ';
+  for (int m = 0; m < static_cast<int>(plants::PlantCommunity::kCount); ++m)
+    names += name_of(species_mix_of(static_cast<plants::PlantCommunity>(m))), names += ' ';
   return checksum(std::as_bytes(std::span(names)));
 }
 
@@ -116,7 +116,7 @@ RawBytes raw_header(const scene::Scene& scene, std::span<const Bytes> frames, co
   // not a number stands for none
   const double snow_line_m = h.snow_line_m.value_or(std::numeric_limits<double>::quiet_NaN());
   const auto rules = rules_of(builder, h.rules), species = rules_of(builder, h.species);
-  builder.Finish(fbs::CreateHeaderDirect(builder, kExpanderVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
+  builder.Finish(fbs::CreateHeaderDirect(builder, kGeneratorVersion, tables_hash(), h.origin.lon_deg, h.origin.lat_deg,
                                          &region, h.tile_m, h.seed, h.resampling_error_m, sky, &sources, &attributions,
                                          kLicence, index, dictionary.empty() ? nullptr : &dictionary, snow_line_m,
                                          &rules, &species));

@@ -10,7 +10,7 @@
 namespace citykiln::exporters {
 
 struct RoadKind {
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   map::CrossSection section;
   map::DrivingSide side{};
   bool is_lit = false, is_link = false, is_roundabout = false;

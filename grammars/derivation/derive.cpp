@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::size_t kMostTroubles = 1000;  // a mistake in a loop says the same thing a million times in new words
 
-std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(Place place) {
+std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(TextPosition place) {
   return {place.file, place.line, place.column};
 }
 
 Shape first_shape(Run& run) {
   Shape shape = run.initial;
   // a birth of its own, so that the start's dice are not the attributes'
-  run.births.push_back({0, "start", 0});
+  run.nodes.push_back({0, "start", 0});
   shape.in_split.since = shape.in_comp.since = 0;
   return shape;
 }
@@ -26,7 +26,7 @@ Shape first_shape(Run& run) {
 void make_room(Run& run) {
   constexpr std::size_t kTerminals = 256, kShapes = 1024;
   run.out.terminals.reserve(kTerminals), run.notes.reserve(kTerminals);
-  run.births.reserve(kShapes);
+  run.nodes.reserve(kShapes);
   run.memo.entries.reserve(kTerminals);
   run.tables.textures.reserve(kTerminals);
 }
@@ -46,36 +46,36 @@ void tell_ids(Run& run) {
 }
 
 void sort_troubles(Run& run) {
-  for (auto& [key, trouble] : run.troubles) run.out.troubles.push_back(std::move(trouble));
-  std::stable_sort(run.out.troubles.begin(), run.out.troubles.end(),
-                   [](const Trouble& a, const Trouble& b) { return order_of(a.place) < order_of(b.place); });
+  for (auto& [key, warning] : run.warnings) run.out.warnings.push_back(std::move(warning));
+  std::stable_sort(run.out.warnings.begin(), run.out.warnings.end(),
+                   [](const Warning& a, const Warning& b) { return order_of(a.place) < order_of(b.place); });
 }
 
 }  // namespace
 
 StableId Run::id_of(std::uint32_t birth) {
-  if (ids.size() < births.size()) ids.resize(births.size());
+  if (ids.size() < nodes.size()) ids.resize(nodes.size());
   if (ids[birth] != StableId{}) return ids[birth];
-  const Birth& born = births[birth];
+  const DerivationNode& born = nodes[birth];
   const StableId parent = birth == 0 ? initial.id : id_of(born.parent);
   return ids[birth] = stable_id(parent, born.name, born.ordinal);
 }
 
-void Run::asked_of(std::uint32_t since) {
+void Run::depends_on(std::uint32_t since) {
   for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
 }
 
-void Run::threw(const Throw& thrown) {
+void Run::record_draw(const RandomDraw& thrown) {
   if (!memo.open.empty()) throws.push_back(thrown);
 }
 
-void Run::trouble(Place place, const std::string& message) {
-  asked_of(0);
+void Run::warning(TextPosition place, const std::string& message) {
+  depends_on(0);
   ++troubles_told;
-  const std::string key = place_name(program.files[place.file], place);
-  const auto found = troubles.find({key, message});
-  if (found != troubles.end()) return void(++found->second.times);
-  if (troubles.size() < kMostTroubles) troubles[{key, message}] = {place, message, 1};
+  const std::string key = position_text(program.files[place.file], place);
+  const auto found = warnings.find({key, message});
+  if (found != warnings.end()) return void(++found->second.times);
+  if (warnings.size() < kMostTroubles) warnings[{key, message}] = {place, message, 1};
 }
 
 bool Run::spend(std::uint64_t steps) {
@@ -83,8 +83,8 @@ bool Run::spend(std::uint64_t steps) {
   return out.steps <= options.limits.steps;
 }
 
-void Run::hit(LimitKind kind, const std::string& rule, Place place) {
-  asked_of(0);
+void Run::hit(LimitKind kind, const std::string& rule, TextPosition place) {
+  depends_on(0);
   for (LimitHit& hit : out.limits)
     if (hit.kind == kind) return void(++hit.times);
   out.limits.push_back({kind, rule, place, 1});
@@ -108,7 +108,7 @@ void Run::add_path(std::uint32_t parent, const std::string& rule) {
   first_below.push_back(0);
 }
 
-std::uint32_t Run::look_index(std::uint32_t look) {
+std::uint32_t Run::appearance_index(std::uint32_t look) {
   looks_in_out.resize(tables.looks.size());
   std::uint32_t& in_out = looks_in_out[look];
   if (in_out == 0) {
@@ -165,14 +165,14 @@ std::string path_name(const Derivation& derivation, std::uint32_t path) {
   return node.parent == 0 ? node.rule : path_name(derivation, node.parent) + "/" + node.rule;
 }
 
-std::string trouble_line(const Program& program, const Trouble& trouble) {
-  const std::string line = place_name(program.files[trouble.place.file], trouble.place) + ": " + trouble.message;
-  return trouble.times == 1 ? line : line + " (" + std::to_string(trouble.times) + " times)";
+std::string warning_line(const Program& program, const Warning& warning) {
+  const std::string line = position_text(program.files[warning.place.file], warning.place) + ": " + warning.message;
+  return warning.times == 1 ? line : line + " (" + std::to_string(warning.times) + " times)";
 }
 
 std::string limit_line(const Program& program, const LimitHit& hit) {
   constexpr const char* kNames[] = {"depth", "shapes", "steps"};
-  return place_name(program.files[hit.place.file], hit.place) + ": the limit of " +
+  return position_text(program.files[hit.place.file], hit.place) + ": the limit of " +
          kNames[static_cast<std::size_t>(hit.kind)] + " ended " + std::to_string(hit.times) +
          " shapes, the first of rule " + hit.rule;
 }

@@ -32,14 +32,14 @@ struct DeriveOptions {
   std::uint64_t seed = 0;
   double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
   bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
-  bool keep_looks = false;  ///< No cut where something wider than the tolerance looks otherwise.
+  bool keep_appearances = false;  ///< No cut where something wider than the tolerance looks otherwise.
   bool ids = true;     ///< Terminals and reports have theirs, and their paths; without, they have neither, and that
                        ///< is quicker: what looks the same is copied wherever it came about.
   bool copies = true;  ///< Shapes that are the same but for a motion are derived once.
   /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
-  /// not derived, so nothing is counted, reported or looked at there. With keep_looks, only where nothing that comes of
-  /// it may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the rules
-  /// alone bound what either moves.
+  /// not derived, so nothing is counted, reported or looked at there. With keep_appearances, only where nothing that
+  /// comes of it may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the
+  /// rules alone bound what either moves.
   bool ahead = false;
   Limits limits;
   Occlusion occlusion;  ///< None: nothing stands near.
@@ -58,7 +58,7 @@ struct Terminal {
   std::uint32_t path = 0;   ///< Into Derivation::paths.
   std::uint32_t look = 0;   ///< Into Derivation::looks.
   std::vector<Face> faces;  ///< Plane metres; empty of an asset. Where the street runs is not told any more.
-  std::optional<TextureFrame> texture;
+  std::optional<TextureProjection> texture;
   std::string asset;  ///< i("…"): the instance that fills the scope; "" for none.
   Scope scope;
   bool cut = false;    ///< Ended by the tolerance: stands for all that its rule would have made.
@@ -74,8 +74,8 @@ struct Reported {
 };
 
 /// Something a rule asked for that cannot be, and what was done instead. Once a place and text.
-struct Trouble {
-  Place place;
+struct Warning {
+  TextPosition place;
   std::string message;
   std::uint64_t times = 0;
 };
@@ -86,17 +86,17 @@ enum class LimitKind : std::uint8_t { kDepth, kShapes, kSteps };
 struct LimitHit {
   LimitKind kind = LimitKind::kDepth;
   std::string rule;
-  Place place;
+  TextPosition place;
   std::uint64_t times = 0;  ///< How many shapes it ended.
 };
 
 struct Derivation {
   std::vector<Terminal> terminals;  ///< In the rules' order, depth first.
   std::vector<PathNode> paths;
-  std::vector<Look> looks;
+  std::vector<Appearance> looks;
   std::vector<Reported> reports;  ///< Of all detail, at any tolerance.
   std::vector<std::string> printed;
-  std::vector<Trouble> troubles;  ///< By place.
+  std::vector<Warning> warnings;  ///< By place.
   std::vector<LimitHit> limits;   ///< At most one a kind.
   std::uint64_t shapes = 0, steps = 0;
   std::uint64_t copied = 0;  ///< Of `shapes`, those that were not derived but copied.
@@ -121,7 +121,7 @@ Derivation derive(const Program& program, const Shape& initial, const DeriveOpti
 /// "Lot/Facade/Floor".
 std::string path_name(const Derivation& derivation, std::uint32_t path);
 /// "old_town_house.cga:12:5: message".
-std::string trouble_line(const Program& program, const Trouble& trouble);
+std::string warning_line(const Program& program, const Warning& warning);
 /// "old_town_house.cga:12:5: the depth limit ended 3 shapes, first of rule Floor".
 std::string limit_line(const Program& program, const LimitHit& hit);
 

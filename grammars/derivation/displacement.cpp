@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/shapes/few.h"
+#include "grammars/shapes/small_vector.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -110,7 +110,7 @@ Ring3 vertices_of(std::span<const Face> faces) {
 
 NodeTrace together(std::span<const ChildTrace> children) {
   NodeTrace node;
-  Few<double, 8> back_of_group_m;
+  SmallVector<double, 8> back_of_group_m;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const ChildTrace& child = children[i];
     node.vanished &= child.vanished;

@@ -42,15 +42,15 @@ struct ChildTrace {
 };
 
 /// What a node's surfaces look like, of those that are wide enough to be told apart.
-struct SeenLooks {
+struct VisibleAppearances {
   enum class Count : std::uint8_t { kNone, kOne, kMany };
   Count count = Count::kNone;
   std::uint32_t look = 0;  ///< Of kOne.
 
-  void add(SeenLooks more) {
+  void add(VisibleAppearances more) {
     if (more.count == Count::kNone) return;
     const bool is_same = count == Count::kOne && more.count == Count::kOne && look == more.look;
-    *this = count == Count::kNone || is_same ? more : SeenLooks{Count::kMany, 0};
+    *this = count == Count::kNone || is_same ? more : VisibleAppearances{Count::kMany, 0};
   }
   bool are_many() const { return count == Count::kMany; }
   bool show_other_than(std::uint32_t one) const { return are_many() || (count == Count::kOne && look != one); }
@@ -60,7 +60,8 @@ struct SeenLooks {
 struct NodeTrace {
   Displacement moved;
   bool vanished = true;
-  SeenLooks seen = {};  ///< Where looks are kept. If many, nobody asks for `moved`: the node and all around it stay.
+  VisibleAppearances seen =
+      {};  ///< Where looks are kept. If many, nobody asks for `moved`: the node and all around it stay.
 };
 
 /// Puts together what the children say.

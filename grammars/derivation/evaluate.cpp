@@ -26,26 +26,26 @@ struct Outcomes {
 };
 
 double thrown(Context& context, std::uint32_t index) {
-  const Dice& dice = context.dice;
+  const RandomSource& dice = context.dice;
   const StableId id = dice.of_shape ? context.run.id_of(dice.birth) : context.run.initial.id;
   return Draw(context.run.options.seed, id, dice.purpose).unit(index);
 }
 
 Drawn draw(Context& context, double scale) {
-  Dice& dice = context.dice;
+  RandomSource& dice = context.dice;
   const std::uint32_t index = dice.next++;
   return {thrown(context, index) * scale, scale, index};
 }
 
 // any throw within these bounds would have led to the same
 void tell(Context& context, const Drawn& drawn, Outcomes same) {
-  const Dice& dice = context.dice;
-  if (dice.of_shape) context.run.threw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
+  const RandomSource& dice = context.dice;
+  if (dice.of_shape) context.run.record_draw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
 }
 
-double finite(double number, Place place, Context& context) {
+double finite(double number, TextPosition place, Context& context) {
   if (std::isfinite(number)) return number;
-  context.run.trouble(place, "the value is not a number or too large");
+  context.run.warning(place, "the value is not a number or too large");
   constexpr double kLargest = std::numeric_limits<double>::max();
   return std::isnan(number) ? 0.0 : std::clamp(number, -kLargest, kLargest);
 }
@@ -76,7 +76,7 @@ template <typename Result, typename Make>
 Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
   if (!context.run.spend(1)) return otherwise;
   if (context.depth >= kMostDepth) {
-    context.run.trouble(expression.place, "values ask for each other without end");
+    context.run.warning(expression.place, "values ask for each other without end");
     return otherwise;
   }
   ++context.depth;
@@ -91,7 +91,7 @@ double number_at(const Expression& expression, Context& context) {
   if (is_arithmetic(expression)) return within(expression, context, 0.0, [&] { return result(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<double>(value))
-    context.run.trouble(expression.place, std::string("expected a float, found a ") + kind_name(value));
+    context.run.warning(expression.place, std::string("expected a float, found a ") + kind_name(value));
   return number_of(value);
 }
 
@@ -99,7 +99,7 @@ bool truth_at(const Expression& expression, Context& context) {
   if (is_condition(expression)) return within(expression, context, false, [&] { return holds(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<bool>(value))
-    context.run.trouble(expression.place, std::string("expected a bool, found a ") + kind_name(value));
+    context.run.warning(expression.place, std::string("expected a bool, found a ") + kind_name(value));
   return truth_of(value);
 }
 
@@ -117,7 +117,7 @@ bool is_drawn(Context& context, double share) {
 
 bool occluded(Context& context, OcclusionQuery query) {
   const Occlusion& occlusion = context.run.options.occlusion;
-  if (occlusion && context.dice.of_shape) context.run.asked_of(0);
+  if (occlusion && context.dice.of_shape) context.run.depends_on(0);
   // a look at all points of the shape
   context.run.spend(vertex_count(context.shape.faces) * 2);
   return occlusion && occlusion(query, context.shape);
@@ -144,7 +144,7 @@ Value evaluate_builtin(const Expression& call, Context& context) {
     if (*letters == '/') ++letters;
     const char letter = *letters++;
     const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
-    if (!fits) context.run.trouble(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
+    if (!fits) context.run.warning(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
     n[i] = number_of(v[i]);
     if (letter == 's') s[i] = text_of(v[i]);
   }
@@ -176,33 +176,33 @@ Value constant_value(std::uint32_t index, Context& context) {
   return evaluate(function.value, inner);
 }
 
-Value look_value(const std::string& name, const Look& look) {
-#define LOOK_TEXT(key, member) \
+Value look_value(const std::string& name, const Appearance& look) {
+#define MATERIAL_TEXT(key, member) \
   if (name == key) return look.member;
-#define LOOK_NUMBER(key, member) \
+#define MATERIAL_NUMBER(key, member) \
   if (name == key) return look.member;
-#include "grammars/language/look_table.inc"
-#undef LOOK_TEXT
-#undef LOOK_NUMBER
+#include "grammars/language/material_values.inc"
+#undef MATERIAL_TEXT
+#undef MATERIAL_NUMBER
   return 0.0;
 }
 
 // the first shape to have been given what the value tells; ~0 if it is the shape's own
 std::uint32_t given_to(const Shape& shape, std::size_t row) {
-  constexpr ToldOf kTold[] = {
+  constexpr DependsOn kTold[] = {
 #define SHAPE_VALUE(key, told_of, computes, text) told_of,
 #include "grammars/language/shape_values.inc"
 #undef SHAPE_VALUE
   };
-  if (kTold[row] == ToldOf::kPlace) return 0;
-  if (kTold[row] == ToldOf::kSplit) return shape.in_split.since;
-  return kTold[row] == ToldOf::kComp ? shape.in_comp.since : ~0u;
+  if (kTold[row] == DependsOn::kPlace) return 0;
+  if (kTold[row] == DependsOn::kSplit) return shape.in_split.since;
+  return kTold[row] == DependsOn::kComp ? shape.in_comp.since : ~0u;
 }
 
 Value shape_value(const Expression& name, Context& context) {
   const Shape& shape = context.shape;
   if (name.index == ~0u) return look_value(name.text, context.run.tables.looks[shape.look]);
-  if (context.dice.of_shape) context.run.asked_of(given_to(shape, name.index));
+  if (context.dice.of_shape) context.run.depends_on(given_to(shape, name.index));
   std::size_t at = 0;
 #define SHAPE_VALUE(key, told_of, computes, text) \
   if (name.index == at++) return Value(computes);
@@ -236,9 +236,9 @@ Value evaluate_unary(const Expression& unary, Context& context) {
 }
 
 // as strings where one is a string, else as numbers; a float equals no bool
-int compared(const Value& a, const Value& b, Place place, Context& context) {
+int compared(const Value& a, const Value& b, TextPosition place, Context& context) {
   if (a.index() != b.index())
-    context.run.trouble(place, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
+    context.run.warning(place, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
   if (std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b)) {
     const int order = text_of(a).compare(text_of(b));
     return order < 0 ? -1 : order > 0 ? 1 : 0;
@@ -274,19 +274,19 @@ constexpr std::size_t kLongestText = 4096;
 Value add_text(const Expression& binary, const Value& a, const Value& b, Context& context) {
   std::string text = text_of(a) + text_of(b);
   if (text.size() > kLongestText) {
-    context.run.trouble(binary.place, "a text of more than 4096 bytes");
+    context.run.warning(binary.place, "a text of more than 4096 bytes");
     text.resize(kLongestText);
   }
   return text;
 }
 
-double divided(double a, double b, Place place, Context& context) {
+double divided(double a, double b, TextPosition place, Context& context) {
   if (b != 0) return a / b;
-  context.run.trouble(place, "division by zero");
+  context.run.warning(place, "division by zero");
   return 0;
 }
 
-double remainder_of(double a, double b, Place place, Context& context) {
+double remainder_of(double a, double b, TextPosition place, Context& context) {
   const double quotient = divided(a, b, place, context);
   return a - b * (quotient < 0 ? std::ceil(quotient) : std::floor(quotient));
 }
@@ -375,7 +375,7 @@ Value initial_value(std::uint32_t index, Context& context) {
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
   const std::string purpose = "attr " + attribute.name;
-  Dice dice{purpose.c_str(), 0, false};
+  RandomSource dice{purpose.c_str(), 0, false};
   Frame frame;
   Context inner{run, run.initial, frame, dice, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
@@ -390,7 +390,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
   if (const auto found = changed.find(index); found != changed.end()) return found->second;
   if (run.attributes[index]) return *run.attributes[index];
   if (run.attribute_under_way[index]) {
-    run.trouble(run.program.attributes[index].place, "the attribute's value asks for itself");
+    run.warning(run.program.attributes[index].place, "the attribute's value asks for itself");
     return 0.0;
   }
   run.attribute_under_way[index] = true;
@@ -402,7 +402,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
 }
 
 double draw_unit(Context& context) {
-  if (context.dice.of_shape) context.run.asked_of(0);
+  if (context.dice.of_shape) context.run.depends_on(0);
   return thrown(context, context.dice.next++);
 }
 

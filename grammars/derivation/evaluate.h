@@ -9,7 +9,7 @@ struct Context {
   Run& run;
   const Shape& shape;
   Frame& frame;
-  Dice& dice;
+  RandomSource& dice;
   int depth = 0;  ///< Expressions in each other, through functions too.
 };
 

@@ -56,13 +56,13 @@ void remember_start(Execution& execution) {
 Outcome nothing() { return {}; }
 
 // the child's number; `name` has to live in the program
-std::uint32_t bear(Execution& execution, const char* name) {
+std::uint32_t create_node(Execution& execution, const char* name) {
   Run& run = execution.run;
-  run.births.push_back({execution.shape.birth, name, execution.born++});
-  return static_cast<std::uint32_t>(run.births.size() - 1);
+  run.nodes.push_back({execution.shape.birth, name, execution.born++});
+  return static_cast<std::uint32_t>(run.nodes.size() - 1);
 }
 
-void christen(Shape& shape, std::uint32_t birth) {
+void set_node(Shape& shape, std::uint32_t birth) {
   shape.birth = birth;
   // what it was given just now is its own, what came earlier it has inherited
   shape.in_split.since = std::min(shape.in_split.since, birth);
@@ -88,10 +88,10 @@ Frame frame_of(const Statement& successor, Context context) {
 // as run_successor() of a node of the piece's own would
 Outcome name_piece(Execution& execution, Shape&& shape, const Statement& successor) {
   Run& run = execution.run;
-  Dice dice{"rule", 0, true, shape.birth};
+  RandomSource dice{"rule", 0, true, shape.birth};
   Frame arguments = frame_of(successor, {run, shape, execution.frame, dice});
-  const auto birth = static_cast<std::uint32_t>(run.births.size());
-  run.births.push_back({shape.birth, successor.name.c_str(), 0});
+  const auto birth = static_cast<std::uint32_t>(run.nodes.size());
+  run.nodes.push_back({shape.birth, successor.name.c_str(), 0});
   ++run.out.shapes;
   shape.birth = birth;
   return derive_successor(execution, successor, std::move(shape), std::move(arguments), execution.depth + 2);
@@ -104,18 +104,18 @@ Outcome name_piece(Execution& execution, Shape&& shape, const Statement& success
   if (!last) remember_start(execution);
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  const std::uint32_t newborn = bear(execution, statement.name.c_str());
+  const std::uint32_t newborn = create_node(execution, statement.name.c_str());
   ++execution.run.out.shapes;
   Shape child = last ? std::move(execution.shape) : execution.shape;
-  christen(child, newborn);
+  set_node(child, newborn);
   const Outcome outcome =
       derive_successor(execution, statement, std::move(child), std::move(arguments), execution.depth + 1);
   add_child(execution, std::move(trace), outcome, first_ring);
   execution.pending = false;
 }
 
-Few<Argument, 4> arguments_of(const Statement& statement, Context& context) {
-  Few<Argument, 4> arguments;
+SmallVector<Argument, 4> arguments_of(const Statement& statement, Context& context) {
+  SmallVector<Argument, 4> arguments;
   arguments.reserve(statement.arguments.size());
   for (const Expression& expression : statement.arguments) {
     Argument& argument = arguments.emplace_back();
@@ -144,7 +144,7 @@ void run_in_world(Execution& execution, const Statement& statement, const Operat
   (is_start ? execution.start : before) = execution.shape;
   row.run(execution, statement, arguments);
   if (is_in_world(execution.shape)) return;
-  execution.run.trouble(statement.place,
+  execution.run.warning(statement.place,
                         "'" + statement.name + "' takes the shape out of the world; it stays as it was");
   execution.shape = is_start ? *execution.start : *before;
 }
@@ -153,7 +153,7 @@ void run_in_world(Execution& execution, const Statement& statement, const Operat
   Run& run = execution.run;
   const OperationRow& row = operation_table()[statement.index];
   Context context = context_of(execution);
-  const Few<Argument, 4> evaluated = arguments_of(statement, context);
+  const SmallVector<Argument, 4> evaluated = arguments_of(statement, context);
   const std::span<const Argument> arguments = all_of(evaluated);
   if (!run.spend(1 + vertex_count(execution.shape.faces)))
     return run.hit(LimitKind::kSteps, execution.name, statement.place);
@@ -192,7 +192,7 @@ void end_pending(Execution& execution) {
   if (!execution.pending) return;
   ChildTrace trace = trace_of(execution, execution.shape, execution.moved, execution.groups++);
   const std::size_t first_ring = first_ring_of(execution.shape);
-  christen(execution.shape, bear(execution, execution.name.c_str()));
+  set_node(execution.shape, create_node(execution, execution.name.c_str()));
   ++execution.run.out.shapes;
   const Outcome outcome = end_as_terminal(execution.run, std::move(execution.shape), execution.name, execution.path);
   add_child(execution, std::move(trace), outcome, first_ring);
@@ -206,7 +206,7 @@ double area_m2_of(const Terminal& terminal) {
 
 /// What would go if a node were cut.
 struct Removed {
-  LookAreas areas_m2;         ///< Of all detail, also of what was cut before.
+  AppearanceAreas areas_m2;   ///< Of all detail, also of what was cut before.
   std::uint32_t look = 0;     ///< Of most of it.
   std::uint32_t texture = 0;  ///< Of the largest that looks so; into Tables::textures.
 };
@@ -226,14 +226,14 @@ void weigh(const Run& run, std::size_t i, Removed& removed) {
   if (run.notes[i].stands_for == 0) {
     removed.areas_m2[terminal.look] += area_m2_of(terminal);
   } else {
-    for (const auto& [look, m2] : run.tables.look_areas[run.notes[i].stands_for]) removed.areas_m2[look] += m2;
+    for (const auto& [look, m2] : run.tables.appearance_areas[run.notes[i].stands_for]) removed.areas_m2[look] += m2;
   }
 }
 
 // of equal ones the first, whatever rounding says
 bool is_larger(double a_m2, double b_m2) { return a_m2 > b_m2 + 1e-6 * std::abs(b_m2); }
 
-std::uint32_t look_of_most(const LookAreas& areas_m2) {
+std::uint32_t look_of_most(const AppearanceAreas& areas_m2) {
   double most_m2 = -1;
   std::uint32_t look = 0;
   for (const auto& [each, m2] : areas_m2)
@@ -301,12 +301,12 @@ double width_m(const Terminal& terminal) {
 }
 
 // by its look, what is wider than the tolerance
-SeenLooks seen_of(const Run& run, const Terminal& terminal) {
-  if (!run.measures() || !run.options.keep_looks) return {};
+VisibleAppearances seen_of(const Run& run, const Terminal& terminal) {
+  if (!run.measures() || !run.options.keep_appearances) return {};
   const double narrow_m = run.options.tolerance_m + kSliver_m;
   const bool is_wide = !terminal.faces.empty() && is_surely_wider(terminal.faces.front(), narrow_m);
   if (!is_wide && width_m(terminal) <= narrow_m) return {};
-  return {SeenLooks::Count::kOne, terminal.look};
+  return {VisibleAppearances::Count::kOne, terminal.look};
 }
 
 bool may_be_cut(const Run& run, const Outcome& outcome, const Shape& start) {
@@ -361,7 +361,7 @@ Outcome end_ahead(Execution& execution, Displacement moved) {
 }
 
 Outcome run_node(Execution& execution, const Body& body) {
-  if (const auto moved = known_ahead(execution, body)) return end_ahead(execution, *moved);
+  if (const auto moved = bound_within_tolerance(execution, body)) return end_ahead(execution, *moved);
   const Recording recording = begin_recording(execution, body);
   if (recording.known) return {repeat(execution, recording)};
   const std::size_t first = execution.run.out.terminals.size();
@@ -382,7 +382,7 @@ bool only_names_successor(const Body& body) {
 Outcome run_piece(Execution& execution, Shape&& shape, const Body& body) {
   Run& run = execution.run;
   if (only_names_successor(body)) return name_piece(execution, std::move(shape), body.statements.front());
-  const Dice dice{"rule", 0, true, shape.birth};
+  const RandomSource dice{"rule", 0, true, shape.birth};
   Execution inner{run, std::move(shape), execution.frame, dice, execution.depth + 1, execution.path, execution.name};
   return run_node(inner, body);
 }
@@ -395,7 +395,7 @@ Outcome end_as_terminal(Run& run, Shape&& shape, const std::string& name, std::u
   Terminal& terminal = run.out.terminals.emplace_back();
   terminal.name = name;
   terminal.path = path;
-  terminal.look = run.look_index(shape.look);
+  terminal.look = run.appearance_index(shape.look);
   terminal.faces = std::move(shape.faces);
   terminal.texture = run.tables.texture_at(shape.texture);
   terminal.asset = std::move(shape.asset);
@@ -428,7 +428,7 @@ Outcome apply_rule(Run& run, Shape&& shape, const Rule& rule, Frame frame, int d
   const bool spent = !run.spend(1);
   if (spent) run.hit(LimitKind::kSteps, rule.name, rule.place);
   if (too_deep || too_many || spent) return end_as_terminal(run, std::move(shape), rule.name, path);
-  const Dice dice{"rule", 0, true, shape.birth};
+  const RandomSource dice{"rule", 0, true, shape.birth};
   Execution execution{run, std::move(shape), std::move(frame), dice, depth, path, rule.name};
   return run_node(execution, rule.body);
 }
@@ -441,7 +441,7 @@ void spawn_pieces(Execution& execution, std::vector<Piece> pieces, Displacement 
   if (measures(execution)) execution.children.reserve(execution.children.size() + pieces.size());
   for (Piece& piece : pieces) {
     execution.born += piece.left_out;
-    christen(piece.shape, bear(execution, "piece"));
+    set_node(piece.shape, create_node(execution, "piece"));
     ChildTrace trace = trace_of(execution, piece.shape, before, group);
     const std::size_t first_ring = first_ring_of(piece.shape);
     const Outcome outcome =

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 #include "grammars/shapes/border_ring.h"
 #include "grammars/shapes/cut.h"
 
@@ -223,7 +223,7 @@ RoofBuilder form_roofs(double tolerance_m) {
   return [tolerance_m](const RoofRequest& request) -> std::optional<std::vector<Face>> {
     if (!can_be_built(request)) return std::nullopt;
     Report ignored;
-    const roofs::Roof roof = roofs::expand_roof(request.footprint, shape_of(request), tolerance_m, {}, ignored);
+    const roofs::Roof roof = roofs::generate_roof(request.footprint, shape_of(request), tolerance_m, {}, ignored);
     if (roof.triangles.empty() || roof.form == roofs::Form::kFlat) return std::nullopt;
     return faces_of(roof);
   };

@@ -8,12 +8,12 @@
 
 namespace citykiln::grammars {
 
-/// Makes roofGable … by expand_roof(): gabled, hipped, pyramidal, skillion and mansard, on any footprint, with
+/// Makes roofGable … by generate_roof(): gabled, hipped, pyramidal, skillion and mansard, on any footprint, with
 /// overhangs.
-/// @param tolerance_m  As expand_roof's: knees and eaves it does not see are left out. The roof's own error is not part
-/// of the derivation's.
-/// Faces of one plane are one face. Rims and undersides of overhangs are tagged kBorder. std::nullopt where the roof
-/// fell back to flat, for what does not rise, overhangs below 0 or over 100 m, and places off the grid (256 km).
+/// @param tolerance_m  As generate_roof's: knees and eaves it does not see are left out. The roof's own error is not
+/// part of the derivation's. Faces of one plane are one face. Rims and undersides of overhangs are tagged kBorder.
+/// std::nullopt where the roof fell back to flat, for what does not rise, overhangs below 0 or over 100 m, and places
+/// off the grid (256 km).
 RoofBuilder form_roofs(double tolerance_m);
 
 /// A roof as faces, eaves at height 0: those of one plane are one. Tagged kTop (roof planes), kSide (gables), kBorder

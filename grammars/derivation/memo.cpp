@@ -60,7 +60,7 @@ MemoKey key_of(const Execution& execution, const Body& body) {
   key.add(std::int64_t{body.number} << 32 | execution.path);
   key.add(execution.depth <= 1);  // the start, which may not be cut
   add_face(key, shape.faces.front(), scope);
-  if (body.tells_street) add_street(key, shape.faces.front());
+  if (body.depends_on_street) add_street(key, shape.faces.front());
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
@@ -89,10 +89,10 @@ bool only_names(const Body& body) {
   return body.statements.size() == 1 && body.statements.front().kind == StatementKind::kSuccessor;
 }
 
-Made ends_of(const Run& run) {
-  Made made;
+SubtreeRows ends_of(const Run& run) {
+  SubtreeRows made;
   made.terminals.first = run.out.terminals.size();
-  made.births.first = run.births.size();
+  made.nodes.first = run.nodes.size();
   made.reports.first = run.out.reports.size();
   made.textures.first = run.tables.textures.size();
   made.throws.first = run.throws.size();
@@ -101,10 +101,10 @@ Made ends_of(const Run& run) {
   return made;
 }
 
-Made between(const Made& before, const Made& after, NodeTrace trace) {
-  Made made = before;
+SubtreeRows between(const SubtreeRows& before, const SubtreeRows& after, NodeTrace trace) {
+  SubtreeRows made = before;
   made.terminals.end = after.terminals.first;
-  made.births.end = after.births.first;
+  made.nodes.end = after.nodes.first;
   made.reports.end = after.reports.first;
   made.textures.end = after.textures.first;
   made.throws.end = after.throws.first;
@@ -115,7 +115,7 @@ Made between(const Made& before, const Made& after, NodeTrace trace) {
 }
 
 // what the rules would have been stopped at, they have to reach themselves
-bool fits_limits(const Run& run, int depth, const Made& made) {
+bool fits_limits(const Run& run, int depth, const SubtreeRows& made) {
   const Limits& limits = run.options.limits;
   return depth + made.rules_in_each_other <= limits.depth && run.out.shapes + made.shapes <= limits.shapes &&
          run.out.steps + made.steps <= limits.steps;
@@ -130,12 +130,12 @@ struct Kind {
 
 Kind kind_of(Run& run, const Shape& shape, std::uint32_t& first) {
   Kind kind{0, &first};
-  Dicing dicing{run, shape.birth};
+  DrawReplay dicing{run, shape.birth};
   std::size_t count = 0;
   for (; *kind.end != 0 && !kind.closed; ++count) {
     MemoEntry& entry = run.memo.entries[*kind.end - 1];
     kind.closed = !entry.ready || count + 1 >= kMostVariants;
-    if (entry.ready && kind.known == 0 && dicing.would_fall_as(entry.pattern)) kind.known = *kind.end;
+    if (entry.ready && kind.known == 0 && dicing.draws_match(entry.pattern)) kind.known = *kind.end;
     kind.end = &entry.next;
   }
   return kind;
@@ -145,7 +145,7 @@ Recording first_of_its_kind(Execution& execution, std::uint32_t& end) {
   Run& run = execution.run;
   std::vector<MemoEntry>& entries = run.memo.entries;
   const auto entry = end = static_cast<std::uint32_t>(entries.size() + 1);
-  entries.emplace_back().pattern.stand = stand_of(execution.shape);
+  entries.emplace_back().pattern.stand = pose_of(execution.shape);
   run.memo.open.push_back({execution.shape.birth, execution.depth, execution.depth});
   return {entry, false, ends_of(run)};
 }
@@ -202,9 +202,9 @@ void came_to(Memo& memo, int depth) {
 
 NodeTrace repeat(Execution& execution, const Recording& recording) {
   Run& run = execution.run;
-  const Pattern& pattern = run.memo.entries[recording.entry - 1].pattern;
-  const Made& made = pattern.made;
-  copy_pattern(run, pattern, execution.shape);
+  const Subtree& pattern = run.memo.entries[recording.entry - 1].pattern;
+  const SubtreeRows& made = pattern.made;
+  copy_subtree(run, pattern, execution.shape);
   came_to(run.memo, execution.depth + made.rules_in_each_other);
   run.out.shapes += made.shapes;
   run.out.copied += made.shapes;
@@ -220,7 +220,7 @@ void end_recording(Run& run, const Body& body, const Recording& recording, NodeT
   Memo& memo = run.memo;
   BodyRecord& record = memo.bodies[body.number];
   MemoEntry& entry = memo.entries[recording.entry - 1];
-  Made& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
+  SubtreeRows& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
   const OpenNode node = memo.open.back();
   memo.open.pop_back();
   came_to(memo, node.deepest);

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grammars/derivation/pattern.h"
+#include "grammars/derivation/subtree_copy.h"
 
 namespace citykiln::grammars {
 
@@ -22,7 +22,7 @@ struct Execution;
 inline constexpr double kSame_m = 0x1p-20;
 
 struct MemoEntry {
-  Pattern pattern;
+  Subtree pattern;
   bool ready = false;      ///< It has been derived, and depends on nothing but its key and its throws.
   std::uint32_t next = 0;  ///< 1 + where Memo::entries has the same shape, as other dice fell; 0 for the last.
 };
@@ -66,7 +66,7 @@ struct Memo {
   std::vector<MemoEntry> entries;
   MemoIndex first_of;
   std::vector<std::uint32_t> seen;  ///< Of `entries`, those whose terminals are the derivation's, in their order.
-  std::vector<CutAway> cut_away;
+  std::vector<RemovedTerminals> cut_away;
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
 };
@@ -75,7 +75,7 @@ struct Memo {
 struct Recording {
   std::uint32_t entry = 0;  ///< 1 + where Memo::entries has it; 0: the node is not noted.
   bool known = false;       ///< There is a pattern; the node need not be derived.
-  Made before;              ///< Where the tables of the run ended.
+  SubtreeRows before;       ///< Where the tables of the run ended.
 };
 
 /// Looks the node up, before anything has been done with its shape.

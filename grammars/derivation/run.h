@@ -8,16 +8,16 @@
 #include "compiler/contract/draw.h"
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/displacement.h"
+#include "grammars/derivation/displacement_bound.h"
 #include "grammars/derivation/memo.h"
-#include "grammars/derivation/reach.h"
-#include "grammars/shapes/few.h"
+#include "grammars/shapes/small_vector.h"
 #include "grammars/shapes/tables.h"
 
 namespace citykiln::grammars {
 
 /// Chance for one purpose: of one shape, where the index counts what the shape itself has drawn, or of an attribute,
 /// which is the building's.
-struct Dice {
+struct RandomSource {
   const char* purpose = "rule";
   std::uint32_t next = 0;
   bool of_shape = true;
@@ -25,7 +25,7 @@ struct Dice {
 };
 
 /// By slot.
-using Frame = Few<Value, 4>;
+using Frame = SmallVector<Value, 4>;
 
 /// A path, by the name that led there: of equal names that stand in several places of the program each is known.
 struct KnownPath {
@@ -47,7 +47,7 @@ struct Run {
   Derivation out = {};
   Tables tables = {};
   std::vector<TerminalNote> notes = {};               ///< By terminal.
-  std::vector<Birth> births = {};                     ///< By shape; the start's first.
+  std::vector<DerivationNode> nodes = {};             ///< By shape; the start's first.
   std::vector<StableId> ids = {};                     ///< By birth; 0 where nobody has asked for it yet.
   std::vector<std::uint32_t> looks_in_out = {};       ///< By look: 1 + where Derivation::looks has it; 0 for nowhere.
   std::vector<std::uint32_t> report_births = {};      ///< By report: whose it is.
@@ -55,32 +55,32 @@ struct Run {
   std::vector<bool> attribute_under_way = {};
   std::vector<std::optional<ConstantValue>> constants = {};  ///< By function; each made when first asked for.
   std::uint64_t attribute_steps = 0;  ///< Spent on them: whoever asks first pays, so they are nobody's.
-  std::map<std::pair<std::string, std::string>, Trouble> troubles = {};  ///< By place and text.
+  std::map<std::pair<std::string, std::string>, Warning> warnings = {};  ///< By place and text.
   std::uint64_t troubles_told = 0;
   std::vector<KnownPath> known_paths = {};
   std::vector<std::uint32_t> first_below = {};  ///< By path: 1 + the newest of `known_paths` below it; 0 for none.
   Memo memo = {};
-  std::vector<Throw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
-  ReachTable reaches = {};
+  std::vector<RandomDraw> throws = {};  ///< Of shapes' dice, where a node under way may become a pattern.
+  BoundTable reaches = {};
 
   /// Most shapes are never asked for theirs, so ids are made when they are.
   StableId id_of(std::uint32_t birth);
   /// What a node under way asked for was given to the shape born as `since`, from which it inherits: nodes whose shapes
   /// were born then or later are no patterns. 0 for what no two shapes share: chance, the place, neighbours.
-  void asked_of(std::uint32_t since);
+  void depends_on(std::uint32_t since);
   /// What comes of the shape's dice depends on this throw, and on no more of it than that.
-  void threw(const Throw& thrown);
+  void record_draw(const RandomDraw& thrown);
   /// Without a tolerance nobody asks how far surfaces move.
   bool measures() const { return options.tolerance_m > 0; }
-  void trouble(Place place, const std::string& message);
+  void warning(TextPosition place, const std::string& message);
   /// Counts steps; false once there are too many.
   bool spend(std::uint64_t steps);
-  void hit(LimitKind kind, const std::string& rule, Place place);
+  void hit(LimitKind kind, const std::string& rule, TextPosition place);
   /// @param rule  Has to live in the program.
   std::uint32_t path(std::uint32_t parent, const std::string& rule);
   void add_path(std::uint32_t parent, const std::string& rule);
   /// Where Derivation::looks has this look of the tables.
-  std::uint32_t look_index(std::uint32_t look);
+  std::uint32_t appearance_index(std::uint32_t look);
 };
 
 /// What a node tells its parent.
@@ -93,16 +93,16 @@ struct Execution {
   Run& run;
   Shape shape;  ///< As the operations so far have left it.
   Frame frame;
-  Dice dice;
+  RandomSource dice;
   int depth = 0;
   std::uint32_t path = 0;
   const std::string& name;  ///< Of the shape: the rule's.
   Displacement moved = {};  ///< From the node's surface to shape's.
   std::vector<std::pair<Shape, Displacement>> pushed = {};
-  Few<ChildTrace, 4> children = {};  ///< Where surfaces are measured.
-  SeenLooks seen = {};               ///< Of all children.
-  std::optional<Shape> start = {};   ///< As it was before anything divided or moved it, where surfaces are measured.
-  bool vanished = true;              ///< All children have.
+  SmallVector<ChildTrace, 4> children = {};  ///< Where surfaces are measured.
+  VisibleAppearances seen = {};              ///< Of all children.
+  std::optional<Shape> start = {};  ///< As it was before anything divided or moved it, where surfaces are measured.
+  bool vanished = true;             ///< All children have.
   std::uint32_t groups = 0;
   std::uint64_t born = 0;  ///< Ordinal of the next child.
   bool pending = true;     ///< No successor has been made of the shape as it is now.

@@ -63,9 +63,9 @@ double times_fitting(Natural pattern, double room_m, bool others_float) {
 
 /// One list, its repeats counted.
 struct Plan {
-  Few<double, 8> times;  ///< Of each item: 1 but for repeats.
-  double stretch = 0;    ///< Of floating sizes.
-  bool fills = false;    ///< Something floats, and there is room for it.
+  SmallVector<double, 8> times;  ///< Of each item: 1 but for repeats.
+  double stretch = 0;            ///< Of floating sizes.
+  bool fills = false;            ///< Something floats, and there is room for it.
 };
 
 bool is_repeat(const SizeItem& item) { return item.kind == SizeKind::kRepeat; }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grammars/language/syntax.h"
-#include "grammars/shapes/few.h"
+#include "grammars/shapes/small_vector.h"
 
 namespace citykiln::grammars {
 
@@ -24,7 +24,7 @@ struct Interval {
   std::uint32_t leaf = 0;
 };
 
-using Intervals = Few<Interval, 8>;
+using Intervals = SmallVector<Interval, 8>;
 
 /// A piece thinner than this is given to its neighbour.
 inline constexpr double kSliver_m = 1e-6;

@@ -16,11 +16,11 @@ constexpr BuiltinRow kShapeValues[] = {
 };
 
 constexpr const char* kLookValues[] = {
-#define LOOK_TEXT(name, member) name,
-#define LOOK_NUMBER(name, member) name,
-#include "grammars/language/look_table.inc"
-#undef LOOK_TEXT
-#undef LOOK_NUMBER
+#define MATERIAL_TEXT(name, member) name,
+#define MATERIAL_NUMBER(name, member) name,
+#include "grammars/language/material_values.inc"
+#undef MATERIAL_TEXT
+#undef MATERIAL_NUMBER
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ struct BuiltinRow {
 };
 
 /// What a shape value tells of: the shape itself, the place where it stands, or what a split or comp gave it.
-enum class ToldOf : std::uint8_t { kItself, kPlace, kSplit, kComp };
+enum class DependsOn : std::uint8_t { kItself, kPlace, kSplit, kComp };
 
 std::span<const BuiltinRow> builtin_functions();
 std::span<const BuiltinRow> shape_values();

@@ -29,9 +29,9 @@ struct Lexer {
   std::optional<Error> failed;
 
   char peek(std::size_t ahead = 0) const { return at + ahead < text.size() ? text[at + ahead] : '\0'; }
-  Place place() const { return {file_index, line, static_cast<std::uint32_t>(at - line_start + 1)}; }
+  TextPosition place() const { return {file_index, line, static_cast<std::uint32_t>(at - line_start + 1)}; }
   bool starts_with(std::string_view word) const { return text.substr(at, word.size()) == word; }
-  void fail(Place where, std::string message) { failed = Error{place_name(file, where), std::move(message)}; }
+  void fail(TextPosition where, std::string message) { failed = Error{position_text(file, where), std::move(message)}; }
 
   void step() {
     if (text[at++] == '\n') {
@@ -41,7 +41,7 @@ struct Lexer {
   }
 
   void skip_comment() {
-    const Place start = place();
+    const TextPosition start = place();
     while (at < text.size() && !starts_with("*/")) step();
     if (at == text.size()) return fail(start, "expected */ that ends the comment, found the end of the file");
     at += 2;
@@ -111,7 +111,7 @@ struct Lexer {
 
 }  // namespace
 
-std::string place_name(std::string_view file, Place place) {
+std::string position_text(std::string_view file, TextPosition place) {
   return fmt::format("{}:{}:{}", file, place.line, place.column);
 }
 

@@ -10,7 +10,7 @@
 namespace citykiln::grammars {
 
 /// "file:line:column".
-std::string place_name(std::string_view file, Place place);
+std::string position_text(std::string_view file, TextPosition place);
 
 /// Cuts the text into names, numbers, strings and signs, and leaves out space and comments (// and # to the line's end,
 /// /* … */). The last token is kEnd. O(n).

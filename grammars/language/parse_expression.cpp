@@ -23,7 +23,7 @@ int binding_of(const Parser& parser) {
   return 0;
 }
 
-Expression literal(Place place, Value value) {
+Expression literal(TextPosition place, Value value) {
   Expression made;
   made.place = place;
   made.value = std::move(value);

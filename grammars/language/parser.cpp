@@ -43,8 +43,8 @@ void Parser::fail_expected(const std::string& what) {
   fail(peek().place, fmt::format("expected {}, found {}", what, shown(peek())));
 }
 
-void Parser::fail(Place place, const std::string& message) {
-  if (!failed) failed = Error{place_name(file, place), message};
+void Parser::fail(TextPosition place, const std::string& message) {
+  if (!failed) failed = Error{position_text(file, place), message};
   at = tokens.size() - 1;
 }
 

@@ -32,7 +32,7 @@ struct Parser {
   std::string expect_name(const char* what);
   /// Notes the first error, at the next word: "expected `what`, found …".
   void fail_expected(const std::string& what);
-  void fail(Place place, const std::string& message);
+  void fail(TextPosition place, const std::string& message);
 };
 
 /// Counts how deep a parse is nested; fails beyond kNestingLimit.

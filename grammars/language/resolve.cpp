@@ -14,8 +14,8 @@ struct Resolver {
   std::vector<std::string> locals = {};
   std::optional<Error> failed = {};
 
-  void fail(Place place, std::string message) {
-    if (!failed) failed = Error{place_name(program.files[place.file], place), std::move(message)};
+  void fail(TextPosition place, std::string message) {
+    if (!failed) failed = Error{position_text(program.files[place.file], place), std::move(message)};
   }
 };
 

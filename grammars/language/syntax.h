@@ -35,7 +35,7 @@ enum class Target : std::uint8_t {
 
 struct Expression {
   ExpressionKind kind = ExpressionKind::kLiteral;
-  Place place;
+  TextPosition place;
   Value value = 0.0;
   std::string text;
   std::vector<Expression> operands;
@@ -60,16 +60,16 @@ struct Body {
   std::vector<Local> locals;  ///< Of `with`.
   BodyKind kind = BodyKind::kStatements;
   std::vector<Statement> statements;
-  std::vector<Branch> branches;  ///< The last may be `else`.
-  std::uint32_t number = 0;      ///< Of the program's bodies.
-  bool divides = false;          ///< Divides a surface itself (body_marks.h).
-  bool changes_look = false;     ///< Something that comes of it may look otherwise.
-  bool tells_street = false;     ///< What comes of it may depend on where the street runs.
-  std::uint64_t moved_by = 0;    ///< By slot, a bit each: arguments that may change how far it moves a surface.
+  std::vector<Branch> branches;          ///< The last may be `else`.
+  std::uint32_t number = 0;              ///< Of the program's bodies.
+  bool divides = false;                  ///< Divides a surface itself (body_marks.h).
+  bool changes_appearance = false;       ///< Something that comes of it may look otherwise.
+  bool depends_on_street = false;        ///< What comes of it may depend on where the street runs.
+  std::uint64_t displacement_slots = 0;  ///< By slot, a bit each: arguments that may change how far it moves a surface.
 };
 
 struct Branch {
-  Place place;
+  TextPosition place;
   bool is_else = false;
   Expression test;  ///< A condition, or per cent.
   Body body;
@@ -79,7 +79,7 @@ enum class SizeKind : std::uint8_t { kAbsolute, kRelative, kFloating, kRepeat };
 
 /// One entry of { … | … }: for whom, and what becomes of it.
 struct Selector {
-  Place place;
+  TextPosition place;
   SizeKind size = SizeKind::kAbsolute;
   Expression key;                ///< A size, a component's name or its index.
   bool together = false;         ///< `=`: all that it selects is one shape.
@@ -91,7 +91,7 @@ enum class StatementKind : std::uint8_t { kOperation, kSuccessor, kPush, kPop, k
 
 struct Statement {
   StatementKind kind = StatementKind::kOperation;
-  Place place;
+  TextPosition place;
   std::string name;
   bool has_arguments = false;
   std::vector<Expression> arguments;
@@ -103,14 +103,14 @@ struct Statement {
 };
 
 struct Rule {
-  Place place;
+  TextPosition place;
   std::string name;  ///< With its import's prefix: "window.Frame".
   std::vector<Local> parameters;
   Body body;
 };
 
 struct Function {
-  Place place;
+  TextPosition place;
   std::string name;
   std::vector<Local> parameters;
   Expression value;
@@ -119,7 +119,7 @@ struct Function {
 
 /// attr (the caller and set() may change it) or const.
 struct Attribute {
-  Place place;
+  TextPosition place;
   std::string name;
   bool is_const = false;
   bool is_set = false;  ///< Some rule changes it by set().
@@ -127,7 +127,7 @@ struct Attribute {
 };
 
 struct Import {
-  Place place;
+  TextPosition place;
   std::string prefix;  ///< "" for none.
   std::string file;
 };

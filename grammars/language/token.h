@@ -7,7 +7,7 @@
 namespace citykiln::grammars {
 
 /// A character of a rule file.
-struct Place {
+struct TextPosition {
   std::uint32_t file = 0;    ///< Into Program::files.
   std::uint32_t line = 0;    ///< From 1.
   std::uint32_t column = 0;  ///< From 1, in bytes.
@@ -19,7 +19,7 @@ struct Token {
   TokenKind kind = TokenKind::kEnd;
   std::string text;   ///< As written; of a string, what it stands for. A name may hold dots: scope.sx, window.Frame.
   double number = 0;  ///< Of a number.
-  Place place;
+  TextPosition place;
 };
 
 inline bool is_sign(const Token& token, const char* sign) {

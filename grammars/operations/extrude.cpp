@@ -102,7 +102,7 @@ void op_taper(Execution& execution, const Statement& statement, Arguments argume
   double reach_m = 0;
   for (const Face& face : execution.shape.faces) {
     if (!face.holes.empty() || height_m <= kSmallest_m) {
-      execution.run.trouble(statement.place, "taper is not built below zero or on faces with holes");
+      execution.run.warning(statement.place, "taper is not built below zero or on faces with holes");
       return;
     }
     reach_m = std::max(reach_m, add_pyramid(face, height_m, faces));

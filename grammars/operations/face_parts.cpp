@@ -9,7 +9,7 @@ namespace citykiln::grammars {
 namespace {
 
 Shape part_shape(const Shape& from, std::vector<Face> faces) {
-  Shape part = heir_of(from);
+  Shape part = inherited_from(from);
   part.parent_scope = from.scope;
   part.scope = scope_around(faces, faces.size() == 1 ? axes_of(faces.front()) : from.scope.axis, from.scope.origin);
   part.faces = std::move(faces);
@@ -48,7 +48,7 @@ std::vector<Key> keys_of(Execution& execution, const Statement& statement, const
     if (selector.key.target == Target::kWord) {
       key.word = selector.key.text;
       if (!is_among(key.word, words))
-        execution.run.trouble(selector.place,
+        execution.run.warning(selector.place,
                               "'" + statement.name + "' knows no '" + selector.key.text + "'; it knows" + words);
     } else {
       const double index = number_of(evaluate(selector.key, context));

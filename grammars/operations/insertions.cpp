@@ -45,7 +45,7 @@ void op_primitive_cube(Execution& execution, const Statement&, Arguments argumen
 
 void op_insert(Execution& execution, const Statement& statement, Arguments arguments) {
   const std::string name = text_of(arguments[0].value);
-  if (name.empty()) return execution.run.trouble(statement.place, "an asset without a name");
+  if (name.empty()) return execution.run.warning(statement.place, "an asset without a name");
   replace_faces(execution, {}, name);
 }
 

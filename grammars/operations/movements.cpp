@@ -106,7 +106,7 @@ void op_size(Execution& execution, const Statement&, Arguments arguments) {
 void op_center(Execution& execution, const Statement&, Arguments arguments) {
   const Scope& scope = execution.shape.scope;
   // the scope it came from was given with whichever came last
-  execution.run.asked_of(std::max(execution.shape.in_split.since, execution.shape.in_comp.since));
+  execution.run.depends_on(std::max(execution.shape.in_split.since, execution.shape.in_comp.since));
   const Vec3 way = execution.shape.parent_scope.centre() - scope.centre();
   const std::string_view axes = word_of(arguments[0]);
   Vec3 by;
@@ -116,7 +116,7 @@ void op_center(Execution& execution, const Statement&, Arguments arguments) {
 }
 
 void op_align_to_axes(Execution& execution, const Statement&, Arguments arguments) {
-  execution.run.asked_of(0);
+  execution.run.depends_on(0);
   const std::string_view word = arguments.empty() ? "" : word_of(arguments[0]);
   const int upright = word == "x" ? 0 : word == "z" ? 2 : 1;
   const std::array<Vec3, 3> east = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};

@@ -55,12 +55,12 @@ void build_roofs(Execution& execution, const Statement& statement, const RoofReq
   std::vector<Face> faces;
   double highest_m = 0;
   // a builder may round where the roof stands
-  execution.run.asked_of(0);
+  execution.run.depends_on(0);
   if (!execution.run.spend(64 * vertex_count(execution.shape.faces))) return;
   for (const Face& face : execution.shape.faces) {
     auto roof = roof_over(execution, face, request);
     if (!roof) {
-      execution.run.trouble(statement.place, "'" + statement.name + "' is not built on this shape; it stays flat");
+      execution.run.warning(statement.place, "'" + statement.name + "' is not built on this shape; it stays flat");
       return;
     }
     highest_m = std::max(highest_m, highest_over(face, *roof));

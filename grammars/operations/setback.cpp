@@ -150,7 +150,7 @@ void op_setback(Execution& execution, const Statement& statement, Arguments argu
   constexpr const char* kWords = " front back left right all street street.front street.back remainder ";
   const double depth_m = metres(arguments[0]);
   if (!can_spend(execution, statement)) return;
-  if (depth_m < 0) return execution.run.trouble(statement.place, "a setback below zero; offset goes outward");
+  if (depth_m < 0) return execution.run.warning(statement.place, "a setback below zero; offset goes outward");
   std::vector<Key> keys = keys_of(execution, statement, kWords);
   const int remainder = index_of(keys, "remainder");
   std::vector<PartOf> parts;

@@ -3,15 +3,15 @@
 
 #include "grammars/derivation/evaluate.h"
 #include "grammars/derivation/sizes.h"
+#include "grammars/operations/merge_pieces.h"
 #include "grammars/operations/operations.h"
-#include "grammars/operations/widen.h"
 #include "grammars/shapes/cut.h"
 
 namespace citykiln::grammars {
 namespace {
 
 struct Leaves {
-  Few<const Selector*, 8> selectors;  ///< By SizeItem::leaf.
+  SmallVector<const Selector*, 8> selectors;  ///< By SizeItem::leaf.
 };
 
 SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
@@ -29,13 +29,13 @@ SizeItem item_of(const Selector& selector, Context& context, Leaves& leaves) {
   return item;
 }
 
-Few<SizeItem, 8> items_of(const Statement& statement, Context& context, Leaves& leaves) {
-  Few<SizeItem, 8> items;
+SmallVector<SizeItem, 8> items_of(const Statement& statement, Context& context, Leaves& leaves) {
+  SmallVector<SizeItem, 8> items;
   items.reserve(statement.selectors.size());
   leaves.selectors.reserve(statement.selectors.size());
   for (const Selector& selector : statement.selectors) items.push_back(item_of(selector, context, leaves));
   if (!statement.repeated) return items;
-  Few<SizeItem, 8> all(1);
+  SmallVector<SizeItem, 8> all(1);
   all.front().kind = SizeKind::kRepeat;
   all.front().nested.assign(items.begin(), items.end());
   return all;
@@ -75,7 +75,7 @@ Displacement cap_displacement(const Shape& shape, int axis, bool closed) {
 }
 
 Shape piece_shape(const Shape& from, Scope scope, std::vector<Face> faces, bool adjust) {
-  Shape shape = heir_of(from);
+  Shape shape = inherited_from(from);
   shape.parent_scope = from.scope;
   shape.scope = scope;
   shape.faces = std::move(faces);
@@ -119,18 +119,19 @@ void op_split(Execution& execution, const Statement& statement, Arguments argume
   const int axis = word == "x" ? 0 : word == "y" ? 1 : 2;
   const double length_m = execution.shape.scope.size_m[axis];
   if (execution.shape.faces.empty() || length_m <= kSliver_m)
-    return run.trouble(statement.place, "the shape has no size along " + std::string(word) + "; it is not split");
+    return run.warning(statement.place, "the shape has no size along " + std::string(word) + "; it is not split");
   Leaves leaves;
   Context context{run, execution.shape, execution.frame, execution.dice};
-  const Few<SizeItem, 8> items = items_of(statement, context, leaves);
+  const SmallVector<SizeItem, 8> items = items_of(statement, context, leaves);
   const std::uint64_t most = run.options.limits.shapes;
   const auto intervals = intervals_of(all_of(items), length_m, most > run.out.shapes ? most - run.out.shapes : 0);
   if (!intervals) return run.hit(LimitKind::kShapes, execution.name, statement.place);
   const Vec3 along = execution.shape.scope.axis[axis];
   const bool closed = is_closed(execution.shape.faces);
   Division division = divided(all_of(*intervals));
-  if (may_widen(run, execution.shape)) division = widened(execution, std::move(division), all_of(leaves.selectors));
-  if (may_join(run, execution.shape)) division = joined(std::move(division), all_of(leaves.selectors));
+  if (may_widen(run, execution.shape))
+    division = merge_narrow_pieces(execution, std::move(division), all_of(leaves.selectors));
+  if (may_join(run, execution.shape)) division = join_terminals(std::move(division), all_of(leaves.selectors));
   run.out.error_m = std::max(run.out.error_m, division.error_m);
   Saw saw{along, dot(along, execution.shape.scope.origin), closed, execution.shape.faces};
   const bool adjust = arguments.size() < 2 || word_of(arguments[1]) == "adjust";

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grammars/roofs/frame.h"
-#include "grammars/roofs/site.h"
+#include "grammars/roofs/oriented_box.h"
+#include "grammars/roofs/roof_input.h"
 #include "grammars/roofs/strips.h"
 
 namespace citykiln::roofs {
@@ -36,7 +36,7 @@ double equivalent_width_m(const Polygon& footprint) {
 double expected_rise_m(const Polygon& footprint, const RoofShape& shape) {
   if (shape.form == Form::kFlat || footprint.outer.size() < 3) return 0;
   if (!is_strip(shape.form)) return rise_of(shape, equivalent_width_m(footprint) / 2);
-  const Frame frame = frame_of(footprint.outer, shape.direction, shape.is_ridge_across);
+  const OrientedBox frame = frame_of(footprint.outer, shape.direction, shape.is_ridge_across);
   return rise_of(shape, strip_span_m(shape.form, frame, shape.direction.has_value()));
 }
 

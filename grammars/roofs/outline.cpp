@@ -10,7 +10,7 @@
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
 #include "grammars/roofs/facet.h"
-#include "grammars/roofs/raise.h"
+#include "grammars/roofs/raise_facets.h"
 
 namespace citykiln::roofs {
 namespace {
@@ -44,7 +44,7 @@ Ring without_crossed_spikes(Ring ring) {
   return ring;
 }
 
-Ring tidied(const Ring& ring, bool is_outer) {
+Ring cleaned(const Ring& ring, bool is_outer) {
   Ring kept = without_crossed_spikes(without_repeats(ring));
   const double area = signed_area_m2(kept);
   if (kept.size() < 3 || area == 0) return {};
@@ -73,7 +73,7 @@ Polygon drawn_back(const Polygon& polygon, const Count& count) {
   for (const double by_m : kDrawnBack_m) {
     moved = {drawn_back(polygon.outer, count, by_m), {}};
     for (const Ring& hole : polygon.holes) moved.holes.push_back(drawn_back(hole, count, by_m));
-    if (signed_area_m2(moved.outer) > 0 && is_apart(moved)) break;
+    if (signed_area_m2(moved.outer) > 0 && is_simple_polygon(moved)) break;
   }
   return moved;
 }
@@ -159,7 +159,7 @@ Polygon eaves_by_corners(const Polygon& footprint, double overhang_m) {
     if (!moved) return {};
     (ring == &footprint.outer ? eaves.outer : eaves.holes.emplace_back()) = std::move(*moved);
   }
-  return is_apart(eaves) ? eaves : Polygon{};
+  return is_simple_polygon(eaves) ? eaves : Polygon{};
 }
 
 // Walls' strips and corners' kites; together with the footprint they are the eaves.
@@ -180,7 +180,7 @@ Polygon eaves_by_overlay(const Polygon& footprint, double overhang_m) {
     add_eaves(segments, *ring, overhang_m);
   }
   std::vector<Polygon> eaves = std::move(overlay(segments, 1).front());
-  return eaves.size() == 1 && is_apart(eaves.front()) ? std::move(eaves.front()) : Polygon{};
+  return eaves.size() == 1 && is_simple_polygon(eaves.front()) ? std::move(eaves.front()) : Polygon{};
 }
 
 bool keeps_apart(const Polygon& eaves, const Polygon& footprint) {
@@ -192,15 +192,15 @@ bool keeps_apart(const Polygon& eaves, const Polygon& footprint) {
 
 }  // namespace
 
-Polygon tidied(const Polygon& footprint) {
-  Polygon polygon{tidied(footprint.outer, true), {}};
+Polygon cleaned(const Polygon& footprint) {
+  Polygon polygon{cleaned(footprint.outer, true), {}};
   if (polygon.outer.empty()) return {};
   for (const Ring& hole : footprint.holes)
-    if (Ring kept = tidied(hole, false); !kept.empty()) polygon.holes.push_back(std::move(kept));
+    if (Ring kept = cleaned(hole, false); !kept.empty()) polygon.holes.push_back(std::move(kept));
   return polygon;
 }
 
-bool is_apart(const Polygon& polygon) {
+bool is_simple_polygon(const Polygon& polygon) {
   if (!is_simple(polygon.outer) || signed_area_m2(polygon.outer) <= 0) return false;
   for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
     if (!is_simple(polygon.holes[i]) || borders_touch(polygon.holes[i], polygon.outer)) return false;
@@ -220,10 +220,10 @@ bool is_convex(const Polygon& polygon) {
   return is_simple(ring);
 }
 
-std::vector<Polygon> taken_apart(const Polygon& footprint) {
-  if (is_apart(footprint)) return {footprint};
+std::vector<Polygon> split_into_simple(const Polygon& footprint) {
+  if (is_simple_polygon(footprint)) return {footprint};
   // the eaves of a flat roof know the way around
-  const Roof flat = raise(footprint, {}).roof;
+  const Roof flat = raise_facets(footprint, {}).roof;
   std::vector<Ring> rings;
   Count count;
   for (const auto& eaves : flat.eaves) {
@@ -233,8 +233,9 @@ std::vector<Polygon> taken_apart(const Polygon& footprint) {
   }
   std::vector<Polygon> polygons = with_their_holes(std::move(rings));
   for (Polygon& polygon : polygons) polygon = drawn_back(polygon, count);
-  polygons.erase(std::remove_if(polygons.begin(), polygons.end(), [](const Polygon& p) { return !is_apart(p); }),
-                 polygons.end());
+  polygons.erase(
+      std::remove_if(polygons.begin(), polygons.end(), [](const Polygon& p) { return !is_simple_polygon(p); }),
+      polygons.end());
   return polygons;
 }
 
@@ -244,8 +245,8 @@ Polygon simplified(const Polygon& polygon, double drop_m) {
   return kept;
 }
 
-Polygon eaves_about(const Polygon& footprint, double overhang_m) {
-  if (overhang_m < 8 * kQuantum_m || !is_apart(footprint)) return {};
+Polygon offset_eaves(const Polygon& footprint, double overhang_m) {
+  if (overhang_m < 8 * kQuantum_m || !is_simple_polygon(footprint)) return {};
   Polygon eaves = eaves_by_corners(footprint, overhang_m);
   if (eaves.outer.empty()) eaves = eaves_by_overlay(footprint, overhang_m);
   return keeps_apart(eaves, footprint) ? eaves : Polygon{};

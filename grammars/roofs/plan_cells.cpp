@@ -139,7 +139,7 @@ PlanCells inner_cells(const Arrangement& arrangement, const Delaunay& delaunay, 
 void cover_bare_cells(PlanCells& plan) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t c = 0; c < plan.cells.size(); ++c)
-    if (!plan.cells[c].is_bare) queue.push_back(c);
+    if (!plan.cells[c].is_uncovered) queue.push_back(c);
   for (std::size_t next = 0; next < queue.size(); ++next)
     for (const std::uint32_t beyond : plan.cells[queue[next]].neighbours) {
       if (beyond == kNoFace || plan.cells[beyond].facet != kNoFacet) continue;

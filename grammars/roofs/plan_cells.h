@@ -17,7 +17,7 @@ struct PlanCell {
   std::array<std::uint32_t, 3> points{};      ///< Counter-clockwise.
   std::array<std::uint32_t, 3> neighbours{};  ///< Opposite to each point; kNoFace: outside.
   std::uint32_t facet = kNoFacet;             ///< The first that covers it; else one next to it.
-  bool is_bare = false;                       ///< No facet covers it.
+  bool is_uncovered = false;                  ///< No facet covers it.
   bool is_over_footprint = true;              ///< Else only the eaves are over it.
 };
 

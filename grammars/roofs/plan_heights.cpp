@@ -12,7 +12,7 @@ namespace {
 struct Corner {
   std::uint32_t point, sheet, cell;
   int index;
-  bool is_bare;
+  bool is_uncovered;
   double z_m;
 };
 
@@ -23,7 +23,7 @@ std::vector<Corner> corners_of(const PlanCells& plan, std::span<const Facet> fac
     const PlanCell& cell = plan.cells[c];
     const Facet* facet = cell.facet == kNoFacet ? nullptr : &facets[cell.facet];
     for (int i = 0; i < 3; ++i)
-      corners.push_back({cell.points[i], facet ? facet->sheet : 0, c, i, cell.is_bare,
+      corners.push_back({cell.points[i], facet ? facet->sheet : 0, c, i, cell.is_uncovered,
                          facet ? facet->plane.at(plan.points[cell.points[i]]) : 0});
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
@@ -54,11 +54,11 @@ double kept_up(double z_m, Stand stand, double flush_m) {
   return z_m < (stand == Stand::kBorder ? flush_m : 0) ? 0 : z_m;
 }
 
-double bare_m2(const PlanCells& plan) {
+double uncovered_m2(const PlanCells& plan) {
   double sum = 0;
   for (const PlanCell& cell : plan.cells) {
     const Vec2 a = plan.points[cell.points[0]], b = plan.points[cell.points[1]], c = plan.points[cell.points[2]];
-    if (cell.is_bare) sum += cross(b - a, c - a) / 2;
+    if (cell.is_uncovered) sum += cross(b - a, c - a) / 2;
   }
   return sum;
 }
@@ -78,14 +78,14 @@ struct Range {
 }  // namespace
 
 PlanHeights plan_heights(const PlanCells& plan, std::span<const Facet> facets, double flush_m) {
-  PlanHeights heights{std::vector<std::array<double, 3>>(plan.cells.size()), bare_m2(plan), 0};
+  PlanHeights heights{std::vector<std::array<double, 3>>(plan.cells.size()), uncovered_m2(plan), 0};
   const std::vector<Corner> corners = corners_of(plan, facets);
   const std::vector<Stand> stands = stand_of(plan);
   const auto is_joined = [](const Corner& a, const Corner& b) { return a.point == b.point && a.sheet == b.sheet; };
   for (std::size_t i = 0, end = 0; i < corners.size(); i = end) {
     Range covered, bare;
     for (end = i; end < corners.size() && is_joined(corners[end], corners[i]); ++end)
-      (corners[end].is_bare ? bare : covered).grow(corners[end].z_m);
+      (corners[end].is_uncovered ? bare : covered).grow(corners[end].z_m);
     heights.largest_gap_m = std::max(heights.largest_gap_m, covered.high_m - covered.low_m);
     const double low_m = (covered.is_empty ? bare : covered).low_m;
     const double z_m = kept_up(snapped(low_m), stands[corners[i].point], flush_m);

@@ -10,7 +10,7 @@ namespace citykiln::roofs {
 
 struct PlanHeights {
   std::vector<std::array<double, 3>> corners_m;  ///< By cell and corner, multiples of 2^-10 m.
-  double bare_m2 = 0;                            ///< Area of the bare cells.
+  double uncovered_m2 = 0;                       ///< Area of the bare cells.
   double largest_gap_m = 0;                      ///< Most by which facets of one sheet differ where they meet.
 };
 

@@ -137,12 +137,12 @@ Section section_along(Form form, double span_m, double rise_m, double tolerance_
   return section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m);
 }
 
-Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> corner) {
+Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> corner) {
   if (form == Form::kMansard && corner) return knee(*corner, {span_m, rise_m}, tolerance_m);
   return section_of(form, {span_m, rise_m}, Measure::kUpright, tolerance_m);
 }
 
-Section section_over_pole(Form form, double span_m, double reach_m, double rise_m, double tolerance_m) {
+Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m) {
   if (form == Form::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kSquare, tolerance_m);
   // the curve is drawn over the span; stretched to the reach, its bulges grow by no more than that
   const double stretch = std::max(1.0, reach_m / span_m);

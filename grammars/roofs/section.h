@@ -31,10 +31,11 @@ Section section_along(Form form, double span_m, double rise_m, double tolerance_
 /// The section of a roof over a base, whose sides meet at any angle: so its error is measured upright, where no angle
 /// makes it larger. Else as section_along().
 /// @param knee  Of a mansard, if not its own.
-Section section_over_base(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> knee = {});
+Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m,
+                              std::optional<Vec2> knee = {});
 
 /// The section of a body over a pole: x is the distance from the pole over that of the eaves, from 1 to 0, and an
 /// onion's swells. Its error is that of the farthest corner, reach_m from the pole.
-Section section_over_pole(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
+Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

@@ -21,7 +21,7 @@ struct Run {
   double length_m;
 };
 
-Run run_of(Form form, const Frame& frame, bool has_direction) {
+Run run_of(Form form, const OrientedBox& frame, bool has_direction) {
   if (is_row(form) && !has_direction) return {frame.place(frame.from_m, frame.back_m), frame.along, frame.length_m()};
   return {frame.place(frame.from_m, frame.back_m), frame.across, frame.width_m()};
 }
@@ -100,7 +100,7 @@ std::vector<Facet> facets_along(const Run& run, const Section& section, double r
 }
 
 // Two gabled roofs of one width: each side of each, where it is higher than the other roof.
-std::vector<Facet> crossing(const Frame& frame, double rise_m, double reach_m) {
+std::vector<Facet> crossing(const OrientedBox& frame, double rise_m, double reach_m) {
   const double half_m = std::min(frame.width_m(), frame.length_m()) / 2;
   const double slope = rise_m / half_m, far_m = frame.width_m() + frame.length_m() + reach_m;
   const Vec2 middle = frame.place((frame.from_m + frame.to_m) / 2, (frame.back_m + frame.front_m) / 2);
@@ -118,7 +118,7 @@ std::vector<Facet> crossing(const Frame& frame, double rise_m, double reach_m) {
 
 }  // namespace
 
-double strip_span_m(Form form, const Frame& frame, bool has_direction) {
+double strip_span_m(Form form, const OrientedBox& frame, bool has_direction) {
   const double run_m = run_of(form, frame, has_direction).length_m;
   if (form == Form::kSkillion) return run_m;
   if (form == Form::kSawtooth) return run_m / bays_of(form, run_m);
@@ -128,7 +128,8 @@ double strip_span_m(Form form, const Frame& frame, bool has_direction) {
   return run_m / 2;
 }
 
-Strips strips(Form form, const Frame& frame, bool has_direction, double rise_m, double reach_m, double tolerance_m) {
+Strips strips(Form form, const OrientedBox& frame, bool has_direction, double rise_m, double reach_m,
+              double tolerance_m) {
   if (form == Form::kCrossGabled) return {crossing(frame, rise_m, reach_m), 0};
   const Run run = run_of(form, frame, has_direction);
   const Section section = section_across(form, run.length_m, rise_m, tolerance_m);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grammars/roofs/facet.h"
-#include "grammars/roofs/frame.h"
+#include "grammars/roofs/oriented_box.h"
 #include "grammars/roofs/roof_shape.h"
 
 namespace citykiln::roofs {
@@ -17,10 +17,11 @@ struct Strips {
 };
 
 /// From the eaves to the ridge, in plan: what an angle is measured over.
-double strip_span_m(Form form, const Frame& frame, bool has_direction);
+double strip_span_m(Form form, const OrientedBox& frame, bool has_direction);
 
 /// @param reach_m  How far beyond the frame the facets go: more than eaves stand out.
 /// Rows run along the frame, or, if has_direction, across it. Other forms than those above are gabled.
-Strips strips(Form form, const Frame& frame, bool has_direction, double rise_m, double reach_m, double tolerance_m);
+Strips strips(Form form, const OrientedBox& frame, bool has_direction, double rise_m, double reach_m,
+              double tolerance_m);
 
 }  // namespace citykiln::roofs

@@ -13,20 +13,20 @@
 namespace citykiln::grammars {
 
 /// A surface's material: names and numbers; what they look like is decided by whoever takes the terminals.
-struct Look {
+struct Appearance {
   std::string name;                     ///< material.name, e.g. "brick"; "" where no rule has set it.
   std::string colour_map;               ///< texture("…").
   double red = 1, green = 1, blue = 1;  ///< sRGB, 0 … 1.
   double opacity = 1, roughness = 1, metallic = 0;
   double emissive_red = 0, emissive_green = 0, emissive_blue = 0;
-  auto operator<=>(const Look&) const = default;
+  auto operator<=>(const Appearance&) const = default;
 };
 
 /// Texture coordinates as a function of the place: u = dot(p - origin, u_per_m), v likewise; 1 is the picture's width.
-struct TextureFrame {
+struct TextureProjection {
   Vec3 origin;
   Vec3 u_per_m, v_per_m;
-  bool operator==(const TextureFrame&) const = default;
+  bool operator==(const TextureProjection&) const = default;
 };
 
 /// A count and this one's place in it: split.index of split.total.
@@ -55,7 +55,7 @@ struct Shape {
 };
 
 /// All that a successor inherits, but for the faces: those are its own.
-inline Shape heir_of(const Shape& from) {
+inline Shape inherited_from(const Shape& from) {
   return {from.id,   from.scope,      {},           from.parent_scope, from.asset, from.in_split, from.in_comp,
           from.look, from.projection, from.texture, from.attributes,   from.birth};
 }

@@ -20,7 +20,7 @@ std::uint32_t found_or_added(std::vector<Entry>& table, IndexOf& index_of, const
 
 }  // namespace
 
-std::size_t LookHash::operator()(const Look& look) const {
+std::size_t AppearanceHash::operator()(const Appearance& look) const {
   std::uint64_t hash = look.name.size();
   const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32; };
   for (const char c : look.name) add(static_cast<unsigned char>(c));
@@ -28,14 +28,14 @@ std::size_t LookHash::operator()(const Look& look) const {
   return hash;
 }
 
-std::uint32_t Tables::index_of(const Look& look) { return found_or_added(looks, look_of, look); }
+std::uint32_t Tables::index_of(const Appearance& look) { return found_or_added(looks, appearance_of, look); }
 std::uint32_t Tables::index_of(const AttributeSet& set) {
   return found_or_added(attribute_sets, attribute_set_of, set);
 }
-std::uint32_t Tables::add(const TextureFrame& texture) { return append(textures, texture); }
-std::uint32_t Tables::add(LookAreas areas) { return append(look_areas, std::move(areas)); }
+std::uint32_t Tables::add(const TextureProjection& texture) { return append(textures, texture); }
+std::uint32_t Tables::add(AppearanceAreas areas) { return append(appearance_areas, std::move(areas)); }
 
-std::optional<TextureFrame> Tables::texture_at(std::uint32_t index) const {
+std::optional<TextureProjection> Tables::texture_at(std::uint32_t index) const {
   if (index == 0) return std::nullopt;
   return textures[index];
 }

@@ -2,7 +2,7 @@
 // houses_bench.cpp cannot tell: how often a town asks for what it has had before, and what its odd footprints cost.
 #include <benchmark/benchmark.h>
 
-#include "compiler/buildings/expand.h"
+#include "compiler/buildings/generate.h"
 #include "compiler/buildings/plan.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/map/locate.h"
@@ -22,13 +22,13 @@ map::Features features_of(benchmark::State& state, const std::string& name) {
   return map::locate(*osm, map::Plane(map::default_origin(box)), box, {}, report);
 }
 
-ground::Carving level_ground() {
-  return ground::Carving(map::Heightfield{{-64, -64}, {64, 64}, 3, 3, std::vector<std::int32_t>(9), 0});
+ground::GradedTerrain level_ground() {
+  return ground::GradedTerrain(map::Heightfield{{-64, -64}, {64, 64}, 3, 3, std::vector<std::int32_t>(9), 0});
 }
 
 void plan_town(benchmark::State& state) {
   const map::Features features = features_of(state, kTown);
-  const ground::Carving ground = level_ground();
+  const ground::GradedTerrain ground = level_ground();
   std::size_t buildings = 0;
   for (auto _ : state) {
     Report report;
@@ -37,10 +37,10 @@ void plan_town(benchmark::State& state) {
   state.counters["buildings"] = static_cast<double>(buildings);
 }
 
-std::uint64_t triangles_of(const Expanded& house) {
+std::uint64_t triangles_of(const GeneratedBuilding& house) {
   std::uint64_t triangles = 0;
   for (const auto& dressed : house.meshes) triangles += dressed.mesh.triangles.size();
-  for (const auto& imprinted : house.imprinted) triangles += imprinted.mesh.mesh.triangles.size();
+  for (const auto& textured_faces : house.textured_faces) triangles += textured_faces.mesh.mesh.triangles.size();
   return triangles;
 }
 
@@ -60,10 +60,10 @@ void expand_town(benchmark::State& state) {
   const std::size_t count = all.size() / one_in;
   std::uint64_t triangles = 0;
   for (auto _ : state) {
-    const Rulebook rulebook = rulebook_of(styles_of(all), shipped_rules());
+    const Rulebook rulebook = parse_rulebook(styles_of(all), shipped_rules());
     const auto made = for_each_slot<std::uint64_t>(count, static_cast<int>(state.range(2)), [&](std::size_t i) {
       Report report;
-      return triangles_of(expand(all[i * one_in], rulebook, {1}, tolerance_m, report));
+      return triangles_of(generate(all[i * one_in], rulebook, {1}, tolerance_m, report));
     });
     for (const std::uint64_t each : made) triangles += each;
   }

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "grammars/derivation/derive.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 
 namespace citykiln::grammars {
 namespace {

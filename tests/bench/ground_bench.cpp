@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "compiler/ground/expand.h"
+#include "compiler/ground/generate.h"
 
 namespace citykiln::ground {
 namespace {
@@ -20,12 +20,12 @@ map::Heightfield hills() {
 }
 
 void expand_bare_cell(benchmark::State& state) {
-  const Carving ground(hills());
+  const GradedTerrain ground(hills());
   const double tolerance_m = static_cast<double>(state.range(0)) / 100;
   std::size_t triangles = 0;
   for (auto _ : state) {
     Report report;
-    triangles = expand_cell({}, ground, {{0, 0}, {1024, 1024}}, tolerance_m, report).mesh.triangles.size();
+    triangles = generate_cell({}, ground, {{0, 0}, {1024, 1024}}, tolerance_m, report).mesh.triangles.size();
   }
   state.counters["triangles"] = static_cast<double>(triangles);
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/buildings/expand.h"
+#include "compiler/buildings/generate.h"
 #include "compiler/buildings/style.h"
 
 namespace citykiln::buildings {
@@ -34,15 +34,15 @@ Building house(Style style, roofs::Form form, double wide_m, int levels, int i) 
 void expand_street(benchmark::State& state, Style style, roofs::Form form, double wide_m, int levels) {
   std::vector<Building> street;
   for (int i = 0; i < kHouses; ++i) street.push_back(house(style, form, wide_m, levels, i));
-  const Rulebook rulebook = rulebook_of(styles_of(street), shipped_rules());
+  const Rulebook rulebook = parse_rulebook(styles_of(street), shipped_rules());
   const double tolerance_m = static_cast<double>(state.range(0)) / 1000;
   std::uint64_t houses = 0, triangles = 0;
   Report report;
   for (auto _ : state) {
     for (const Building& building : street) {
-      const Expanded house = expand(building, rulebook, {1}, tolerance_m, report);
+      const GeneratedBuilding house = generate(building, rulebook, {1}, tolerance_m, report);
       for (const auto& dressed : house.meshes) triangles += dressed.mesh.triangles.size();
-      for (const auto& imprinted : house.imprinted) triangles += imprinted.mesh.mesh.triangles.size();
+      for (const auto& textured_faces : house.textured_faces) triangles += textured_faces.mesh.mesh.triangles.size();
       ++houses;
     }
   }

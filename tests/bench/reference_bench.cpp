@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/ground/mesh/height_error.h"
-#include "tests/compiler/ground/made_references.h"
+#include "tests/compiler/ground/mesh/made_references.h"
 
 namespace citykiln::ground {
 namespace {

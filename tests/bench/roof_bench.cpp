@@ -4,7 +4,7 @@
 #include "bench_data.h"
 #include "compiler/map/locate.h"
 #include "compiler/source/read_osm.h"
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 
 namespace citykiln::roofs {
 namespace {
@@ -26,14 +26,14 @@ void RoofOverARectangle(benchmark::State& state) {
   shape.form = static_cast<Form>(state.range(0));
   const Polygon house{{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {}};
   Report report;
-  for (auto _ : state) benchmark::DoNotOptimize(expand_roof(house, shape, 0.02, {}, report));
+  for (auto _ : state) benchmark::DoNotOptimize(generate_roof(house, shape, 0.02, {}, report));
   state.SetLabel(std::string(name_of(shape.form)));
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(RoofOverARectangle)->DenseRange(0, static_cast<int>(Form::kCount) - 1)->Unit(benchmark::kMicrosecond);
 
-// All buildings of a town, hipped, by the skeleton alone. Few, but in an old town's shapes: helsinki; many houses:
-// reinickendorf.
+// All buildings of a town, hipped, by the skeleton alone. SmallVector, but in an old town's shapes: helsinki; many
+// houses: reinickendorf.
 void HippedBySkeleton(benchmark::State& state, const std::string& file, SkeletonKernel kernel) {
   const std::string path = data_or_skip(state, file);
   if (path.empty()) return;

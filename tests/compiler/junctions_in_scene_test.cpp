@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <map>
 
-#include "compiler/bake/fire_ground.h"
+#include "compiler/bake/ground_cells.h"
 #include "compiler/pipeline.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
-#include "tests/compiler/roads/junction_claims.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
+#include "tests/compiler/roads/junctions/junction_claims.h"
 
 namespace citykiln {
 namespace {
@@ -48,21 +48,21 @@ TEST_P(JunctionsInSceneReal, AreTheSameWhenCompiledAgain) {
 }
 
 // All triangles that are one surface class's, of all cells of all tiles.
-std::map<map::SurfaceClass, std::vector<Ring>> ground_by_class(const scene::Scene& scene) {
+std::map<map::LandCoverClass, std::vector<Ring>> ground_by_class(const scene::Scene& scene) {
   // so fine that roads come in pieces
   constexpr double kTolerance_m = 0.1;
-  std::map<map::SurfaceClass, std::vector<Ring>> faces;
+  std::map<map::LandCoverClass, std::vector<Ring>> faces;
   Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
-    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
+    const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, kTolerance_m);
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
-    const ground::Carving carving = scene::carving_of(scene.header, chunk, kTolerance_m);
-    for (const ground::GroundMesh& cell : bake::expand_cells(carving, cover.surfaces, tile, kTolerance_m, 0, ignored))
-      for (std::size_t f = 0; f < cell.first_upright; ++f) {
-        if (cell.face_surface[f] == ground::kNoSurface) continue;
+    const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, kTolerance_m);
+    for (const ground::GroundMesh& cell : bake::generate_cells(graded, cover.surfaces, tile, kTolerance_m, 0, ignored))
+      for (std::size_t f = 0; f < cell.first_vertical; ++f) {
+        if (cell.face_cover[f] == ground::kNoLandCover) continue;
         Ring ring;
         for (const std::uint32_t v : cell.mesh.triangles[f]) ring.push_back(in_plan(cell.mesh.positions[v]));
-        faces[cover.surfaces[cell.face_surface[f]].surface].push_back(std::move(ring));
+        faces[cover.surfaces[cell.face_cover[f]].surface].push_back(std::move(ring));
       }
   }
   return faces;
@@ -76,10 +76,10 @@ roads::Shape united(std::span<const Ring> rings) {
   return roads::Shape(GEOSUnaryUnion(all.get()));
 }
 
-bool is_of_street(map::SurfaceClass surface) {
-  const map::SurfaceGroup group = map::values_of(surface).group;
-  return group == map::SurfaceGroup::kRoad || group == map::SurfaceGroup::kPath ||
-         surface == map::SurfaceClass::kPavement;
+bool is_of_street(map::LandCoverClass surface) {
+  const map::LandCoverGroup group = map::values_of(surface).group;
+  return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kPath ||
+         surface == map::LandCoverClass::kPavement;
 }
 
 TEST_P(JunctionsInSceneReal, RoadSurfacesOfTheGroundShareNoArea) {
@@ -112,7 +112,7 @@ TEST_P(JunctionsOfTilesReal, AreWhatATilesRoadsGiveAgain) {
   ASSERT_TRUE(whole);
   std::size_t compared = 0;
   for (const scene::Chunk& chunk : whole->scene.chunks) {
-    const Box2 inside = scene::box_of(whole->scene.header, chunk.tile).widened(-8 * roads::kReach_m);
+    const Box2 inside = scene::box_of(whole->scene.header, chunk.tile).widened(-8 * roads::kJunctionRadius_m);
     const auto within = [&](std::vector<roads::Junction> junctions) {
       std::erase_if(junctions, [&](const roads::Junction& j) { return !inside.contains(j.places.front()); });
       return junctions;

@@ -2,15 +2,15 @@
 #include <set>
 #include <tuple>
 
-#include "compiler/plants/expand.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/plants/generate.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 #include "tests/compiler/real_scenes.h"
 
 namespace citykiln {
 namespace {
 
-using map::SurfaceGroup;
+using map::LandCoverGroup;
 using plants::Species;
 
 constexpr Extract kExtracts[] = {{"berlin/berlin-siegessaeule.osm.gz", "berlin/N52E013.hgt"},
@@ -32,14 +32,14 @@ struct Plant {
 
 std::vector<Plant> plants_of(const scene::Scene& scene, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
-  const auto surfaces = scene::surfaces_of(chunk);
-  const auto map = ground::map_surfaces(surfaces, box.widened(scene::kHalo_m));
-  const ground::Carving carving = scene::carving_of(scene.header, chunk, 0.5);
+  const auto surfaces = scene::coarse_land_cover(chunk);
+  const auto map = ground::index_land_cover(surfaces, box.widened(scene::kHalo_m));
+  const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, 0.5);
   Report ignored;
   std::vector<Plant> plants;
-  const plants::Land land{map, carving, box, scene.header.seed, scene.header.origin.lat_deg};
+  const plants::PlacingContext land{map, graded, box, scene.header.seed, scene.header.origin.lat_deg};
   for (const auto& [prototype, placements] :
-       plants::expand({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.lanes}, land, ignored))
+       plants::generate({chunk.trees, chunk.woods, chunk.plantings, chunk.tree_rows, chunk.corridors}, land, ignored))
     for (const Placement& p : placements)
       plants.push_back({in_plan(p.at), prototype.species, prototype.variant, p.scale});
   return plants;
@@ -61,17 +61,17 @@ TEST(PlantsReal, StandInNoRoadRailBuildingOrWater) {
     const scene::Scene scene = scene_of(extract, 512);
     std::size_t count = 0;
     for (const scene::Chunk& chunk : scene.chunks) {
-      const auto surfaces = scene::surfaces_of(chunk);
+      const auto surfaces = scene::coarse_land_cover(chunk);
       const auto boxes = boxes_of(surfaces);
       for (const Plant& plant : plants_of(scene, chunk)) {
-        const ground::Surface* top = top_at(surfaces, boxes, plant.at);
+        const ground::LandCoverPolygon* top = top_at(surfaces, boxes, plant.at);
         ++count;
         if (!top) continue;
         // nobody drives in a pedestrian street
-        const SurfaceGroup group = map::values_of(top->surface).group;
-        const bool is_road = group == SurfaceGroup::kRoad && top->surface != map::SurfaceClass::kPedestrianStreet;
-        EXPECT_FALSE(is_road || group == SurfaceGroup::kRail || group == SurfaceGroup::kWater ||
-                     group == SurfaceGroup::kBuilding)
+        const LandCoverGroup group = map::values_of(top->surface).group;
+        const bool is_road = group == LandCoverGroup::kRoad && top->surface != map::LandCoverClass::kPedestrianStreet;
+        EXPECT_FALSE(is_road || group == LandCoverGroup::kRail || group == LandCoverGroup::kWater ||
+                     group == LandCoverGroup::kBuilding)
             << extract.map << " " << plant.at.x << ", " << plant.at.y << " in " << map::values_of(top->surface).name;
       }
     }
@@ -98,7 +98,7 @@ TEST(PlantsReal, OfCanilloAreOfManySpeciesAndMostlyConifers) {
   double needles = 0;
   for (const Plant& plant : plants) {
     species.insert(plant.species);
-    needles += plants::values_of(plant.species).leaves == plants::Leaves::kNeedle ? 1 : 0;
+    needles += plants::values_of(plant.species).leaves == plants::LeafForm::kNeedle ? 1 : 0;
   }
   EXPECT_GE(species.size(), 10u);
   EXPECT_GT(needles / static_cast<double>(plants.size()), 0.5);

@@ -28,7 +28,7 @@ inline scene::Scene scene_of(const Extract& extract, double tile_m) {
   return compiled ? std::move(compiled->scene) : scene::Scene{};
 }
 
-inline std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
+inline std::vector<Box2> boxes_of(std::span<const ground::LandCoverPolygon> surfaces) {
   std::vector<Box2> boxes(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     for (const Ring& ring : surfaces[i].rings)
@@ -37,8 +37,9 @@ inline std::vector<Box2> boxes_of(std::span<const ground::Surface> surfaces) {
 }
 
 /// @param boxes  Of the surfaces. Null where nothing covers the place.
-inline const ground::Surface* top_at(std::span<const ground::Surface> surfaces, std::span<const Box2> boxes, Vec2 p) {
-  const ground::Surface* top = nullptr;
+inline const ground::LandCoverPolygon* top_at(std::span<const ground::LandCoverPolygon> surfaces,
+                                              std::span<const Box2> boxes, Vec2 p) {
+  const ground::LandCoverPolygon* top = nullptr;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!boxes[i].contains(p)) continue;
     int winding = 0;

@@ -3,11 +3,11 @@
 #include <chrono>
 #include <filesystem>
 
-#include "compiler/bake/fire_ground.h"
-#include "compiler/ground/cover/yield_slivers.h"
+#include "compiler/bake/ground_cells.h"
+#include "compiler/ground/cover/merge_slivers.h"
 #include "compiler/pipeline.h"
-#include "compiler/scene/ground_cover.h"
-#include "tests/compiler/ground/border_claims.h"
+#include "compiler/scene/land_cover.h"
+#include "tests/compiler/ground/cover/border_claims.h"
 
 namespace citykiln {
 namespace {
@@ -32,7 +32,7 @@ std::vector<CellBorders> borders_of_cells(const char* extract) {
   constexpr double kTolerance_m = 0.1;
   std::vector<CellBorders> all;
   for (const scene::Chunk& chunk : scene.chunks) {
-    const scene::GroundCover cover = scene::cover_of(scene.header, chunk, kTolerance_m);
+    const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, kTolerance_m);
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
     for (const Box2& cell : bake::cells_of(tile)) all.push_back({cell, ground::borders_of(cover.surfaces, cell)});
   }
@@ -76,7 +76,7 @@ TEST_P(SimplifiedBordersReal, KeepEveryPromiseOnceSliversHaveYielded) {
     Stopwatch watch;
     for (const CellBorders& cell : cells) {
       watch.start();
-      const auto thick = ground::yield_slivers(cell.borders, tolerance_m, [](std::uint32_t) { return true; });
+      const auto thick = ground::merge_slivers(cell.borders, tolerance_m, [](std::uint32_t) { return true; });
       const auto now = ground::simplify_borders(thick.borders, tolerance_m, [](GridPoint) { return false; });
       watch.stop();
       EXPECT_LE(thick.error_m, tolerance_m);

@@ -2,13 +2,13 @@
 #include <tuple>
 
 #include "compiler/props/street_lamps.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/land_cover.h"
 #include "tests/compiler/real_scenes.h"
 
 namespace citykiln {
 namespace {
 
-using map::SurfaceGroup;
+using map::LandCoverGroup;
 using props::StreetLamp;
 
 constexpr Extract kExtracts[] = {{"berlin/berlin-neukolln.osm"},
@@ -19,16 +19,17 @@ constexpr Extract kExtracts[] = {{"berlin/berlin-neukolln.osm"},
 std::vector<StreetLamp> lamps_of(const scene::Scene& scene, const scene::Chunk& chunk,
                                  std::span<const props::Lamp> mapped) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
-  const auto surfaces = scene::surfaces_of(chunk);
-  return props::lamps_of_streets(chunk.roads, mapped, ground::map_surfaces(surfaces, box.widened(scene::kHalo_m)), box);
+  const auto surfaces = scene::coarse_land_cover(chunk);
+  return props::lamps_of_streets(chunk.roads, mapped, ground::index_land_cover(surfaces, box.widened(scene::kHalo_m)),
+                                 box);
 }
 
 // Whether it is no place for a lamp.
-bool is_taken(const ground::Surface* top) {
+bool is_taken(const ground::LandCoverPolygon* top) {
   if (!top) return false;
-  const SurfaceGroup group = map::values_of(top->surface).group;
-  return group == SurfaceGroup::kRoad || group == SurfaceGroup::kRail || group == SurfaceGroup::kWater ||
-         group == SurfaceGroup::kBuilding;
+  const LandCoverGroup group = map::values_of(top->surface).group;
+  return group == LandCoverGroup::kRoad || group == LandCoverGroup::kRail || group == LandCoverGroup::kWater ||
+         group == LandCoverGroup::kBuilding;
 }
 
 // From the lamp to the nearest place on the axis of the way it lights.
@@ -49,7 +50,7 @@ TEST(StreetLampsReal, StandBesideCarriagewaysAndFaceThem) {
     const scene::Scene scene = scene_of(extract, 1024);
     std::size_t count = 0, averted = 0;
     for (const scene::Chunk& chunk : scene.chunks) {
-      const auto surfaces = scene::surfaces_of(chunk);
+      const auto surfaces = scene::coarse_land_cover(chunk);
       const auto boxes = boxes_of(surfaces);
       for (const StreetLamp& lamp : lamps_of(scene, chunk, chunk.lamps)) {
         ++count;

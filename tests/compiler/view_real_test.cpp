@@ -10,8 +10,8 @@
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
-#include "compiler/scene/ground_carving.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/graded_terrain.h"
+#include "compiler/scene/land_cover.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln {
@@ -37,25 +37,25 @@ struct Seen {
   std::vector<ground::FaceHeight> heights;  // one a surface
 };
 
-void see_zone(const scene::Scene& scene, const scene::Chunk& chunk, const bake::SeenZone& zone,
+void see_zone(const scene::Scene& scene, const scene::Chunk& chunk, const bake::ViewZone& zone,
               std::vector<Seen>& all) {
-  const ground::Carving carving = scene::carving_of(scene.header, chunk, zone.roads_m);
-  const scene::GroundCover cover = scene::cover_of(scene.header, chunk, zone.roads_m);
+  const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, zone.roads_m);
+  const scene::LandCover cover = scene::land_cover_of(scene.header, chunk, zone.roads_m);
   std::vector<ground::FaceHeight> heights;
-  for (const ground::Surface& surface : cover.surfaces) heights.push_back(ground::face_height_of(surface));
+  for (const ground::LandCoverPolygon& surface : cover.surfaces) heights.push_back(ground::face_height_of(surface));
   Report ignored;
-  std::vector<ground::GroundMesh> meshes = bake::expand_cells(carving, cover.surfaces, zone.cells, 0, ignored);
+  std::vector<ground::GroundMesh> meshes = bake::generate_cells(graded, cover.surfaces, zone.cells, 0, ignored);
   for (std::size_t c = 0; c < meshes.size(); ++c) {
     Seen& seen = all.emplace_back(Seen{zone.cells[c], std::move(meshes[c]), {}, heights});
-    if (ground::is_carved(carving, seen.level.cell))
-      seen.reference = ground::reference_of_cell(cover.surfaces, carving, seen.level.cell);
+    if (ground::has_grading(graded, seen.level.cell))
+      seen.reference = ground::reference_of_cell(cover.surfaces, graded, seen.level.cell);
   }
 }
 
 std::vector<Seen> seen_village(const scene::Scene& scene, const bake::ViewLevels& levels) {
   std::vector<Seen> all;
   for (const scene::Chunk& chunk : scene.chunks)
-    for (const bake::SeenZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
+    for (const bake::ViewZone& zone : bake::zones_of(levels, scene::box_of(scene.header, chunk.tile)))
       see_zone(scene, chunk, zone, all);
   return all;
 }
@@ -75,8 +75,8 @@ double pixels_off(const Seen& seen, const bake::View& view, std::size_t face, Ve
   const std::vector<Vec3>& at = seen.mesh.mesh.positions;
   const double u = std::sqrt(dice.x), v = dice.y;
   const Vec3 p = at[t[0]] * (1 - u) + at[t[1]] * (u * (1 - v)) + at[t[2]] * (u * v);
-  const std::uint32_t surface = seen.mesh.face_surface[face];
-  const ground::FaceHeight height = surface == ground::kNoSurface ? ground::FaceHeight{} : seen.heights[surface];
+  const std::uint32_t surface = seen.mesh.face_cover[face];
+  const ground::FaceHeight height = surface == ground::kNoLandCover ? ground::FaceHeight{} : seen.heights[surface];
   if (height.level_m) return 0;
   const double off_m = std::abs(p.z - ground::height_m_at(*seen.reference, in_plan(p), height.layer));
   const double away_m = length(p - view.eye);
@@ -105,7 +105,7 @@ using Edge = std::pair<Vec3, Vec3>;
 // The edges of upward faces that lie in the line x = at (y = at), lower end first.
 std::vector<Edge> edges_on_line(const ground::GroundMesh& ground, double Vec3::*across, double at) {
   std::vector<Edge> edges;
-  for (std::uint32_t f = 0; f < ground.first_upright; ++f)
+  for (std::uint32_t f = 0; f < ground.first_vertical; ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 a = ground.mesh.positions[ground.mesh.triangles[f][i]],
                  b = ground.mesh.positions[ground.mesh.triangles[f][(i + 1) % 3]];
@@ -125,7 +125,7 @@ TEST_F(ViewReal, RandomPlacesOfTheGroundAreOffByNoMoreThanThePixelsAskedFor) {
     // where a further vertex could not mend it the cell says so
     if (!s.reference || length(Vec2{s.mesh.error_m, s.mesh.border_error_m}) > s.level.tolerance_m) continue;
     for (int i = 0; i < 300; ++i) {
-      const auto face = static_cast<std::size_t>(draw.unit(dice++) * s.mesh.first_upright);
+      const auto face = static_cast<std::size_t>(draw.unit(dice++) * s.mesh.first_vertical);
       const Vec2 at{draw.unit(dice), draw.unit(dice + 1)};
       dice += 2;
       EXPECT_LE(pixels_off(s, view, face, at), view.pixel_error + 1e-6);
@@ -136,7 +136,7 @@ TEST_F(ViewReal, RandomPlacesOfTheGroundAreOffByNoMoreThanThePixelsAskedFor) {
 }
 
 bool see_roads_alike(const Seen& a, const Seen& b) {
-  return (a.level.tolerance_m < scene::kPlainRoads_m) == (b.level.tolerance_m < scene::kPlainRoads_m);
+  return (a.level.tolerance_m < scene::kRoadDetail_m) == (b.level.tolerance_m < scene::kRoadDetail_m);
 }
 
 TEST_F(ViewReal, CellsOfAllLevelsMeetEdgeForEdge) {

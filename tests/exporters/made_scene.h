@@ -25,17 +25,18 @@ class SceneMaker {
     for (auto i = below(4); i > 0; --i) c.roads.push_back(road());
     for (auto i = below(3); i > 0; --i) c.junctions.push_back(junction());
     for (auto i = below(2); i > 0; --i)
-      c.streams.push_back({id(), line(), surface(), metres(20), metres(20), profile(), metres(99), below(9) * 16.0});
+      c.watercourses.push_back(
+          {id(), line(), surface(), metres(20), metres(20), profile(), metres(99), below(9) * 16.0});
     for (auto i = below(3); i > 0; --i) c.bridges.push_back(span());
     for (auto i = below(2); i > 0; --i) c.tunnels.push_back(span());
     for (auto i = below(4); i > 0; --i) c.buildings.push_back(building());
-    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), stock()});
-    for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), stock(), hectare(), eighths(200)});
+    for (auto i = below(5); i > 0; --i) c.trees.push_back({id(), point(), metres(30), species_mix()});
+    for (auto i = below(2); i > 0; --i) c.woods.push_back({id(), species_mix(), hectare(), eighths(200)});
     for (auto i = below(3); i > 0; --i)
       c.plantings.push_back(
-          {id(), stock(), static_cast<std::uint8_t>(below(256)), eighths(40), eighths(40), eighths(20)});
-    for (auto i = below(3); i > 0; --i) c.tree_rows.push_back({id(), line(), stock(), eighths(90), eighths(90)});
-    for (auto i = below(2); i > 0; --i) c.lanes.push_back({id(), line(), eighths(300)});
+          {id(), species_mix(), static_cast<std::uint8_t>(below(256)), eighths(40), eighths(40), eighths(20)});
+    for (auto i = below(3); i > 0; --i) c.tree_rows.push_back({id(), line(), species_mix(), eighths(90), eighths(90)});
+    for (auto i = below(2); i > 0; --i) c.corridors.push_back({id(), line(), eighths(300)});
     for (auto i = below(3); i > 0; --i)
       c.barriers.push_back({id(), line(), static_cast<map::BarrierKind>(below(6)), metres(3), metres(1)});
     for (auto i = below(3); i > 0; --i) c.lamps.push_back({id(), point(), metres(9)});
@@ -60,9 +61,9 @@ class SceneMaker {
   static constexpr double kQuantum_m = 0x1p-10;
 
   std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(dice_() % count); }
-  plants::Stock stock() {
-    return below(2) == 0 ? plants::stock_of(pick(plants::Species::kCount))
-                         : plants::stock_of(pick(plants::Mix::kCount));
+  plants::SpeciesMix species_mix() {
+    return below(2) == 0 ? plants::species_mix_of(pick(plants::Species::kCount))
+                         : plants::species_mix_of(pick(plants::PlantCommunity::kCount));
   }
   std::uint16_t hectare() { return static_cast<std::uint16_t>(1 + below(300)); }
   double eighths(std::uint32_t most) { return (2 + below(most)) / 8.0; }
@@ -76,7 +77,7 @@ class SceneMaker {
     for (auto i = 1 + below(5); i > 0; --i) j.cuts.push_back({below(256) / 4.0, below(61) / 4.0});
     return j;
   }
-  map::SurfaceClass surface() { return pick(map::SurfaceClass::kCount); }
+  map::LandCoverClass surface() { return pick(map::LandCoverClass::kCount); }
   double metres(std::uint32_t most) { return (1 + below(most * 1024)) * kQuantum_m; }
   double coordinate() { return (static_cast<double>(below(1u << 20)) - (1 << 19)) * finest_m_; }
   // a third of all points were there before, as shared borders are
@@ -102,11 +103,11 @@ class SceneMaker {
     using structures::EndKind;
     structures::SpanEnd end{pick(EndKind::kCount), {}, 0};
     if (end.kind == EndKind::kGround || end.kind == EndKind::kJoint) end.beyond = point();
-    if (end.kind == EndKind::kAcross) end.cut_m = below(256) / 4.0;
+    if (end.kind == EndKind::kBesideRoad) end.cut_m = below(256) / 4.0;
     return end;
   }
-  std::vector<structures::Opening> openings() {
-    std::vector<structures::Opening> made;
+  std::vector<structures::ParapetGap> openings() {
+    std::vector<structures::ParapetGap> made;
     double at_m = 0;
     for (auto i = below(3); i > 0; --i) {
       const double from_m = at_m + below(999) / 4.0;
@@ -118,14 +119,14 @@ class SceneMaker {
     structures::Span s{
         road(),     span_end(), span_end(),    {},
         openings(), openings(), below(2) == 0, static_cast<std::int8_t>(static_cast<int>(below(21)) - 10)};
-    s.narrowing = {};
+    s.width_limits = {};
     double at_m = 0;
     for (auto i = below(4); i > 0; --i)
       s.piers.push_back({at_m += (1 + below(999)) / 4.0, (static_cast<double>(below(9000)) - 400) / 4});
     return s;
   }
-  ground::Surface ground_surface() {
-    ground::Surface s{id(), surface(), number(90000), {ring(), ring()}};
+  ground::LandCoverPolygon ground_surface() {
+    ground::LandCoverPolygon s{id(), surface(), number(90000), {ring(), ring()}};
     if (below(3) == 0) s.level_m = (static_cast<double>(below(9000)) - 400) * kProfileQuantum_m;
     s.is_graded = below(4) == 0;
     return s;
@@ -145,29 +146,29 @@ class SceneMaker {
     r.id = id(), r.axis = line(), r.surface = surface(), r.section = section();
     r.side = static_cast<map::DrivingSide>(below(2)), r.is_lit = below(2) == 0, r.is_link = below(2) == 0,
     r.is_roundabout = below(2) == 0;
-    if (below(3) == 0) r.passed_m = metres(9000);
+    if (below(3) == 0) r.start_along_m = metres(9000);
     for (auto i = below(3); i > 0; --i)
       r.points.push_back({below(2), pick(map::TrackPointKind::kCount), static_cast<std::int8_t>(below(3))});
     r.profile = profile();
-    if (below(3) == 0) r.narrowing = {pinches(), pinches()};
+    if (below(3) == 0) r.width_limits = {width_limits(), width_limits()};
     for (map::TrackPoint& p : r.points) p.facing = static_cast<std::int8_t>(p.facing - 1);
     return r;
   }
-  std::vector<roads::Pinch> pinches() {
-    std::vector<roads::Pinch> pinches;
+  std::vector<roads::WidthLimit> width_limits() {
+    std::vector<roads::WidthLimit> width_limits;
     double at_m = 0;
     for (auto i = below(4); i > 0; --i) {
       at_m += (1 + below(999)) / 4.0;
-      pinches.push_back({at_m, (1 + below(999)) / 32.0, !pinches.empty() && below(2) == 0});
+      width_limits.push_back({at_m, (1 + below(999)) / 32.0, !width_limits.empty() && below(2) == 0});
     }
-    return pinches;
+    return width_limits;
   }
   map::CrossSection section() {
     map::CrossSection s;
     const std::uint32_t left = below(3), middle = 1 + below(4), right = below(3);
     for (std::uint32_t i = 0; i < left + middle + right; ++i) {
       const bool is_raised = i < left || i >= left + middle;
-      s.lanes.push_back({pick(map::LaneKind::kCount), static_cast<map::LaneWay>(below(3)), metres(5),
+      s.lanes.push_back({pick(map::LaneKind::kCount), static_cast<map::LaneDirection>(below(3)), metres(5),
                          static_cast<std::uint16_t>(below(1024)), is_raised});
     }
     s.axis_offset_m = map::carriageway_width_m(s) * below(3) / 2;

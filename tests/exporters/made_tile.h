@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 
 namespace citykiln::exporters {
 
@@ -25,8 +25,8 @@ inline bake::Primitive made_primitive(std::mt19937& dice, materials::Material ma
 }
 
 /// Places of a mesh, each with its own size.
-inline bake::Instanced made_instances(std::mt19937& dice, const char* name, int places, std::uint32_t features) {
-  bake::Instanced all{name, {made_primitive(dice, materials::Material::kGrass, 6, 0)}, {}, {}, {}, {}};
+inline bake::InstancedMesh made_instances(std::mt19937& dice, const char* name, int places, std::uint32_t features) {
+  bake::InstancedMesh all{name, {made_primitive(dice, materials::Material::kGrass, 6, 0)}, {}, {}, {}, {}};
   for (int i = 0; i < places; ++i) {
     all.translations.push_back({static_cast<float>(i) + 0.25f, 0.0f, -3.5f});
     all.rotations.push_back(i % 2 == 0 ? bake::Float4{0, 0, 0, 1} : bake::Float4{0, 0, 0.6f, 0.8f});
@@ -49,8 +49,8 @@ inline bake::BakedTile made_tile(std::uint32_t seed) {
 }
 
 /// A sheet of few colours, whose texels' size is no sum of halves.
-inline materials::Sheet made_sheet(std::mt19937& dice) {
-  materials::Sheet sheet{0.02 + 0.001 * (dice() % 10), 5 + static_cast<std::uint32_t>(dice()) % 20, 48, {}};
+inline materials::TextureImage made_sheet(std::mt19937& dice) {
+  materials::TextureImage sheet{0.02 + 0.001 * (dice() % 10), 5 + static_cast<std::uint32_t>(dice()) % 20, 48, {}};
   for (std::uint32_t i = 0; i < sheet.columns * sheet.rows; ++i) {
     const auto grey = static_cast<std::uint8_t>(60 + 60 * (dice() % 4));
     sheet.texels.push_back({grey, grey, 77});
@@ -64,25 +64,26 @@ inline bake::BakedTile made_marked_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 1000);
   bake::BakedTile tile = made_tile(seed);
   tile.sheet = made_sheet(dice);
-  const auto laid_out = [&](materials::Material material, materials::Coloured coloured, std::uint32_t features) {
+  const auto laid_out = [&](materials::Material material, materials::ColourSource colour_source,
+                            std::uint32_t features) {
     bake::Primitive p = made_primitive(dice, material, 12, features);
     for (const bake::Float3& at : p.positions) p.uvs.push_back({at[0], 16000 + at[1]});
-    p.coloured = coloured;
+    p.colour_source = colour_source;
     return p;
   };
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::Coloured::kByMaterial, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::Coloured::kBySheet, 4));
-  tile.primitives.push_back(laid_out(materials::Material::kPaving, materials::Coloured::kBySheet, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMaterial, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kAsphalt, materials::ColourSource::kByMarkingAtlas, 4));
+  tile.primitives.push_back(laid_out(materials::Material::kPaving, materials::ColourSource::kByMarkingAtlas, 4));
   tile.instanced[0].primitives.push_back(
-      laid_out(materials::Material::kPaintedMetal, materials::Coloured::kBySheet, 0));
+      laid_out(materials::Material::kPaintedMetal, materials::ColourSource::kByMarkingAtlas, 0));
   return tile;
 }
 
 /// Leaves cut out of cards; every other time with normals.
-inline void make_leafy(std::mt19937& dice, bake::Instanced& tree, bool has_normals) {
+inline void make_leafy(std::mt19937& dice, bake::InstancedMesh& tree, bool has_normals) {
   bake::Primitive leaves = made_primitive(dice, materials::Material::kBroadLeaf, 12, 0);
   for (const bake::Float3& at : leaves.positions) leaves.uvs.push_back({at[0], at[2]});
-  leaves.coloured = materials::Coloured::kByCutout;
+  leaves.colour_source = materials::ColourSource::kByCutout;
   tree.primitives.push_back(leaves);
   tree.cutout.colour = made_sheet(dice);
   for (std::size_t i = 0; i < tree.cutout.colour.texels.size(); ++i)
@@ -94,17 +95,18 @@ inline void make_leafy(std::mt19937& dice, bake::Instanced& tree, bool has_norma
 inline bake::BakedTile made_imprinted_tile(std::uint32_t seed) {
   std::mt19937 dice(seed + 3000);
   bake::BakedTile tile = made_marked_tile(seed);
-  tile.imprints.colour = made_sheet(dice);
-  tile.imprints.surface = tile.imprints.colour;
-  for (materials::Sheet::Texel& texel : tile.imprints.surface.texels) texel[2] = static_cast<std::uint8_t>(dice());
-  if (seed % 2 == 1) tile.imprints.emission = tile.imprints.colour;
-  if (seed % 3 == 1) tile.imprints.normal = tile.imprints.surface;
+  tile.facade_atlas.colour = made_sheet(dice);
+  tile.facade_atlas.surface = tile.facade_atlas.colour;
+  for (materials::TextureImage::Texel& texel : tile.facade_atlas.surface.texels)
+    texel[2] = static_cast<std::uint8_t>(dice());
+  if (seed % 2 == 1) tile.facade_atlas.emission = tile.facade_atlas.colour;
+  if (seed % 3 == 1) tile.facade_atlas.normal = tile.facade_atlas.surface;
   bake::Primitive facades = made_primitive(dice, materials::Material::kPaint, 12, 4);
   for (const bake::Float3& at : facades.positions) facades.uvs.push_back({at[0], at[2]});
-  facades.coloured = materials::Coloured::kByAtlas;
+  facades.colour_source = materials::ColourSource::kByAtlas;
   tile.primitives.push_back(facades);
   tile.instanced.push_back(made_instances(dice, "oak_0", 2, 4));
-  for (bake::Instanced& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
+  for (bake::InstancedMesh& tree : tile.instanced) make_leafy(dice, tree, tree.name == "NeedleLeaved");
   tile.instanced.back().cutout = tile.instanced.front().cutout;
   return tile;
 }
@@ -122,12 +124,12 @@ inline bake::BakedTile made_textured_tile(std::uint32_t seed) {
     return p;
   };
   tile.primitives.clear();
-  tile.primitives.push_back(placed(Material::kGrass, materials::kTexturePlace_m));
-  tile.primitives.push_back(placed(Material::kWater, materials::kTexturePlace_m));
+  tile.primitives.push_back(placed(Material::kGrass, materials::kTextureCoordinateStep_m));
+  tile.primitives.push_back(placed(Material::kWater, materials::kTextureCoordinateStep_m));
   tile.primitives.push_back(placed(Material::kRock, 1.25));
   tile.primitives.push_back(made_primitive(dice, Material::kStone, 12, 4));
-  tile.primitives.push_back(placed(Material::kStone, materials::kTexturePlace_m));
-  tile.instanced[0].primitives.push_back(placed(Material::kPlatedBark, materials::kTexturePlace_m));
+  tile.primitives.push_back(placed(Material::kStone, materials::kTextureCoordinateStep_m));
+  tile.instanced[0].primitives.push_back(placed(Material::kPlatedBark, materials::kTextureCoordinateStep_m));
   tile.instanced[0].primitives.back().features.clear();
   const Material shown[] = {Material::kGrass, Material::kWater, Material::kRock, Material::kStone,
                             Material::kPlatedBark};

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "grammars/derivation/form_roofs.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 #include "tests/grammars/derivation_claims.h"
 #include "tests/grammars/made_rules.h"
 
@@ -17,7 +17,7 @@ DeriveOptions options_of(Choices& choices) {
   DeriveOptions options;
   options.limits = {24, 400, 60'000};
   options.tolerance_m = choices.of(kTolerances_m);
-  options.keep_looks = choices.one_in(2);
+  options.keep_appearances = choices.one_in(2);
   options.keep_start = choices.one_in(4);
   options.ahead = choices.one_in(2);
   options.copies = !choices.one_in(4);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "grammars/derivation/derive.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 
 namespace {
 

@@ -18,7 +18,7 @@ using namespace citykiln;
 using namespace citykiln::lsystems;
 
 bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool is_sound(const Frame& f) {
+bool is_sound(const TurtleFrame& f) {
   return is_finite(f.at) && std::abs(length(f.heading) - 1) < 1e-9 && std::abs(dot(f.heading, f.left)) < 1e-9 &&
          length(cross(f.heading, f.left) - f.up) < 1e-9;
 }

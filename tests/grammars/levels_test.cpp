@@ -221,7 +221,7 @@ TEST_P(KeptLevels, LieWithinTheStatedError) {
     const Program program = program_of(text);
     const Shape first = lot_of(between(3, 8), between(3, 8));
     DeriveOptions options;
-    options.keep_looks = GetParam();
+    options.keep_appearances = GetParam();
     options.limits.shapes = 4000;
     const Derivation whole = derive(program, first, options);
     const auto full = triangles_of(whole);
@@ -265,7 +265,7 @@ std::map<StableId, std::uint32_t> looks_by_id(const Derivation& derivation, cons
 TEST_F(Levels, PiecesNarrowerThanTheToleranceGoToTheirNeighbours) {
   DeriveOptions options;
   const auto full = derived(kPanels, 10, 8, options);
-  options.keep_looks = options.ahead = true;
+  options.keep_appearances = options.ahead = true;
   options.tolerance_m = 0.1;
   const auto cut = derived(kPanels, 10, 8, options);
   EXPECT_FALSE(looks_by_id(full, "Joint").empty());
@@ -283,7 +283,7 @@ TEST_F(Levels, PiecesAsWideAsTheToleranceGoToo) {
       "Lot --> extrude(6) comp(f) { side : color(\"#808080\") split(x) { { ~1 : Wall. | 0.1 : color(\"#ffffff\") "
       "Trim. | 0.7 : color(\"#000000\") Glass. }* | ~1 : Wall. } | all : Roof. }";
   DeriveOptions options;
-  options.keep_looks = options.ahead = true, options.tolerance_m = 0.1;
+  options.keep_appearances = options.ahead = true, options.tolerance_m = 0.1;
   for (double wide_m = 7; wide_m < 12; wide_m += 0.37) {
     EXPECT_EQ(count_named(derived(front, wide_m, wide_m + 1, options), "Trim"), 0u) << wide_m;
   }
@@ -374,7 +374,7 @@ TEST_F(Levels, ACutNodeLooksAsMostOfItDoes) {
 TEST_F(Levels, LooksAreKeptWhereAsked) {
   DeriveOptions options;
   options.tolerance_m = 0.4;
-  options.keep_looks = true;
+  options.keep_appearances = true;
   // a window is wider than that, so it stays a face of its own, but flat
   const auto cut = derived(kWall, 10, 8, options);
   EXPECT_EQ(count_named(cut, "Window"), count_named(derived(kWall), "Glass"));

@@ -5,7 +5,7 @@
 
 #include "grammars/derivation/derive.h"
 #include "grammars/derivation/form_roofs.h"
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 
 namespace citykiln::grammars {
 
@@ -18,7 +18,7 @@ struct MadeMass {
   StableId id{1};
 };
 
-/// As compiler/buildings/mass.h does: gables are upright, the floor is the mass's own.
+/// As compiler/buildings/mass_model.h does: gables are upright, the floor is the mass's own.
 inline void add_roof(const roofs::Roof& roof, double eaves_m, std::vector<Face>& faces) {
   for (Face& face : faces_of(roof)) {
     if (face.tag == FaceTag::kBottom) continue;
@@ -44,7 +44,7 @@ inline void add_walls(const MadeMass& made, const Ring& ring, bool is_outer, std
 /// Scope x along the first edge, y up.
 inline Shape mass_of(const MadeMass& made, roofs::Form* became = nullptr) {
   Report ignored;
-  const roofs::Roof roof = roofs::expand_roof(made.footprint, made.roof, 0.02, {}, ignored);
+  const roofs::Roof roof = roofs::generate_roof(made.footprint, made.roof, 0.02, {}, ignored);
   if (became) *became = roof.form;
   Shape shape = lot(made.footprint, 0, 0, made.id, made.street);
   Face floor = reversed(shape.faces.front());

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "grammars/derivation/form_roofs.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 #include "tests/grammars/derivation_claims.h"
 
 namespace citykiln::grammars {
@@ -49,7 +49,7 @@ TEST_P(MadeRulesOf, KeepEveryClaimOnAnyFootprint) {
     DeriveOptions options;
     options.limits = {24, 400, 60'000};
     options.tolerance_m = kTolerances_m[round % 5];
-    options.keep_looks = round % 2 == 0, options.ahead = round % 3 == 0, options.copies = round % 4 != 0;
+    options.keep_appearances = round % 2 == 0, options.ahead = round % 3 == 0, options.copies = round % 4 != 0;
     if (round % 8 < 4) options.roofs = form_roofs(0.02);
     ASSERT_EQ(broken_claim(*program, shape, options, is_sound(footprint), [&] { return chance(); }), "")
         << "round " << round << " at " << options.tolerance_m << " m\n"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "grammars/derivation/derive.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 
 namespace citykiln::grammars {
 
@@ -54,7 +54,7 @@ inline double area_m2_of(const Derivation& derivation, const std::string& name) 
 inline std::string first_trouble(const std::string& text) {
   const Program program = program_of(text);
   const Derivation derivation = derive(program, lot_of(10, 8), {});
-  return derivation.troubles.empty() ? "" : trouble_line(program, derivation.troubles.front());
+  return derivation.warnings.empty() ? "" : warning_line(program, derivation.warnings.front());
 }
 
 }  // namespace citykiln::grammars

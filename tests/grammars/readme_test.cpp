@@ -32,7 +32,7 @@ TEST(Readme, ItsTwelveExamplesAreDerivedWithoutTrouble) {
     const Derivation derivation = derive(*program, lot_of(12, 9), {});
     EXPECT_FALSE(derivation.terminals.empty()) << text;
     EXPECT_TRUE(derivation.limits.empty()) << text;
-    for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble) << "\n" << text;
+    for (const Warning& warning : derivation.warnings) ADD_FAILURE() << warning_line(*program, warning) << "\n" << text;
   }
 }
 

@@ -11,10 +11,10 @@
 #include <sstream>
 
 #include "compiler/bake/merge.h"
-#include "compiler/buildings/dress_terminals.h"
+#include "compiler/buildings/terminal_meshes.h"
 #include "exporters/gltf/glb.h"
 #include "grammars/derivation/form_roofs.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 #include "tests/grammars/made_mass.h"
 
 namespace {
@@ -92,7 +92,7 @@ Value value_in(const std::string& text) {
 DeriveOptions options_of(const Order& order, const MadeMass& made, roofs::Form became, double tolerance_m) {
   DeriveOptions options;
   options.tolerance_m = tolerance_m;
-  options.keep_looks = true;
+  options.keep_appearances = true;
   options.roofs = form_roofs(0.02);
   options.attributes["height"] = made.height_m;
   options.attributes["roof"] = std::string(name_of(became));
@@ -106,10 +106,10 @@ bool has(const std::string& name, std::initializer_list<const char*> words) {
 }
 
 // pieces of one name differ a little, so that one sees where they end
-Look look_by_name(const std::string& name, StableId id) {
+Appearance look_by_name(const std::string& name, StableId id) {
   constexpr double kColours[][3] = {{0.80, 0.74, 0.62}, {0.66, 0.58, 0.48}, {0.55, 0.60, 0.62},
                                     {0.72, 0.55, 0.45}, {0.58, 0.62, 0.50}, {0.86, 0.83, 0.76}};
-  Look look;
+  Appearance look;
   look.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
   if (look.name == "glass") return look;
   constexpr double kTiles[3] = {0.50, 0.31, 0.25};
@@ -124,8 +124,8 @@ Look look_by_name(const std::string& name, StableId id) {
 
 void colour_by_names(Derivation& derivation) {
   for (Terminal& terminal : derivation.terminals) {
-    if (derivation.looks[terminal.look] != Look{}) continue;
-    const Look look = look_by_name(terminal.name, terminal.id);
+    if (derivation.looks[terminal.look] != Appearance{}) continue;
+    const Appearance look = look_by_name(terminal.name, terminal.id);
     terminal.look = static_cast<std::uint32_t>(derivation.looks.size());
     derivation.looks.push_back(look);
   }
@@ -143,12 +143,12 @@ bool add_building(bake::Merged& merged, Order order, double tolerance_m) {
   Shape start = mass_of(made, &became);
   if (is_lot) start = lot(made.footprint, 0, 0, made.id, made.street);
   Derivation derivation = derive(*program, start, options_of(order, made, became, tolerance_m));
-  for (const Trouble& trouble : derivation.troubles)
-    std::fprintf(stderr, "%s\n", trouble_line(*program, trouble).c_str());
+  for (const Warning& warning : derivation.warnings)
+    std::fprintf(stderr, "%s\n", warning_line(*program, warning).c_str());
   for (const LimitHit& hit : derivation.limits) std::fprintf(stderr, "%s\n", limit_line(*program, hit).c_str());
   if (shows_names) colour_by_names(derivation);
   std::size_t triangles = 0;
-  for (const auto& mesh : buildings::meshes_of(derivation, {})) {
+  for (const auto& mesh : buildings::terminal_meshes(derivation, {})) {
     triangles += mesh.mesh.triangles.size();
     bake::merge(merged, mesh, {}, 0);
   }
@@ -179,7 +179,7 @@ int main(int count, char** arguments) {
   bake::BakedTile tile;
   tile.features = {{}};
   tile.primitives = primitives_of(std::move(merged));
-  tile.textures = textures_shown(tile, 0.02, materials::TextureShelf(0));
+  tile.textures = textures_shown(tile, 0.02, materials::TextureCache(0));
   scene::Header header;
   header.origin = {13.4, 52.5};
   const auto done = exporters::write_glb(tile, header, exporters::Instancing::kNodes, arguments[1]);

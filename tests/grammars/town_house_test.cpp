@@ -64,7 +64,7 @@ TEST_F(TownHouse, LosesFacesWithTheTolerance) {
   for (const double tolerance_m : {0.0, 0.1, 0.5, 2.5}) {
     DeriveOptions options;
     options.tolerance_m = tolerance_m;
-    options.keep_looks = true;
+    options.keep_appearances = true;
     const std::size_t faces = house(11, 9, options).terminals.size();
     EXPECT_LT(faces, before) << tolerance_m;
     before = faces;

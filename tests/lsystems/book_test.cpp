@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lsystems/turtle.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -234,7 +234,7 @@ TEST(Book, GrowsWithoutTrouble) {
     const LSystem system = figure(name);
     const Plant plant = grow(system);
     EXPECT_FALSE(plant.derivation.cut) << name;
-    EXPECT_TRUE(plant.derivation.troubles.empty() && plant.skeleton.troubles.empty()) << name;
+    EXPECT_TRUE(plant.derivation.warnings.empty() && plant.skeleton.warnings.empty()) << name;
     EXPECT_FALSE(plant.skeleton.segments.empty()) << name;
   }
 }

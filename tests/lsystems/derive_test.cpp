@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -160,7 +160,7 @@ TEST(Limits, CutAnExplosiveSystemAtAWholeString) {
   const LSystem system = system_of("axiom: F\nn: 40\nF -> FFFFFFFFFF");
   const Derivation derivation = derive(system);
   ASSERT_TRUE(derivation.cut);
-  EXPECT_EQ(cut_line(system, *derivation.cut),
+  EXPECT_EQ(limit_line(system, *derivation.cut),
             "x.lsys: cut at step 7: its string would have more than 8000000 symbols");
   EXPECT_EQ(derivation.steps, 6);
   EXPECT_EQ(derivation.string.kinds.size(), 1'000'000u);
@@ -202,18 +202,18 @@ TEST(Troubles, StandForNumbersWithoutValue) {
   const LSystem system = system_of("axiom: A(0)A(2)A(0)\nA(x) -> F(1/x)G(sqrt(0-x)) ");
   const Derivation derivation = derive(system, {.steps = 1});
   EXPECT_EQ(text_of(system, derivation.string), "F(0)G(0)F(0.5)G(0)F(0)G(0)");
-  ASSERT_EQ(derivation.troubles.size(), 2u);
-  EXPECT_EQ(trouble_line(system, derivation.troubles[0]),
+  ASSERT_EQ(derivation.warnings.size(), 2u);
+  EXPECT_EQ(warning_line(system, derivation.warnings[0]),
             "x.lsys:2:11: no number comes of this: 0 stands for it (2 times)");
-  EXPECT_EQ(derivation.troubles[1].times, 1u);
+  EXPECT_EQ(derivation.warnings[1].times, 1u);
 }
 
 TEST(Troubles, AreManyAtMost) {
   std::string text = "axiom: A(0)\nA(x) -> ";
   for (int i = 0; i < 300; ++i) text += "B(1/x)";
   const Derivation derivation = derive(system_of(text), {.steps = 1});
-  EXPECT_EQ(derivation.troubles.size(), 101u);
-  EXPECT_EQ(derivation.troubles.back().times, 200u);
+  EXPECT_EQ(derivation.warnings.size(), 101u);
+  EXPECT_EQ(derivation.warnings.back().times, 200u);
 }
 
 TEST(Troubles, InConditionsAreFalse) {

@@ -33,7 +33,7 @@ struct Patch {
   std::vector<Vec2> ring;
   std::vector<Vec2> line;  ///< Or two points, as wide as `width`.
   double width = 0, depth = 0;
-  materials::Sheet::Texel colour{};
+  materials::TextureImage::Texel colour{};
 };
 
 struct View {
@@ -45,14 +45,14 @@ struct View {
   }
 };
 
-materials::Sheet::Texel wood(std::int32_t order, std::int32_t colour) {
+materials::TextureImage::Texel wood(std::int32_t order, std::int32_t colour) {
   const int lighter = std::min(order, 4) * 14 + std::clamp(colour, 0, 6) * 10;
   return {static_cast<std::uint8_t>(std::clamp(86 - lighter / 2, 0, 255)),
           static_cast<std::uint8_t>(std::clamp(62 + lighter, 0, 255)), static_cast<std::uint8_t>(44)};
 }
 
-materials::Sheet::Texel leaf(std::int32_t colour) {
-  constexpr materials::Sheet::Texel kGreens[] = {
+materials::TextureImage::Texel leaf(std::int32_t colour) {
+  constexpr materials::TextureImage::Texel kGreens[] = {
       {88, 138, 60}, {104, 150, 66}, {78, 128, 58}, {120, 160, 76}, {96, 142, 52}};
   return kGreens[static_cast<std::size_t>(std::abs(colour)) % 5];
 }
@@ -78,7 +78,7 @@ std::vector<Patch> patches_of(const Skeleton& skeleton, const View& view, Vec3 a
     patches.push_back(patch);
   }
   for (const Instance& instance : skeleton.instances) {
-    const Frame& f = instance.frame;
+    const TurtleFrame& f = instance.frame;
     Patch patch;
     for (const Vec2 corner : {Vec2{0, 0}, {0.3, 0.4}, {0, 1}, {-0.3, 0.4}}) {
       const Vec3 p = view.seen(at + f.at + (f.left * corner.x + f.heading * corner.y) * instance.size);
@@ -93,10 +93,10 @@ std::vector<Patch> patches_of(const Skeleton& skeleton, const View& view, Vec3 a
 
 struct Canvas {
   int width = 0, height = 0;  // samples
-  std::vector<materials::Sheet::Texel> samples;
+  std::vector<materials::TextureImage::Texel> samples;
 
   // even-odd, a sample at a time
-  void fill(const std::vector<Vec2>& ring, materials::Sheet::Texel colour) {
+  void fill(const std::vector<Vec2>& ring, materials::TextureImage::Texel colour) {
     double low = ring[0].y, high = ring[0].y;
     for (const Vec2 p : ring) low = std::min(low, p.y), high = std::max(high, p.y);
     std::vector<double> crossings;
@@ -116,8 +116,8 @@ struct Canvas {
   }
 };
 
-materials::Sheet pixels_of(const Canvas& canvas) {
-  materials::Sheet sheet;
+materials::TextureImage pixels_of(const Canvas& canvas) {
+  materials::TextureImage sheet;
   sheet.columns = static_cast<std::uint32_t>(canvas.width / kFine);
   sheet.rows = static_cast<std::uint32_t>(canvas.height / kFine);
   for (std::uint32_t y = 0; y < sheet.rows; ++y)
@@ -133,7 +133,7 @@ materials::Sheet pixels_of(const Canvas& canvas) {
   return sheet;
 }
 
-materials::Sheet drawn(std::vector<Patch> patches, int size_px, double least_px) {
+materials::TextureImage drawn(std::vector<Patch> patches, int size_px, double least_px) {
   Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
   for (const Patch& patch : patches)
     for (const auto* points : {&patch.ring, &patch.line})
@@ -170,7 +170,7 @@ struct Shaded {
   Canvas canvas;
   std::vector<double> depths;
 
-  void fill(const std::array<Vec3, 3>& p, const std::array<double, 3>& light, materials::Sheet::Texel colour) {
+  void fill(const std::array<Vec3, 3>& p, const std::array<double, 3>& light, materials::TextureImage::Texel colour) {
     const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
     if (area == 0) return;
     const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
@@ -192,7 +192,7 @@ struct Shaded {
 };
 
 // what is seen of it and where: kFine samples a pixel
-materials::Sheet shaded(const PlantMesh& mesh, const View& view, int size_px, double zoom, double up) {
+materials::TextureImage shaded(const PlantMesh& mesh, const View& view, int size_px, double zoom, double up) {
   Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
   for (const PartMesh* part : {&mesh.bark, &mesh.leaf})
     for (const Vec3 position : part->positions) {
@@ -218,12 +218,13 @@ materials::Sheet shaded(const PlantMesh& mesh, const View& view, int size_px, do
         light[i] = part == &mesh.leaf ? 0.6 + 0.5 * std::abs(facing) : 0.35 + 0.95 * std::max(0.0, facing);
       }
       picture.fill(p, light,
-                   part == &mesh.leaf ? materials::Sheet::Texel{104, 150, 66} : materials::Sheet::Texel{168, 142, 116});
+                   part == &mesh.leaf ? materials::TextureImage::Texel{104, 150, 66}
+                                      : materials::TextureImage::Texel{168, 142, 116});
     }
   return pixels_of(picture.canvas);
 }
 
-void write_png(const char* path, const materials::Sheet& sheet) {
+void write_png(const char* path, const materials::TextureImage& sheet) {
   const std::vector<std::byte> bytes = exporters::encode_png(sheet);
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -271,7 +272,7 @@ int main(int count, char** words) {
       std::puts(fmt::format(
                     "{} segments, {} triangles of bark, {} of leaves, {} joints, {} unjoined, {} left out, error {} m",
                     plant.skeleton.segments.size(), mesh.bark.triangles.size(), mesh.leaf.triangles.size(), mesh.joints,
-                    mesh.unjoined, mesh.left_out, mesh.error_m)
+                    mesh.separate_stems, mesh.left_out, mesh.error_m)
                     .c_str());
       write_png(words[1], shaded(mesh, view, static_cast<int>(size), zoom, up));
       return 0;
@@ -285,9 +286,9 @@ int main(int count, char** words) {
     const std::vector<Patch> more = patches_of(plant.skeleton, view, at);
     patches.insert(patches.end(), more.begin(), more.end());
     at.x += east * 1.1;
-    for (const Trouble& trouble : plant.derivation.troubles) std::puts(trouble_line(*system, trouble).c_str());
-    for (const Trouble& trouble : plant.skeleton.troubles) std::puts(trouble_line(*system, trouble).c_str());
-    if (plant.derivation.cut) std::puts(cut_line(*system, *plant.derivation.cut).c_str());
+    for (const Warning& warning : plant.derivation.warnings) std::puts(warning_line(*system, warning).c_str());
+    for (const Warning& warning : plant.skeleton.warnings) std::puts(warning_line(*system, warning).c_str());
+    if (plant.derivation.cut) std::puts(limit_line(*system, *plant.derivation.cut).c_str());
     std::puts(fmt::format("{} modules, {} segments, {} polygons, {} instances", plant.derivation.string.kinds.size(),
                           plant.skeleton.segments.size(), plant.skeleton.polygons.size(),
                           plant.skeleton.instances.size())

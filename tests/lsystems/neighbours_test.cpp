@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {

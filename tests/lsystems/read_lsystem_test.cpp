@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lsystems/turtle.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lsystems/turtle.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -26,8 +26,8 @@ TEST(Readme, ItsTwelveExamplesGrowWithoutTrouble) {
     const Plant plant = grow(system);
     EXPECT_FALSE(plant.derivation.cut) << text;
     EXPECT_FALSE(plant.skeleton.segments.empty() && plant.skeleton.polygons.empty()) << text;
-    for (const auto* troubles : {&plant.derivation.troubles, &plant.skeleton.troubles})
-      for (const Trouble& trouble : *troubles) ADD_FAILURE() << trouble_line(system, trouble) << "\n" << text;
+    for (const auto* warnings : {&plant.derivation.warnings, &plant.skeleton.warnings})
+      for (const Warning& warning : *warnings) ADD_FAILURE() << warning_line(system, warning) << "\n" << text;
   }
 }
 

@@ -8,7 +8,7 @@
 
 #include "lsystems/tubes.h"
 #include "lsystems/turtle.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -60,8 +60,8 @@ Plant grown_plant(const Species& species, std::uint64_t seed, const Given& given
   options.seed = seed;
   Plant plant = grow(*system, options);
   EXPECT_FALSE(plant.derivation.cut) << species.name;
-  for (const auto* troubles : {&plant.derivation.troubles, &plant.skeleton.troubles})
-    for (const Trouble& trouble : *troubles) ADD_FAILURE() << trouble_line(*system, trouble);
+  for (const auto* warnings : {&plant.derivation.warnings, &plant.skeleton.warnings})
+    for (const Warning& warning : *warnings) ADD_FAILURE() << warning_line(*system, warning);
   return plant;
 }
 
@@ -188,7 +188,7 @@ TEST_P(EachSpecies, HasBarkAndLeavesAsAMesh) {
   if (is_small(species)) return;
   EXPECT_GT(mesh.bark.triangles.size(), 1'000u);
   // nothing but the trunk stands alone: no two roots, no more than four branches from one place
-  EXPECT_EQ(mesh.unjoined, 1u);
+  EXPECT_EQ(mesh.separate_stems, 1u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, EachSpecies, testing::ValuesIn(names()),

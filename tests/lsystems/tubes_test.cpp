@@ -10,7 +10,7 @@
 
 #include "lsystems/leaves.h"
 #include "lsystems/turtle.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -141,7 +141,7 @@ TEST(Tubes, AreClosedManifoldsAtJoints) {
   for (const char* name : {"2_6a", "2_6d", "2_7c", "2_8a"}) {
     const PlantMesh mesh = meshed(figure(name), name[2] == '8' ? 2 : 0.005, 0.6);
     EXPECT_GT(mesh.joints, 60U) << name;
-    EXPECT_EQ(mesh.unjoined, 1U) << name;
+    EXPECT_EQ(mesh.separate_stems, 1U) << name;
     EXPECT_TRUE(is_manifold(mesh.bark)) << name;
     expect_sound(mesh.bark);
   }
@@ -252,10 +252,10 @@ TEST(Tubes, LeaveOutWhatIsThinnerThanTheTolerance) {
 }
 
 TEST(Tubes, SayWhatIsNotJoined) {
-  EXPECT_EQ(meshed(skeleton_of("axiom: F f F\n"), 0.01).unjoined, 2U);
+  EXPECT_EQ(meshed(skeleton_of("axiom: F f F\n"), 0.01).separate_stems, 2U);
   const PlantMesh many = meshed(skeleton_of("axiom: F[+F][-F][&F][^F][/(45)&F][/(90)&F]F\n"), 0.01);
   EXPECT_EQ(many.joints, 1U);
-  EXPECT_EQ(many.unjoined, 3U);
+  EXPECT_EQ(many.separate_stems, 3U);
   EXPECT_TRUE(is_closed(many.bark));
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "compiler/geometry/mathematics.h"
-#include "tests/lsystems/grown.h"
+#include "tests/lsystems/derived.h"
 
 namespace citykiln::lsystems {
 namespace {
@@ -146,7 +146,7 @@ TEST(Frames, StayOrthonormal) {
   ASSERT_GT(skeleton.segments.size(), 17'000u);
   double worst = 0;
   for (const Segment& segment : skeleton.segments) {
-    const Frame& f = segment.start;
+    const TurtleFrame& f = segment.start;
     worst = std::max({worst, std::abs(length(f.heading) - 1), std::abs(dot(f.heading, f.left)),
                       length(cross(f.heading, f.left) - f.up)});
   }
@@ -189,7 +189,7 @@ TEST(TurtleTroubles, AreSaidOnceEach) {
   const LSystem system = system_of(text);
   const Skeleton skeleton = grow(system, {}).skeleton;
   std::vector<std::string> lines;
-  for (const Trouble& trouble : skeleton.troubles) lines.push_back(trouble_line(system, trouble));
+  for (const Warning& warning : skeleton.warnings) lines.push_back(warning_line(system, warning));
   EXPECT_EQ(lines, (std::vector<std::string>{
                        "x.lsys: a '}' that closes no polygon is passed over (2 times)",
                        "x.lsys: a '.' outside of a polygon is passed over",
@@ -197,7 +197,7 @@ TEST(TurtleTroubles, AreSaidOnceEach) {
                        "x.lsys: a polygon that nothing closes is left out",
                    }));
   EXPECT_TRUE(skeleton.polygons.empty());
-  EXPECT_EQ(skeleton_of("axiom: {.f.}{f}").troubles.size(), 1u);
+  EXPECT_EQ(skeleton_of("axiom: {.f.}{f}").warnings.size(), 1u);
 }
 
 TEST(TurtleTroubles, NumbersWithoutValueInAMadeStringAreOne) {
@@ -207,7 +207,7 @@ TEST(TurtleTroubles, NumbersWithoutValueInAMadeStringAreOne) {
   string.values[1] = std::numeric_limits<double>::infinity();
   const Skeleton skeleton = walk(system, string);
   EXPECT_EQ(skeleton.segments.size(), 1u);
-  EXPECT_EQ(skeleton.troubles.size(), 2u);
+  EXPECT_EQ(skeleton.warnings.size(), 2u);
 }
 
 TEST(TurtleTroubles, DeepBranchesAreLeftOut) {
@@ -216,7 +216,7 @@ TEST(TurtleTroubles, DeepBranchesAreLeftOut) {
   const Skeleton skeleton = skeleton_of(text + std::string(12'000, ']') + "F");
   EXPECT_EQ(skeleton.segments.size(), 10'001u);
   EXPECT_EQ(skeleton.segments.back().order, 0);
-  EXPECT_EQ(skeleton.troubles.at(0).message, "branches nest too deeply: one is left out");
+  EXPECT_EQ(skeleton.warnings.at(0).message, "branches nest too deeply: one is left out");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "preview/shade.h"
+#include "preview/path_trace.h"
 #include "preview/world.h"
 #include "tests/preview/solids.h"
 
@@ -16,12 +16,12 @@ bake::BakedTile half_leaf() {
   add_quad(leaf, {-1, 0, 0}, {1, 0, 0}, {1, 0, 2}, {-1, 0, 2});
   leaf.features.clear();
   leaf.uvs = {{0, 2}, {2, 2}, {2, 0}, {0, 0}};
-  leaf.coloured = materials::Coloured::kByCutout;
+  leaf.colour_source = materials::ColourSource::kByCutout;
   bake::BakedTile tile;
   tile.features = {OsmId{}};
   tile.instanced = {{"leaf", {leaf}, {{0, 0, 0}}, {{0, 0, 0, 1}}, {1}, {0}}};
-  imprint::Cutout& cutout = tile.instanced[0].cutout;
-  cutout.colour = {1, 2, 2, std::vector<materials::Sheet::Texel>(4, {255, 0, 0})};
+  impostor::Cutout& cutout = tile.instanced[0].cutout;
+  cutout.colour = {1, 2, 2, std::vector<materials::TextureImage::Texel>(4, {255, 0, 0})};
   cutout.opacity = {255, 0, 255, 0};
   return tile;
 }

@@ -137,7 +137,7 @@ TEST(Render, CopiesLookLikeTheMeshWrittenOut) {
   const std::vector<bake::Primitive> shape = {box({-1, -2, 0}, {1, 2, 3}, Material::kPlaster),
                                               box({-0.5, -0.5, 3}, {0.5, 0.5, 5}, Material::kBrick)};
   bake::BakedTile copies = tile(at, {floor({-40, -40, 0}, {40, 40, 0}, Material::kGrass)}), written = copies;
-  bake::Instanced instanced;
+  bake::InstancedMesh instanced;
   instanced.name = "Hut", instanced.primitives = shape;
   for (bake::Primitive& primitive : instanced.primitives) primitive.features.clear();
   for (int i = 0; i < 25; ++i) {
@@ -176,7 +176,7 @@ TEST(Render, CopiesLookLikeTheMeshWrittenOut) {
 TEST(Render, CopiesInAnotherTileStandAboutItsOrigin) {
   const auto with_hut = [](Vec3 origin, Vec3 place) {
     bake::BakedTile t = tile(origin, {});
-    bake::Instanced hut;
+    bake::InstancedMesh hut;
     hut.primitives = {box({-1, -2, 0}, {1, 2, 3}, Material::kPlaster)};
     hut.translations = {narrowed(place)}, hut.rotations = {turned(0)}, hut.scales = {1}, hut.features = {0};
     t.instanced = {hut};

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "compiler/bake/baked.h"
+#include "compiler/bake/baked_tile.h"
 
 namespace citykiln::preview {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "preview/preview.h"
-#include "preview/tone.h"
+#include "preview/tone_map.h"
 #include "tests/scratch_folder.h"
 
 namespace citykiln::preview {

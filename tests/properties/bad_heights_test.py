@@ -149,7 +149,7 @@ class BadHeights(ProgramTest):
         out = self.compiled("out", *self.arguments, "--lods", "0.1,2.5")
         diagnoses = report_of(out)["diagnoses"]
         told = {code: tally["objects"] for code, tally in diagnoses.items()}
-        for code, way in {"RiverUphill": RIVER, "BridgeWithoutLayer": BRIDGE, "LayerWithoutBridge": LAYERED, "TunnelDug": TUNNEL,
+        for code, way in {"WaterwayReversed": RIVER, "BridgeWithoutLayer": BRIDGE, "LayerWithoutBridge": LAYERED, "TunnelLowered": TUNNEL,
                           "ShoreSpike": LAKE}.items():
             self.assertIn(f"w{way}", told.get(code, []), f"{code}: {json.dumps(diagnoses, indent=1)}")
         self.assertEqual(diagnoses["HeightSpike"]["count"], SPIKES)

@@ -41,7 +41,7 @@ class BakeForEye(ProgramTest):
 
     def test_the_file_states_the_eye_and_its_pixel_error(self):
         answer, path = self.baked("seen.glb", EYE, "--pixel-error", 2, "--size", "1000x500", "--fov", 90)
-        seen = extras_of(path)["seen_from"]
+        seen = extras_of(path)["viewpoint"]
         self.assertEqual(seen["eye_m"], [60, 40, 80])
         self.assertAlmostEqual(seen["focal_px"], 250, 2)
         self.assertEqual(seen["pixel_error"], answer["pixel_error"])

@@ -6,7 +6,7 @@ import unittest
 
 from citykiln_program import ProgramTest, report_of, run
 
-FIGURES = ["crossings", "lacking", "lacking_over_1_m", "lacking_over_3_m", "largest_lack_m"]
+FIGURES = ["crossings", "shortfalls", "shortfalls_over_1_m", "shortfalls_over_3_m", "largest_shortfall_m"]
 
 
 class ClearancesReal(ProgramTest):

@@ -19,10 +19,10 @@ struct Border {
 
 /// A piece of the cell's own border along which a ring runs, mostly for some grid steps where snapping has bent it
 /// there: the neighbour may have another surface on it.
-struct RimPiece {
+struct CellBorderPiece {
   GridPoint a, b;            ///< a < b
   std::uint32_t beyond = 0;  ///< What the neighbour has.
-  bool operator==(const RimPiece&) const = default;
+  bool operator==(const CellBorderPiece&) const = default;
 };
 
 /// A tolerance for each side of a cell. Both cells of a side must be given the same one there.

@@ -8,7 +8,7 @@ namespace {
 
 // Bands as high as a few edges of a river's bank are long.
 constexpr double kBand_m = 32;
-constexpr std::size_t kMostBands = 4096;
+constexpr std::size_t kMaxBands = 4096;
 
 std::size_t band_at(const BandedRings& rings, double y) {
   const double band = std::floor((y - rings.box.min.y) / rings.band_m);
@@ -22,12 +22,12 @@ void add_edge(BandedRings& rings, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-BandedRings band_rings(const Surface& surface) {
+BandedRings band_rings(const LandCoverPolygon& surface) {
   BandedRings rings;
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) rings.box.grow(p);
   if (rings.box.is_empty()) return rings;
-  const double count = std::clamp(std::ceil(rings.box.height() / kBand_m), 1.0, static_cast<double>(kMostBands));
+  const double count = std::clamp(std::ceil(rings.box.height() / kBand_m), 1.0, static_cast<double>(kMaxBands));
   rings.band_m = std::max(rings.box.height() / count, kBand_m);
   rings.bands.resize(static_cast<std::size_t>(count));
   for (const Ring& ring : surface.rings)

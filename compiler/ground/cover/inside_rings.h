@@ -19,7 +19,7 @@ struct BandedRings {
 };
 
 /// Cost: linear in edges and in the bands that they cross; about as many bands as edges.
-BandedRings band_rings(const Surface& surface);
+BandedRings band_rings(const LandCoverPolygon& surface);
 
 /// True where the winding numbers of the rings add up to more than zero. A point on a border may count to either side.
 /// O(edges of the point's band).

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "compiler/contract/tolerance.h"
-#include "compiler/ground/cover/cover.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/cover/label_faces.h"
+#include "compiler/ground/cover/land_cover_index.h"
 
 namespace citykiln::ground {
 namespace {
 
-std::vector<OwnedSegment> segments_of(const Layers& layers) {
+std::vector<OwnedSegment> segments_of(const NearbyCover& layers) {
   std::vector<OwnedSegment> segments;
   for (std::uint32_t owner = 0; owner < layers.order.size(); ++owner)
     for (const Ring& ring : layers.surfaces[layers.order[owner]].rings)
@@ -20,7 +20,7 @@ std::vector<OwnedSegment> segments_of(const Layers& layers) {
   return segments;
 }
 
-std::vector<WindingStep> windings_at(const Layers& layers, Vec2 p) {
+std::vector<WindingStep> windings_at(const NearbyCover& layers, Vec2 p) {
   std::vector<WindingStep> windings;
   for (std::uint32_t owner = 0; owner < layers.order.size(); ++owner) {
     int winding = 0;
@@ -37,7 +37,7 @@ Delaunay triangulated(const Arrangement& arrangement) {
 }
 
 // The face whose circle is widest, so that no rounding has moved a border across its centre. Owners as in the layers.
-KnownFace known_face(const Delaunay& triangulation, const Layers& layers) {
+LabelledFace known_face(const Delaunay& triangulation, const NearbyCover& layers) {
   const WidestFace widest = widest_face(triangulation);
   return {widest.face, windings_at(layers, {widest.x * kQuantum_m, widest.y * kQuantum_m})};
 }
@@ -77,7 +77,7 @@ std::uint32_t corner_face(const Delaunay& triangulation, GridPoint corner) {
 std::uint32_t corner_surface(std::span<const Border> borders, GridPoint corner) {
   const auto at_corner = [&](const Border& b) { return b.is_cell_border && b.a == corner && b.b.y == corner.y; };
   const auto found = std::ranges::find_if(borders, at_corner);
-  return found == borders.end() ? kNoSurface : found->left;
+  return found == borders.end() ? kNoLandCover : found->left;
 }
 
 // Rounding may carry what meets the border so many grid steps along it.
@@ -132,7 +132,7 @@ std::optional<std::uint32_t> surface_on_rim(const Partition& partition, GridPoin
     for (int i = 0; i < 3; ++i) {
       const GridPoint from = vertices[faces[f].vertices[(i + 1) % 3]], to = vertices[faces[f].vertices[(i + 2) % 3]];
       if (faces[f].neighbours[i] == kNoFace && std::minmax(from, to) == std::minmax(a, b))
-        return partition.face_surface[f];
+        return partition.face_cover[f];
     }
   return std::nullopt;
 }
@@ -156,8 +156,8 @@ std::vector<Border> joined_rim(std::vector<Border> rim, Stays stays) {
 
 }  // namespace
 
-Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
-  Layers layers{surfaces, {}};
+NearbyCover land_cover_near(std::span<const LandCoverPolygon> surfaces, const Box2& cell) {
+  NearbyCover layers{surfaces, {}};
   // what ends a grid step outside may still round onto the border
   const Box2 reach = cell.widened(kQuantum_m);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
@@ -169,21 +169,21 @@ Layers layers_near(std::span<const Surface> surfaces, const Box2& cell) {
   return layers;
 }
 
-Partition partition_all(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
-                        std::span<const GridPoint> points, const Box2& cell) {
+Partition partition_all_rings(const NearbyCover& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
+                              std::span<const GridPoint> points, const Box2& cell) {
   std::vector<OwnedSegment> segments = segments_of(layers);
   // lines have an owner of their own, under all others, so that none of them is lost
   const auto line_owner = static_cast<std::uint32_t>(layers.order.size());
   for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
   Arrangement arrangement = arrange(segments, points, cell);
   Delaunay triangulation = triangulated(arrangement);
-  const KnownFace known = known_face(triangulation, layers);
-  std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks_of(line_owner + 1));
-  for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoSurface : layers.order[owner];
+  const LabelledFace known = known_face(triangulation, layers);
+  std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(line_owner + 1));
+  for (std::uint32_t& owner : top) owner = owner >= line_owner ? kNoLandCover : layers.order[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 
-std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, const Box2& cell) {
+std::vector<GridPoint> ring_joints(const NearbyCover& layers, const Arrangement& all, const Box2& cell) {
   std::vector<OwnedSegment> segments = segments_of(layers);
   std::erase_if(segments, [&](const OwnedSegment& s) { return !comes_near_border(s.a, s.b, cell); });
   std::vector<GridPoint> joints = arrange(segments, {}, cell).vertices;
@@ -198,28 +198,30 @@ std::vector<GridPoint> joints_of(const Layers& layers, const Arrangement& all, c
   return joints;
 }
 
-std::vector<RimPiece> rim_pieces(const Layers& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
-                                 std::span<const GridPoint> points, const Arrangement& all, const Box2& cell) {
-  std::vector<RimPiece> pieces;
+std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
+                                                std::span<const std::pair<GridPoint, GridPoint>> lines,
+                                                std::span<const GridPoint> points, const Arrangement& all,
+                                                const Box2& cell) {
+  std::vector<CellBorderPiece> pieces;
   for (const ArrangedEdge& edge : all.edges) {
     const GridPoint a = all.vertices[edge.a], b = all.vertices[edge.b];
     const auto steps = std::span(all.steps).subspan(edge.first, edge.count);
     // lines have the last owner
     const auto is_of_ring = [&](const WindingStep& step) { return step.owner < layers.order.size(); };
     if (!is_on_rim(a, b, cell) || std::ranges::none_of(steps, is_of_ring)) continue;
-    if (const auto there = surface_on_rim(partition_all(layers, lines, points, beyond(a, b, cell)), a, b))
+    if (const auto there = surface_on_rim(partition_all_rings(layers, lines, points, beyond(a, b, cell)), a, b))
       pieces.push_back({a, b, *there});
   }
   return pieces;
 }
 
-std::vector<Border> bare_borders(const Box2& cell) {
+std::vector<Border> empty_cell_borders(const Box2& cell) {
   const GridPoint sw = grid_point(cell.min), ne = grid_point(cell.max), se{ne.x, sw.y}, nw{sw.x, ne.y};
-  const auto side = [](GridPoint a, GridPoint b) { return Border{a, b, kNoSurface, kNoSurface, true}; };
+  const auto side = [](GridPoint a, GridPoint b) { return Border{a, b, kNoLandCover, kNoLandCover, true}; };
   return {side(sw, se), side(sw, nw), side(se, ne), side(nw, ne)};
 }
 
-std::vector<Border> seen_borders(const Partition& all, std::span<const GridPoint> joints) {
+std::vector<Border> visible_borders(const Partition& all, std::span<const GridPoint> joints) {
   std::vector<Border> borders, rim;
   const auto& faces = all.triangulation.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -228,11 +230,11 @@ std::vector<Border> seen_borders(const Partition& all, std::span<const GridPoint
       if (!faces[f].is_constrained[i]) continue;
       const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]],
                       b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
-      const std::uint32_t left = all.face_surface[f];
+      const std::uint32_t left = all.face_cover[f];
       if (beyond == kNoFace) rim.push_back({std::min(a, b), std::max(a, b), left, left, true});
       // an inner edge is met from both sides; the one that sees it from its lower end counts
-      else if (a < b && left != all.face_surface[beyond])
-        borders.push_back({a, b, left, all.face_surface[beyond], false});
+      else if (a < b && left != all.face_cover[beyond])
+        borders.push_back({a, b, left, all.face_cover[beyond], false});
     }
   const std::vector<GridPoint> kept = ends_of(borders);
   const auto stays = [&](GridPoint p) { return std::ranges::binary_search(kept, p) || is_near(joints, p); };
@@ -241,7 +243,7 @@ std::vector<Border> seen_borders(const Partition& all, std::span<const GridPoint
   return borders;
 }
 
-Partition partition_of(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell) {
+Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell) {
   const std::vector<std::uint32_t> surfaces = surfaces_beside(borders);
   std::vector<OwnedSegment> segments;
   for (const Border& border : borders) {
@@ -252,9 +254,10 @@ Partition partition_of(std::span<const Border> borders, std::span<const GridPoin
   Arrangement arrangement = arrange(segments, points, cell);
   Delaunay triangulation = triangulated(arrangement);
   const GridPoint corner = grid_point(cell.min);
-  const KnownFace known{corner_face(triangulation, corner), {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
-  std::vector<std::uint32_t> top = cover(triangulation, arrangement, known, ranks_of(surfaces.size()));
-  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoSurface : surfaces[owner];
+  const LabelledFace known{corner_face(triangulation, corner),
+                           {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
+  std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(surfaces.size()));
+  for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoLandCover : surfaces[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};
 }
 

@@ -17,7 +17,7 @@ struct OwnedEdge {
   auto operator<=>(const OwnedEdge&) const = default;
 };
 
-std::vector<OwnedEdge> edges_of(std::span<const Surface> surfaces, std::span<const std::uint32_t> members) {
+std::vector<OwnedEdge> edges_of(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
   std::vector<OwnedEdge> edges;
   for (std::uint32_t m = 0; m < members.size(); ++m)
     for (const Ring& ring : surfaces[members[m]].rings)
@@ -34,13 +34,13 @@ void add_pairs_by_edge(std::span<const OwnedEdge> edges, std::vector<Pair>& pair
   }
 }
 
-bool has_vertex_within(const Surface& surface, const BandedRings& rings) {
+bool has_vertex_within(const LandCoverPolygon& surface, const BandedRings& rings) {
   return std::ranges::any_of(surface.rings, [&](const Ring& ring) {
     return std::ranges::any_of(ring, [&](Vec2 p) { return is_inside(rings, p); });
   });
 }
 
-void add_pairs_by_overlap(std::span<const Surface> surfaces, std::span<const std::uint32_t> members,
+void add_pairs_by_overlap(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members,
                           std::vector<Pair>& pairs) {
   std::vector<BandedRings> rings;
   for (const std::uint32_t m : members) rings.push_back(band_rings(surfaces[m]));
@@ -59,7 +59,7 @@ void add_pairs_by_overlap(std::span<const Surface> surfaces, std::span<const std
 
 }  // namespace
 
-std::vector<Edge> edges_between(std::span<const Surface> surfaces, std::span<const std::uint32_t> members) {
+std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
   const std::vector<OwnedEdge> edges = edges_of(surfaces, members);
   std::vector<Edge> between;
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
@@ -71,7 +71,7 @@ std::vector<Edge> edges_between(std::span<const Surface> surfaces, std::span<con
   return between;
 }
 
-std::vector<Pair> shared_borders(std::span<const Surface> surfaces, std::span<const std::uint32_t> members) {
+std::vector<Pair> shared_borders(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members) {
   std::vector<Pair> pairs;
   add_pairs_by_edge(edges_of(surfaces, members), pairs);
   add_pairs_by_overlap(surfaces, members, pairs);

@@ -252,7 +252,7 @@ WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& c
 
 std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p) {
   if (reference.terrain != nullptr) {
-    const map::InRectangle in = map::rectangle_at(*reference.terrain, p);
+    const map::CellPosition in = map::cell_at(*reference.terrain, p);
     const auto corner = [&](int i, int j) { return reference.terrain->vertex(in.i + i, in.j + j); };
     return {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)};
   }

@@ -1,4 +1,4 @@
-// The carved ground of one cell, as exact as it gets: heights that are linear on every face of one triangulation, a
+// The graded terrain of one cell, as exact as it gets: heights that are linear on every face of one triangulation, a
 // height a layer. Coarser meshes are measured against it as against the raw field (height_error.h): the largest
 // vertical distance lies at a vertex of the overlay, so looking at those is exact.
 #pragma once

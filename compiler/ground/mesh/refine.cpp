@@ -187,16 +187,16 @@ struct Growing {
     if (insertion.face == kNoFace) insertion = insertion_beside(f);
     const auto [p, split] = insertion;
     if (split == kNoFace) return {};
-    const std::uint32_t surface = refined.face_surface[split];
+    const std::uint32_t surface = refined.face_cover[split];
     const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
     add_vertex(p);
     // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that
     // region
     const std::size_t count = refined.triangulation.faces().size();
-    refined.face_surface.resize(count, surface), refined.face_height.resize(count, height), errors.resize(count);
+    refined.face_cover.resize(count, surface), refined.face_height.resize(count, height), errors.resize(count);
     for (const std::uint32_t c : changed)
-      refined.face_surface[c] = surface, refined.face_height[c] = height,
+      refined.face_cover[c] = surface, refined.face_height[c] = height,
       errors[c].is_inside_known = errors[c].are_edges_known = false;
     return changed;
   }
@@ -238,8 +238,8 @@ Heights snapped_heights(const Reference& reference, const Place& place) {
 
 Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m) {
-  Refined refined{std::move(partition.triangulation), std::move(partition.face_surface), std::move(face_height), {}, 0};
-  Growing growing{reference, refined, std::vector<FaceError>(refined.face_surface.size())};
+  Refined refined{std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0};
+  Growing growing{reference, refined, std::vector<FaceError>(refined.face_cover.size())};
   for (const GridPoint p : refined.triangulation.vertices()) growing.add_vertex(plane_point(p));
   grow(growing, kFirst * tolerance_m);
   growing.looks_at_edges = true;

@@ -1,4 +1,4 @@
-// A triangulation takes points of the carved ground, the worst first, until no face is off by more than the tolerance.
+// A triangulation takes points of the graded terrain, the worst first, until no face is off by more than the tolerance.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace citykiln::ground {
 /// A partition with the heights of its vertices.
 struct Refined {
   Delaunay triangulation;
-  std::vector<std::uint32_t> face_surface;
+  std::vector<std::uint32_t> face_cover;
   std::vector<FaceHeight> face_height;
   std::vector<Heights> heights;  ///< One a vertex: the reference's, rounded to 2^-10 m.
   double error_m = 0;            ///< Largest vertical distance of a face to its layer of the reference: exact. Standing

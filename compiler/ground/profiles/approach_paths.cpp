@@ -16,9 +16,10 @@ using map::Track;
 
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-bool may_yield(const Track& track) {
+bool may_merge(const Track& track) {
   return track.passage == map::Passage::kGround && !is_graded(track.surface) &&
-         map::values_of(track.surface).group == map::SurfaceGroup::kPath && length_m(track.axis) <= kLongestApproach_m;
+         map::values_of(track.surface).group == map::LandCoverGroup::kPath &&
+         length_m(track.axis) <= kLongestApproach_m;
 }
 
 // Nodes of the map on paths, and how far along paths they are from what leaves the ground.
@@ -41,12 +42,12 @@ struct Nodes {
 Nodes nodes_of(const std::vector<Track>& tracks) {
   Nodes nodes;
   for (const Track& track : tracks)
-    if (may_yield(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
+    if (may_merge(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
   std::ranges::sort(nodes.ids);
   nodes.ids.erase(std::unique(nodes.ids.begin(), nodes.ids.end()), nodes.ids.end());
   nodes.run_m.assign(nodes.ids.size(), kFar_m);
   for (const Track& track : tracks) {
-    for (std::size_t i = 0; may_yield(track) && i + 1 < track.axis.size(); ++i) {
+    for (std::size_t i = 0; may_merge(track) && i + 1 < track.axis.size(); ++i) {
       const std::size_t a = nodes.of(track.node_ids[i]), b = nodes.of(track.node_ids[i + 1]);
       const double run_m = snapped(distance(track.axis[i], track.axis[i + 1]));
       nodes.pieces.push_back({a, b, run_m}), nodes.pieces.push_back({b, a, run_m});
@@ -145,7 +146,7 @@ std::vector<bool> approach_paths(const map::Features& features) {
   const auto is_inner = [&](std::int64_t id) { return std::ranges::binary_search(off_ground.inner, id); };
   std::vector<bool> yields;
   for (const Track& track : features.tracks)
-    yields.push_back(may_yield(track) && std::ranges::none_of(track.node_ids, is_inner) &&
+    yields.push_back(may_merge(track) && std::ranges::none_of(track.node_ids, is_inner) &&
                      (std::ranges::any_of(track.node_ids, is_near) || passes_below(track, decks)));
   return yields;
 }

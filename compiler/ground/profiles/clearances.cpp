@@ -6,8 +6,8 @@
 
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
-#include "compiler/ground/profiles/line_heights.h"
-#include "compiler/ground/profiles/pinned.h"
+#include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/pinned_caps.h"
 
 namespace citykiln::ground {
 namespace {
@@ -46,7 +46,7 @@ enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
 // A place of a way that has to go up.
 struct Push {
   std::uint32_t way = 0;
-  double at_m = 0, lack_m = 0, half_width_m = 0;
+  double at_m = 0, shortfall_m = 0, half_width_m = 0;
 };
 
 struct Clearer {
@@ -84,7 +84,7 @@ std::vector<double> Clearer::floors() {
     if (!graph.nodes[n].is_pinned && std::ranges::all_of(legs, in_tunnel)) continue;
     const GraphWalk::Start start{0, n};
     walk.from(
-        std::span(&start, 1), kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        std::span(&start, 1), kMaxTotalLift_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
         [&](std::uint32_t node, double cost_m) {
           floor_m[node] = std::max(floor_m[node], z_m[n] - drop_m(cost_m));
           return true;
@@ -96,14 +96,15 @@ std::vector<double> Clearer::floors() {
 // How high tunnels may be under the ground.
 std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
   std::vector<double> cover_m(graph.nodes.size(), kFar_m);
-  for (const GradedWay& way : graph.ways) {
+  for (const GraphWay& way : graph.ways) {
     const map::Track& track = *way.track;
-    const bool is_path = map::values_of(track.surface).group == map::SurfaceGroup::kPath;
+    const bool is_path = map::values_of(track.surface).group == map::LandCoverGroup::kPath;
     // what is told to lie above the ground is none below it
     if (track.passage != Passage::kTunnel || (is_path ? track.layer >= 0 : track.layer > 0)) continue;
     for (const Station& station : graph.stations_of(way)) {
       const double ground_m = height_without_spikes_m(heights, graph.nodes[station.node].at);
-      cover_m[station.node] = std::min(cover_m[station.node], ground_m - (is_path ? kPathCover_m : kCover_m));
+      cover_m[station.node] =
+          std::min(cover_m[station.node], ground_m - (is_path ? kPathTunnelCover_m : kTunnelCover_m));
     }
   }
   return cover_m;
@@ -114,7 +115,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
   std::vector<double> down_m(z_m.size(), kFar_m);
   const auto press = [&](std::span<const GraphWalk::Start> starts, double at_m) {
     walk.from(
-        starts, kMostLiftInAll_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        starts, kMaxTotalLift_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
         [&](std::uint32_t node, double cost_m) {
           down_m[node] = std::min(down_m[node], at_m + drop_m(cost_m));
           return at_m + drop_m(cost_m) < z_m[node] + kFoot_m;
@@ -122,15 +123,15 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
   };
   for (const Crossing& c : crossings) {
     if (passage_of(c.lower) != Passage::kTunnel) continue;
-    const double lack_m = std::min(shortfall_m(graph, c, z_m), kMostLift_m);
-    if (lack_m > kMet_m)
+    const double shortfall_m = std::min(clearance_shortfall_m(graph, c, z_m), kMaxLift_m);
+    if (shortfall_m > kMet_m)
       press(starts_about(graph, c.lower, c.lower_at_m),
-            height_along(graph, graph.ways[c.lower], z_m, c.lower_at_m) - lack_m);
+            height_along(graph, graph.ways[c.lower], z_m, c.lower_at_m) - shortfall_m);
   }
   for (std::uint32_t n = 0; n < cover_m.size(); ++n) {
     if (cover_m[n] >= z_m[n]) continue;
     const GraphWalk::Start start{0, n};
-    press(std::span(&start, 1), std::max(cover_m[n], z_m[n] - kMostLift_m));
+    press(std::span(&start, 1), std::max(cover_m[n], z_m[n] - kMaxLift_m));
   }
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
@@ -141,8 +142,8 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
 void Clearer::push_up(std::span<const Push> pushes) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
-    const GradedWay& way = graph.ways[push.way];
-    const double top_m = height_along(graph, way, z_m, push.at_m) + push.lack_m;
+    const GraphWay& way = graph.ways[push.way];
+    const double top_m = height_along(graph, way, z_m, push.at_m) + push.shortfall_m;
     const double rise_m = top_m - height_along(graph, way, start_m, push.at_m);
     const double level_m = ramp_m({0, push.way, push.half_width_m});
     walk.from(
@@ -157,7 +158,7 @@ void Clearer::push_up(std::span<const Push> pushes) {
           return here_m > z_m[node] - kFoot_m;
         });
   }
-  const std::vector<double> cap_m = caps_of_pinned(graph, walk, z_m);
+  const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
@@ -203,11 +204,12 @@ void Clearer::make_room(Mover mover) {
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const Crossing& c = crossings[i];
       if (storey[i] == 0 || (!is_last && storey[i] != round)) continue;
-      const double most_m = mover == Mover::kPaths ? kMostYield_m : kMostLift_m + (storey[i] - 1) * kOverRail_m;
-      const double lack_m = std::min(shortfall_m(graph, c, z_m), most_m);
-      if (lack_m <= kMet_m || (is_last && lack_m > kRest_m)) continue;
-      pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, lack_m, c.half_width_m}
-                             : Push{c.lower, c.lower_at_m, lack_m, c.half_width_m});
+      const double most_m =
+          mover == Mover::kPaths ? kMaxPathLowering_m : kMaxLift_m + (storey[i] - 1) * kClearanceOverRail_m;
+      const double shortfall_m = std::min(clearance_shortfall_m(graph, c, z_m), most_m);
+      if (shortfall_m <= kMet_m || (is_last && shortfall_m > kRest_m)) continue;
+      pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, shortfall_m, c.half_width_m}
+                             : Push{c.lower, c.lower_at_m, shortfall_m, c.half_width_m});
     }
     if (pushes.empty()) continue;
     if (!lifts) turn_over();
@@ -218,7 +220,7 @@ void Clearer::make_room(Mover mover) {
 
 void Clearer::keep_near_start() {
   for (std::size_t n = 0; n < z_m.size(); ++n)
-    z_m[n] = std::clamp(z_m[n], start_m[n] - kMostLiftInAll_m, start_m[n] + kMostLiftInAll_m);
+    z_m[n] = std::clamp(z_m[n], start_m[n] - kMaxTotalLift_m, start_m[n] + kMaxTotalLift_m);
 }
 
 }  // namespace

@@ -18,13 +18,13 @@ namespace citykiln::ground {
 
 /// Stacks of more layers than this are not solved to the top.
 inline constexpr int kLiftRounds = 4;
-/// No crossing lifts or lowers by more than this, and kOverRail_m for each storey below its own, whatever the heightmap
-/// says: a clear height, and as much again for a cutting that the heightmap does not show.
-inline constexpr double kMostLift_m = 12;
+/// No crossing lifts or lowers by more than this, and kClearanceOverRail_m for each storey below its own, whatever the
+/// heightmap says: a clear height, and as much again for a cutting that the heightmap does not show.
+inline constexpr double kMaxLift_m = 12;
 /// A path of the ground goes down by no more than this under a bridge: there may be water beside it.
-inline constexpr double kMostYield_m = 2.5;
+inline constexpr double kMaxPathLowering_m = 2.5;
 /// Nothing ends up farther than this from where it was.
-inline constexpr double kMostLiftInAll_m = 24;
+inline constexpr double kMaxTotalLift_m = 24;
 /// Ramps are built at this share of the grade limit.
 inline constexpr double kRampShare = 0.75;
 /// Height over which a ramp's crest is round.

@@ -13,8 +13,8 @@
 namespace citykiln::ground {
 namespace {
 
+using map::LandCoverGroup;
 using map::Passage;
-using map::SurfaceGroup;
 using map::Track;
 
 // No line is wider than this to one side.
@@ -22,7 +22,7 @@ constexpr double kWidest_m = 16;
 // Along a line, what lies beside it is looked at this often.
 constexpr double kEvery_m = 4;
 
-SurfaceGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
+LandCoverGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
 
 double half_width_m(const Track& track) {
   const double width_m = map::carriageway_width_m(track.section), left_m = track.section.axis_offset_m;
@@ -36,7 +36,7 @@ std::pair<int, int> rank_of(const Track& track) {
 }
 
 bool is_corridor(const Track& track) {
-  return track.passage == Passage::kTunnel && group_of(track) == SurfaceGroup::kPath && track.layer >= 0;
+  return track.passage == Passage::kTunnel && group_of(track) == LandCoverGroup::kPath && track.layer >= 0;
 }
 
 // A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
@@ -56,14 +56,14 @@ struct Grid {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> entries;  // cell and segment, sorted
 
   explicit Grid(const ProfileGraph& graph) {
-    for (const GradedWay& way : graph.ways)
+    for (const GraphWay& way : graph.ways)
       if (way.road == kNone)
         for (const Vec2 p : way.track->axis) box.grow(p);
     if (box.is_empty()) return;
     box = box.widened(2 * kWidest_m);
     columns = static_cast<int>(box.width() / kCell_m) + 1, rows = static_cast<int>(box.height() / kCell_m) + 1;
     is_near.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
-    for (const GradedWay& way : graph.ways) {
+    for (const GraphWay& way : graph.ways) {
       if (way.road != kNone) continue;
       const Polyline& axis = way.track->axis;
       for (std::size_t i = 0; i + 1 < axis.size(); ++i)
@@ -132,7 +132,7 @@ bool share_a_node(const Track& a, const Track& b) {
 struct Finder {
   const ProfileGraph& graph;
   const map::Features& features;
-  const Below& below;
+  const BelowBridges& below;
   Grid grid;
   GraphWalk walk;
   std::vector<Segment> segments = {};
@@ -155,7 +155,7 @@ struct Finder {
   }
 
   bool is_in_graph(const Track& track) const {
-    const auto id = [](const GradedWay& way) { return way.track->id; };
+    const auto id = [](const GraphWay& way) { return way.track->id; };
     return std::ranges::binary_search(graph.ways, track.id, {}, id);
   }
 
@@ -164,7 +164,7 @@ struct Finder {
       add_line(graph.ways[w].track->axis, [&](Segment& s) { s.way = w; });
     for (std::uint32_t t = 0; t < features.tracks.size(); ++t) {
       const Track& track = features.tracks[t];
-      if (!leaves_ground(track) && group_of(track) == SurfaceGroup::kPath && !is_in_graph(track))
+      if (!leaves_ground(track) && group_of(track) == LandCoverGroup::kPath && !is_in_graph(track))
         add_line(track.axis, [&](Segment& s) { s.path = t; });
     }
     for (std::uint32_t i = 0; i < below.streams.size(); ++i)
@@ -174,9 +174,9 @@ struct Finder {
 
   double joining_m(const Leg& leg) const {
     const Track& track = *graph.ways[leg.way].track;
-    return (group_of(track) == SurfaceGroup::kRail ? kRailJoins
-            : is_graded(track.surface)             ? 1
-                                                   : kPathJoins) *
+    return (group_of(track) == LandCoverGroup::kRail ? kRailJoins
+            : is_graded(track.surface)               ? 1
+                                                     : kPathJoins) *
            leg.length_m;
   }
 
@@ -221,7 +221,7 @@ struct Finder {
   }
 
   bool passes_a_mouth(const Track& upper, std::uint32_t lower, double at_m) const {
-    const GradedWay& way = graph.ways[lower];
+    const GraphWay& way = graph.ways[lower];
     return way.track->passage == Passage::kTunnel && !leaves_ground(upper) && !is_graded(upper.surface) &&
            std::min(at_m, graph.stations_of(way).back().at_m - at_m) < kMouth_m;
   }
@@ -231,7 +231,7 @@ struct Finder {
     if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
     if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
     if (are_joined(a, a_m, b, b_m) || passes_a_mouth(one, b, b_m)) return;
-    found.push_back({a, b, a_m, b_m, 0, 0, wanted_room_m(one.surface, two.surface), half_width_m(two)});
+    found.push_back({a, b, a_m, b_m, 0, 0, wanted_clearance_m(one.surface, two.surface), half_width_m(two)});
   }
 
   void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
@@ -239,7 +239,7 @@ struct Finder {
     const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
     if (share_a_node(tunnel, path) || is_corridor(tunnel) || passes_a_mouth(path, way, at_m)) return;
     found.push_back(
-        {kNone, way, 0, at_m, 0, ground_m, wanted_room_m(path.surface, tunnel.surface), half_width_m(tunnel)});
+        {kNone, way, 0, at_m, 0, ground_m, wanted_clearance_m(path.surface, tunnel.surface), half_width_m(tunnel)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
@@ -253,11 +253,12 @@ struct Finder {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
       found.push_back(
-          {way, kNone, at_m, 0, ground_m, 0, wanted_room_m(track.surface, path.surface), half_width_m(path)});
+          {way, kNone, at_m, 0, ground_m, 0, wanted_clearance_m(track.surface, path.surface), half_width_m(path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
-      const double z_m = stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.passed_m + other_m).z_m;
-      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_over_water_m(stream.left_m + stream.right_m),
+      const double z_m =
+          stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.start_along_m + other_m).z_m;
+      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_clearance_over_water_m(stream.left_m + stream.right_m),
                        std::max(stream.left_m, stream.right_m)});
     }
   }
@@ -315,7 +316,7 @@ struct Finder {
 
   void find_waters(std::uint32_t w) {
     if (graph.ways[w].track->passage != Passage::kBridge) return;
-    for (const Surface& water : below.waters) {
+    for (const LandCoverPolygon& water : below.waters) {
       if (!water.level_m) continue;
       Box2 box;
       for (const Ring& ring : water.rings)
@@ -325,7 +326,7 @@ struct Finder {
         if (!box.contains(at)) continue;
         int winding = 0;
         for (const Ring& ring : water.rings) winding += winding_number(ring, at);
-        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kOverWater_m, 0});
+        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kClearanceOverWater_m, 0});
       }
     }
   }
@@ -333,18 +334,20 @@ struct Finder {
 
 }  // namespace
 
-double wanted_room_m(map::SurfaceClass upper, map::SurfaceClass lower) {
-  const bool is_thin = map::values_of(upper).group == SurfaceGroup::kPath;
-  const SurfaceGroup below = map::values_of(lower).group;
-  if (below == SurfaceGroup::kPath && lower != map::SurfaceClass::kFarmTrack) return kOverPath_m;
-  return (lower == map::SurfaceClass::kRailway ? kOverRail_m : kOverRoad_m) - (is_thin ? kThinDeck_m : 0);
+double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) {
+  const bool is_thin = map::values_of(upper).group == LandCoverGroup::kPath;
+  const LandCoverGroup below = map::values_of(lower).group;
+  if (below == LandCoverGroup::kPath && lower != map::LandCoverClass::kFarmTrack) return kClearanceOverPath_m;
+  return (lower == map::LandCoverClass::kRailway ? kClearanceOverRail_m : kClearanceOverRoad_m) -
+         (is_thin ? kThinDeck_m : 0);
 }
 
-double wanted_over_water_m(double width_m) {
-  return std::max(kOverDitch_m, kOverWater_m * std::min(1.0, width_m / kRiver_m));
+double wanted_clearance_over_water_m(double width_m) {
+  return std::max(kClearanceOverDitch_m, kClearanceOverWater_m * std::min(1.0, width_m / kRiver_m));
 }
 
-std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below) {
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
+                                     const BelowBridges& below) {
   Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};
   if (finder.grid.is_near.empty()) return {};
   finder.add_lines();
@@ -360,7 +363,7 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
   return std::move(finder.found);
 }
 
-double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
+double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
   const double upper_m = crossing.upper == kNone
                              ? crossing.upper_z_m
                              : height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);

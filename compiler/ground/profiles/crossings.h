@@ -12,19 +12,20 @@
 
 namespace citykiln::ground {
 
-/// Surface to surface: a clear height of 4.5 m and a deck of 1 m over roads; over rails 5.5 m (the wires, EBO) and the
-/// deck; over paths 2.5 m and the deck. A path's deck is half a metre thinner.
-inline constexpr double kOverRoad_m = 5.5, kOverRail_m = 6.5, kOverPath_m = 3.5, kThinDeck_m = 0.5;
-/// Over rivers and standing water; over what is narrower than kRiver_m in proportion, but kOverDitch_m at least: a
-/// culvert is no bridge to climb.
-inline constexpr double kOverWater_m = 2, kRiver_m = 8, kOverDitch_m = 0.5;
+/// LandCoverPolygon to surface: a clear height of 4.5 m and a deck of 1 m over roads; over rails 5.5 m (the wires, EBO)
+/// and the deck; over paths 2.5 m and the deck. A path's deck is half a metre thinner.
+inline constexpr double kClearanceOverRoad_m = 5.5, kClearanceOverRail_m = 6.5, kClearanceOverPath_m = 3.5,
+                        kThinDeck_m = 0.5;
+/// Over rivers and standing water; over what is narrower than kRiver_m in proportion, but kClearanceOverDitch_m at
+/// least: a culvert is no bridge to climb.
+inline constexpr double kClearanceOverWater_m = 2, kRiver_m = 8, kClearanceOverDitch_m = 0.5;
 
 /// A clearance that lacks less is one that a deck may be thinner by.
-inline constexpr double kLackMargin_m = 0.25;
+inline constexpr double kShortfallMargin_m = 0.25;
 
 /// What should lie from surface to surface where one line passes over another, or over water of some width.
-double wanted_room_m(map::SurfaceClass upper, map::SurfaceClass lower);
-double wanted_over_water_m(double width_m);
+double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower);
+double wanted_clearance_over_water_m(double width_m);
 
 /// Lines that are joined within this along the network are not apart yet: an abutment, a fork. Paths are so much
 /// steeper that a third of it does, rails so much flatter that it takes twice as much.
@@ -43,9 +44,9 @@ struct Crossing {
 };
 
 /// What lies below bridges without being in the graph.
-struct Below {
+struct BelowBridges {
   std::span<const roads::Strip> streams;
-  std::span<const Surface> waters;
+  std::span<const LandCoverPolygon> waters;
   std::function<double(Vec2)> ground_m;  ///< Where paths lie that follow the ground as it is.
 };
 
@@ -54,9 +55,10 @@ struct Below {
 /// buildings (paths in "tunnels" of layer 0 or above) pass nothing. What only runs along within another's width does
 /// not pass it within kJoined_m of an end on the ground that lies on that other: there it comes down beside it. Sorted
 /// by upper, then by place. O(n log n) about what leaves the ground.
-std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features, const Below& below);
+std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
+                                     const BelowBridges& below);
 
 /// How much is missing, of heights by node; not above zero where there is room.
-double shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m);
+double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m);
 
 }  // namespace citykiln::ground

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "compiler/ground/profiles/graph_walk.h"
-#include "compiler/ground/profiles/pinned.h"
+#include "compiler/ground/profiles/pinned_caps.h"
 
 namespace citykiln::ground {
 namespace {
@@ -43,7 +43,7 @@ struct Units {
 // How far units come down. What is walked with is how far below its height a unit has to be.
 class Lowering {
  public:
-  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeReach reach,
+  Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeInfluence reach,
            std::span<const double> steepness = {})
       : graph_(graph),
         units_(units),
@@ -119,7 +119,7 @@ class Lowering {
   const ProfileGraph& graph_;
   const Units& units_;
   std::span<const double> z_m_;
-  GradeReach reach_;
+  GradeInfluence reach_;
   std::span<const double> steepness_;
   std::vector<double> excess_m_, low_m_;
   std::vector<int> times_;
@@ -136,7 +136,7 @@ std::vector<double> negated(std::span<const double> z_m) {
 // How far each unit may rise for pinned nodes.
 std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::span<const double> z_m) {
   GraphWalk walk(graph);
-  const std::vector<double> cap_m = caps_of_pinned(graph, walk, z_m);
+  const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
   std::vector<double> room_m(units.count(), std::numeric_limits<double>::infinity());
   for (std::uint32_t n = 0; n < z_m.size(); ++n) room_m[units.of[n]] = std::min(room_m[units.of[n]], cap_m[n] - z_m[n]);
   return room_m;
@@ -144,7 +144,7 @@ std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::
 
 }  // namespace
 
-std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeReach reach) {
+std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach) {
   const Units units(graph);
   const std::vector<double> low_m = Lowering(graph, units, z_m, reach).run();
   std::vector<double> lowered;

@@ -4,7 +4,7 @@
 //        ╱----╲     (U+L)/2     cost: the sum of limit · length on the way from y to x. Both keep the limits, and so
 //     __╱      ╲__              does what lies half-way between.
 //
-// Plates of junctions move up or down as one: between their nodes the cost is the difference of their heights.
+// JunctionPlanes of junctions move up or down as one: between their nodes the cost is the difference of their heights.
 #pragma once
 
 #include <span>
@@ -15,26 +15,27 @@
 namespace citykiln::ground {
 
 /// A place that is too steep is felt this far, in plan: 50 m of height at 10 %.
-inline constexpr double kGradeReach_m = 512;
+inline constexpr double kGradeInfluence_m = 512;
 /// Nothing is cut or filled by more than half of this for a grade's sake.
-inline constexpr double kMostEarth_m = 24;
+inline constexpr double kMaxEarthwork_m = 24;
 
 /// How far a place that is too steep is felt, in plan, and by how much at most; that fades towards the reach, so that
 /// nothing breaks off there.
-struct GradeReach {
-  double reach_m = kGradeReach_m, most_m = kMostEarth_m;
+struct GradeInfluence {
+  double reach_m = kGradeInfluence_m, most_m = kMaxEarthwork_m;
 };
 
 /// U of the figure, by node: the highest heights not above those given that keep the limits, as far as the reach lets
 /// them.
-std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeReach reach);
+std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach);
 
 /// By node. Pinned nodes stay, and hold what is near.
 ///
 /// @param steepness  By node, beside the graph's own scale: legs to it may be so many times as steep; empty: none more.
 ///
-/// Guarantees: legs keep their limits, plates stay as plane as they are, unless a place asks for more than GradeReach
-/// leaves it; heights that keep the limits stay. Total. Cost: the legs within reach of those that are too steep.
+/// Guarantees: legs keep their limits, plates stay as plane as they are, unless a place asks for more than
+/// GradeInfluence leaves it; heights that keep the limits stay. Total. Cost: the legs within reach of those that are
+/// too steep.
 std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
                                  std::span<const double> steepness = {});
 

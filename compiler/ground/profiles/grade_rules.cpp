@@ -5,29 +5,29 @@
 namespace citykiln::ground {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 struct Row {
-  SurfaceClass surface;
+  LandCoverClass surface;
   GradeRule rule;
 };
 
 constexpr Row kRows[] = {
-#define GRADED(surface, limit, smooth_m) {SurfaceClass::surface, {limit, smooth_m}},
+#define GRADED(surface, limit, smooth_m) {LandCoverClass::surface, {limit, smooth_m}},
 #include "compiler/ground/profiles/grade_rules.inc"
 #undef GRADED
 };
 
-const Row* row_of(SurfaceClass surface) {
+const Row* row_of(LandCoverClass surface) {
   const Row* found = std::ranges::find(kRows, surface, &Row::surface);
   return found == std::end(kRows) ? nullptr : found;
 }
 
 }  // namespace
 
-bool is_graded(SurfaceClass surface) { return row_of(surface) != nullptr; }
+bool is_graded(LandCoverClass surface) { return row_of(surface) != nullptr; }
 
-GradeRule grade_rule_of(SurfaceClass surface) {
+GradeRule grade_rule_of(LandCoverClass surface) {
   if (const Row* row = row_of(surface)) return row->rule;
   return {0.50, 24};
 }

@@ -14,9 +14,9 @@ double limit_of(const ProfileGraph& graph, const Leg& leg) {
 }
 
 bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way) {
-  const map::SurfaceClass surface = graph.ways[way].track->surface;
-  return map::values_of(surface).group != map::SurfaceGroup::kRail && surface != map::SurfaceClass::kMotorwayRoad &&
-         surface != map::SurfaceClass::kRunway;
+  const map::LandCoverClass surface = graph.ways[way].track->surface;
+  return map::values_of(surface).group != map::LandCoverGroup::kRail && surface != map::LandCoverClass::kMotorwayRoad &&
+         surface != map::LandCoverClass::kRunway;
 }
 
 }  // namespace citykiln::ground

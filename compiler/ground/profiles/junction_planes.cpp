@@ -70,7 +70,7 @@ void ease(const ProfileGraph& graph, std::span<const double> moved_m, std::vecto
   for (std::uint32_t n = 0; n < z_m.size(); ++n) {
     const auto leads_off = [&](const Leg& leg) { return graph.nodes[leg.to].junction == kNone; };
     if (graph.nodes[n].junction == kNone || !std::ranges::any_of(graph.legs_of(n), leads_off)) continue;
-    const double spread_m = std::clamp(kSpread * std::abs(moved_m[n]), kLeastSpread_m, kMostSpread_m);
+    const double spread_m = std::clamp(kSpread * std::abs(moved_m[n]), kMinSpread_m, kMaxSpread_m);
     const GraphWalk::Start start{0, n};
     walk.from(
         std::span(&start, 1), spread_m, [](const Leg& leg) { return leg.length_m; },
@@ -89,21 +89,21 @@ void ease(const ProfileGraph& graph, std::span<const double> moved_m, std::vecto
 
 }  // namespace
 
-Plates level_junctions(const ProfileGraph& graph, std::span<const double> z_m) {
-  Plates plates{{z_m.begin(), z_m.end()}, std::vector<Vec2>(z_m.size())};
+JunctionPlanes fit_junction_planes(const ProfileGraph& graph, std::span<const double> z_m) {
+  JunctionPlanes planes{{z_m.begin(), z_m.end()}, std::vector<Vec2>(z_m.size())};
   std::vector<double> moved_m(z_m.size());
   for (const std::vector<std::uint32_t>& nodes : nodes_by_junction(graph)) {
     const auto is_level = [&](std::uint32_t n) { return z_m[n] == z_m[nodes.front()]; };
     if (std::ranges::all_of(nodes, is_level)) continue;
     const Plane plane = plane_of(graph, nodes, z_m);
     for (const std::uint32_t n : nodes) {
-      plates.z_m[n] = plane.height_m(graph.nodes[n].at);
-      plates.gradient[n] = plane.gradient;
-      moved_m[n] = plates.z_m[n] - z_m[n];
+      planes.z_m[n] = plane.height_m(graph.nodes[n].at);
+      planes.gradient[n] = plane.gradient;
+      moved_m[n] = planes.z_m[n] - z_m[n];
     }
   }
-  if (std::ranges::any_of(moved_m, [](double m) { return m != 0; })) ease(graph, moved_m, plates.z_m);
-  return plates;
+  if (std::ranges::any_of(moved_m, [](double m) { return m != 0; })) ease(graph, moved_m, planes.z_m);
+  return planes;
 }
 
 }  // namespace citykiln::ground

@@ -11,11 +11,11 @@
 namespace citykiln::ground {
 namespace {
 
-const Profile& profile_of(const Profiles& profiles, const GradedWay& way) {
+const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
   return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
 }
 
-double height_m(const Profiles& profiles, const GradedWay& way, double at_m) {
+double height_m(const Profiles& profiles, const GraphWay& way, double at_m) {
   const Profile& profile = profile_of(profiles, way);
   return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
 }
@@ -31,8 +31,8 @@ void measure_grade(const Profile& profile, double length_m, GradeMeasure& measur
 }
 
 void measure_grades(const ProfileGraph& graph, const Profiles& profiles, ProfileMeasures& measures) {
-  std::map<map::SurfaceClass, GradeMeasure> classes;
-  for (const GradedWay& way : graph.ways) {
+  std::map<map::LandCoverClass, GradeMeasure> classes;
+  for (const GraphWay& way : graph.ways) {
     GradeMeasure& measure = classes[way.track->surface];
     measure.surface = way.track->surface;
     measures.knots += profile_of(profiles, way).size();
@@ -47,7 +47,7 @@ void measure_grades(const ProfileGraph& graph, const Profiles& profiles, Profile
 
 void measure_jumps(const ProfileGraph& graph, const Profiles& profiles, ProfileMeasures& measures) {
   std::vector<std::pair<double, double>> between(graph.nodes.size(), {1e9, -1e9});
-  for (const GradedWay& way : graph.ways) {
+  for (const GraphWay& way : graph.ways) {
     for (const Station& station : graph.stations_of(way)) {
       const double z_m = height_m(profiles, way, station.at_m);
       auto& [low, high] = between[station.node];
@@ -57,12 +57,12 @@ void measure_jumps(const ProfileGraph& graph, const Profiles& profiles, ProfileM
   }
 }
 
-void measure_lacks(std::span<const Lack> lacks, ProfileMeasures& measures) {
-  measures.crossings = lacks.size();
-  for (const Lack& lack : lacks) {
-    measures.lacking += lack.lack_m > kLackMargin_m, measures.lacking_over_1_m += lack.lack_m > 1;
-    measures.lacking_over_3_m += lack.lack_m > 3;
-    measures.largest_lack_m = std::max(measures.largest_lack_m, lack.lack_m);
+void measure_shortfalls(std::span<const ClearanceShortfall> shortfalls, ProfileMeasures& measures) {
+  measures.crossings = shortfalls.size();
+  for (const ClearanceShortfall& lack : shortfalls) {
+    measures.shortfalls += lack.shortfall_m > kShortfallMargin_m, measures.shortfalls_over_1_m += lack.shortfall_m > 1;
+    measures.shortfalls_over_3_m += lack.shortfall_m > 3;
+    measures.largest_shortfall_m = std::max(measures.largest_shortfall_m, lack.shortfall_m);
   }
 }
 
@@ -73,7 +73,7 @@ ProfileMeasures measure_profiles(const map::Features& features, const Profiles& 
   const ProfileGraph graph = graph_of(features, profiles.roads, {});
   measure_grades(graph, profiles, measures);
   measure_jumps(graph, profiles, measures);
-  measure_lacks(profiles.lacks, measures);
+  measure_shortfalls(profiles.shortfalls, measures);
   return measures;
 }
 

@@ -10,7 +10,7 @@
 namespace citykiln::ground {
 
 struct GradeMeasure {
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   double length_m = 0;
   double over_m = 0;    ///< Of that, steeper than the class' limit by more than the heights' rounding.
   double steepest = 0;  ///< Rise over run, of runs of 2 m or more.
@@ -21,10 +21,10 @@ struct ProfileMeasures {
   double length_m = 0, over_m = 0;    ///< Of what is driven on: without paths' bridges.
   double largest_jump_m = 0;          ///< Between two ways where they share a node.
   std::uint64_t knots = 0;
-  std::uint64_t crossings = 0;  ///< Pairs of which one passes over the other.
-  std::uint64_t lacking = 0;    ///< Pairs of which more than a quarter of a metre of clearance is missing.
-  double largest_lack_m = 0;
-  std::uint64_t lacking_over_1_m = 0, lacking_over_3_m = 0;
+  std::uint64_t crossings = 0;   ///< Pairs of which one passes over the other.
+  std::uint64_t shortfalls = 0;  ///< Pairs of which more than a quarter of a metre of clearance is missing.
+  double largest_shortfall_m = 0;
+  std::uint64_t shortfalls_over_1_m = 0, shortfalls_over_3_m = 0;
 };
 
 ProfileMeasures measure_profiles(const map::Features& features, const Profiles& profiles);

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <tuple>
 
-#include "compiler/ground/grading/carving.h"
+#include "compiler/ground/grading/graded_terrain.h"
 #include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/approach_paths.h"
+#include "compiler/ground/profiles/clearance_shortfalls.h"
 #include "compiler/ground/profiles/clearances.h"
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
-#include "compiler/ground/profiles/lacks.h"
-#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/roads/plan.h"
 
@@ -25,7 +25,7 @@ constexpr double kStep_m = 0.25;
 
 double height_on(const Profile& profile, double at_m) { return profile.empty() ? 0 : knot_at(profile, at_m).z_m; }
 
-const Profile& profile_of(const Profiles& profiles, const GradedWay& way) {
+const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
   return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
 }
 
@@ -43,11 +43,11 @@ std::vector<roads::Road> decks_of(const map::Features& features, const Profiles&
   return decks;
 }
 
-Carving carved(const map::Features& features, const Profiles& profiles, const Bare& bare) {
-  std::vector<Surface> wet(bare.waters.begin(), bare.waters.end());
-  for (const roads::Strip& stream : bare.streams) wet.push_back(surface_of(stream));
+GradedTerrain carved(const map::Features& features, const Profiles& profiles, const TerrainWithoutRoads& terrain) {
+  std::vector<LandCoverPolygon> wet(terrain.waters.begin(), terrain.waters.end());
+  for (const roads::Strip& stream : terrain.streams) wet.push_back(surface_of(stream));
   const std::vector<roads::Road> decks = decks_of(features, profiles);
-  return carve(bare.heights, {profiles.roads, bare.streams, wet, features.region, false, decks, {}});
+  return grade_terrain(terrain.heights, {profiles.roads, terrain.streams, wet, features.region, false, decks, {}});
 }
 
 // The decided height of every node of the map that a line with heights of its own shares with a path of the graph.
@@ -58,11 +58,11 @@ struct Decided {
 
 std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles) {
   std::vector<std::int64_t> of_paths;
-  for (const GradedWay& way : paths.ways)
+  for (const GraphWay& way : paths.ways)
     of_paths.insert(of_paths.end(), way.track->node_ids.begin(), way.track->node_ids.end());
   std::ranges::sort(of_paths);
   std::vector<Decided> decided;
-  for (const GradedWay& way : all.ways) {
+  for (const GraphWay& way : all.ways) {
     if (!is_graded(way.track->surface)) continue;
     const std::vector<double> along = roads::distances_along(way.track->axis, 0);
     for (std::size_t v = 0; v < along.size(); ++v)
@@ -75,12 +75,12 @@ std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGra
 
 // By node: of the ground the carved land's, of what is shared with other lines theirs; off the ground the line between.
 std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
-                               const Carving& carving) {
+                               const GradedTerrain& graded) {
   std::vector<double> z_m;
   z_m.reserve(paths.nodes.size());
-  for (const GraphNode& node : paths.nodes) z_m.push_back(land_m(carving, node.at));
+  for (const GraphNode& node : paths.nodes) z_m.push_back(land_m(graded, node.at));
   const std::vector<Decided> decided = decided_heights(paths, all, profiles);
-  for (const GradedWay& way : paths.ways) {
+  for (const GraphWay& way : paths.ways) {
     const std::vector<double> along = roads::distances_along(way.track->axis, 0);
     for (const Station& station : paths.stations_of(way)) {
       const auto v = std::ranges::find(along, station.at_m);
@@ -90,7 +90,7 @@ std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& al
       if (found != decided.end() && found->node_id == id) z_m[station.node] = found->z_m;
     }
   }
-  draw_lines(paths, z_m);
+  interpolate_spans(paths, z_m);
   return z_m;
 }
 
@@ -99,7 +99,7 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
                               const Profiles& profiles) {
   const auto way_of = [&](std::uint32_t way) {
     if (way == kNone) return kNone;
-    const auto id = [](const GradedWay& w) { return w.track->id; };
+    const auto id = [](const GraphWay& w) { return w.track->id; };
     const auto found = std::ranges::lower_bound(paths.ways, all.ways[way].track->id, {}, id);
     const bool is_path = found != paths.ways.end() && found->track->id == all.ways[way].track->id;
     return is_path ? static_cast<std::uint32_t>(found - paths.ways.begin()) : kNone;
@@ -141,7 +141,7 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
   for (const Crossing& c : crossings)
     if (c.lower != kNone) is_below[c.lower] = true;
   for (std::size_t w = 0; w < paths.ways.size(); ++w) {
-    const GradedWay& way = paths.ways[w];
+    const GraphWay& way = paths.ways[w];
     if (way.track->passage != map::Passage::kBridge || is_below[w]) continue;
     const std::span<const Station> stations = paths.stations_of(way);
     for (std::size_t first = 0, s = 1; s < stations.size(); ++s) {
@@ -154,46 +154,48 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
 }
 
 // A path that nothing moved for a clearance needs no profile, nor one that its grade limit moved by less than a step.
-bool is_moved(const ProfileGraph& paths, const GradedWay& way, std::span<const double> from_m,
+bool is_moved(const ProfileGraph& paths, const GraphWay& way, std::span<const double> from_m,
               std::span<const double> to_m, double by_m) {
   return std::ranges::any_of(paths.stations_of(way),
                              [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > by_m; });
 }
 
 // Of each upper line, or of a tunnel under a path, how much it lacks at most.
-void tell_low(std::span<const Lack> lacks, Report& report) {
-  const auto told_of = [](const Lack& lack) { return lack.upper == OsmId{} ? lack.lower : lack.upper; };
-  for (std::size_t i = 0; i < lacks.size();) {
-    const OsmId line = told_of(lacks[i]);
+void report_shortfalls(std::span<const ClearanceShortfall> shortfalls, Report& report) {
+  const auto told_of = [](const ClearanceShortfall& lack) { return lack.upper == OsmId{} ? lack.lower : lack.upper; };
+  for (std::size_t i = 0; i < shortfalls.size();) {
+    const OsmId line = told_of(shortfalls[i]);
     double worst_m = 0;
-    for (; i < lacks.size() && told_of(lacks[i]) == line; ++i) worst_m = std::max(worst_m, lacks[i].lack_m);
-    if (worst_m > kLackMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
+    for (; i < shortfalls.size() && told_of(shortfalls[i]) == line; ++i)
+      worst_m = std::max(worst_m, shortfalls[i].shortfall_m);
+    if (worst_m > kShortfallMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
   }
 }
 
 }  // namespace
 
-Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare& bare, Report& report) {
+Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
+                    Report& report) {
   const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
   const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);
-  const Carving carving = carved(features, profiles, bare);
-  const Below below{bare.streams, bare.waters, [&](Vec2 p) { return land_m(carving, p); }};
+  const GradedTerrain graded = carved(features, profiles, terrain);
+  const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
-  const std::vector<double> lines_m = heights_of(paths, all, profiles, carving);
-  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &bare.heights, lines_m);
+  const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);
+  const std::vector<double> cleared_m = clear_crossings(paths, crossings, &terrain.heights, lines_m);
   std::vector<double> z_m = limit_grades(paths, cleared_m);
   straighten_decks(paths, crossings, z_m);
-  const Plates plates{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
-  for (const GradedWay& way : paths.ways) {
+  const JunctionPlanes planes{std::move(z_m), std::vector<Vec2>(paths.nodes.size())};
+  for (const GraphWay& way : paths.ways) {
     if (way.road == kNone) {
-      profiles.off_ground[way.off_ground] = knots_of(paths, way, plates);
+      profiles.off_ground[way.off_ground] = knots_of(paths, way, planes);
     } else if (is_moved(paths, way, lines_m, cleared_m, kKnotError_m) ||
-               is_moved(paths, way, lines_m, plates.z_m, kStep_m)) {
-      profiles.roads[way.road].profile = knots_of(paths, way, plates);
+               is_moved(paths, way, lines_m, planes.z_m, kStep_m)) {
+      profiles.roads[way.road].profile = knots_of(paths, way, planes);
     }
   }
-  profiles.lacks = find_lacks(features, profiles, below);
-  tell_low(profiles.lacks, report);
+  profiles.shortfalls = find_shortfalls(features, profiles, below);
+  report_shortfalls(profiles.shortfalls, report);
   return profiles;
 }
 

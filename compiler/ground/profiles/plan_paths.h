@@ -12,9 +12,9 @@
 namespace citykiln::ground {
 
 /// What streams and waters the ground has, and how high it is without roads.
-struct Bare {
+struct TerrainWithoutRoads {
   std::span<const roads::Strip> streams;
-  std::span<const Surface> waters;
+  std::span<const LandCoverPolygon> waters;
   const map::Heightfield& heights;
 };
 
@@ -25,7 +25,8 @@ struct Bare {
 /// Guarantees: what is no path stays as it is; paths meet at nodes of the map to kKnotError_m, what is no path to twice
 /// kKnotError_m. Paths of the ground that need not climb keep no profile. Of all lines it is told what they lack:
 /// kClearanceNotMet. Total. Reach: that of approach_paths(), the length of what is off the ground as far as
-/// kSpanReach_m, and kCarve_m.
-Profiles plan_paths(const map::Features& features, Profiles profiles, const Bare& bare, Report& report);
+/// kSpanEndRadius_m, and kGrading_m.
+Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
+                    Report& report);
 
 }  // namespace citykiln::ground

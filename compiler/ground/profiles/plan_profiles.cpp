@@ -7,7 +7,7 @@
 #include "compiler/ground/profiles/grade_limits.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
-#include "compiler/ground/profiles/line_heights.h"
+#include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/plan_paths.h"
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/ground/profiles/smooth_profile.h"
@@ -24,8 +24,8 @@ constexpr double kSteepMargin = 0.005;
 // Smoothing alone moves tunnels by about as much.
 constexpr double kDugMargin_m = 2;
 
-void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
-  for (const GradedWay& way : graph.ways) {
+void report_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
+  for (const GraphWay& way : graph.ways) {
     const double limit = graph.limit_scale * grade_rule_of(way.track->surface).limit;
     const std::span<const Station> stations = graph.stations_of(way);
     double steepest = 0;
@@ -38,31 +38,32 @@ void tell_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& 
 }
 
 // How far below the line between its mouths a tunnel had to go.
-void tell_dug(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m, Report& report) {
-  for (const GradedWay& way : graph.ways) {
+void report_lowered_tunnels(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
+                            Report& report) {
+  for (const GraphWay& way : graph.ways) {
     if (way.track->passage != map::Passage::kTunnel) continue;
     double deepest_m = 0;
     for (const Station& station : graph.stations_of(way)) {
       deepest_m = std::max(deepest_m, lines_m[station.node] - z_m[station.node]);
     }
-    if (deepest_m > kDugMargin_m) report.add(Code::kTunnelDug, way.track->id.osm, deepest_m);
+    if (deepest_m > kDugMargin_m) report.add(Code::kTunnelLowered, way.track->id.osm, deepest_m);
   }
 }
 
-void tell_loose_ends(const ProfileGraph& graph, Report& report) {
-  for (const GradedWay& way : graph.ways) {
+void report_free_ends(const ProfileGraph& graph, Report& report) {
+  for (const GraphWay& way : graph.ways) {
     if (way.track->passage != map::Passage::kBridge) continue;
     const std::span<const Station> stations = graph.stations_of(way);
     for (const Station& end : {stations.front(), stations.back()})
-      if (graph.nodes[end.node].is_loose) report.add(Code::kBridgeWithoutGround, way.track->id.osm);
+      if (graph.nodes[end.node].is_free_end) report.add(Code::kBridgeWithoutGround, way.track->id.osm);
   }
 }
 
 // All along, and so is the heightmap.
-bool is_level_zero(const ProfileGraph& graph, const GradedWay& way, const Plates& plates,
+bool is_level_zero(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes,
                    const map::Heightfield& heights) {
   return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
-    return plates.z_m[s.node] == 0 && plates.gradient[s.node] == Vec2{} &&
+    return planes.z_m[s.node] == 0 && planes.gradient[s.node] == Vec2{} &&
            height_m_at(heights, graph.nodes[s.node].at) == 0;
   });
 }
@@ -78,46 +79,46 @@ std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Cros
   return of_streets;
 }
 
-Plates solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
-             std::span<const double> lines_m) {
-  Plates plates = level_junctions(graph, smooth_heights(graph, lines_m, heights.longer_step_m()));
-  plates.z_m = limit_grades(graph, plates.z_m);
-  plates = level_junctions(graph, clear_crossings(graph, crossings, &heights, plates.z_m));
-  plates.z_m = limit_grades(graph, plates.z_m);
-  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, plates.z_m);
-  if (cleared_m == plates.z_m) return plates;
+JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossings, const map::Heightfield& heights,
+                     std::span<const double> lines_m) {
+  JunctionPlanes planes = fit_junction_planes(graph, smooth_heights(graph, lines_m, heights.longer_step_m()));
+  planes.z_m = limit_grades(graph, planes.z_m);
+  planes = fit_junction_planes(graph, clear_crossings(graph, crossings, &heights, planes.z_m));
+  planes.z_m = limit_grades(graph, planes.z_m);
+  const std::vector<double> cleared_m = clear_crossings(graph, of_streets(graph, crossings), nullptr, planes.z_m);
+  if (cleared_m == planes.z_m) return planes;
   std::vector<double> steepness;
-  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == plates.z_m[n] ? 1 : kSteepest);
-  plates = level_junctions(graph, cleared_m);
-  plates.z_m = limit_grades(graph, plates.z_m, steepness);
-  return plates;
+  for (std::size_t n = 0; n < cleared_m.size(); ++n) steepness.push_back(cleared_m[n] == planes.z_m[n] ? 1 : kSteepest);
+  planes = fit_junction_planes(graph, cleared_m);
+  planes.z_m = limit_grades(graph, planes.z_m, steepness);
+  return planes;
 }
 
 }  // namespace
 
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
-                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report,
+                       std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale) {
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
   const std::vector<Crossing> crossings =
       find_crossings(graph, features, {streams, waters, [&](Vec2 p) { return height_m_at(heights, p); }});
-  const std::vector<double> lines_m = line_heights(graph, heights);
-  const Plates plates = solve(graph, crossings, heights, lines_m);
+  const std::vector<double> lines_m = initial_heights(graph, heights);
+  const JunctionPlanes planes = solve(graph, crossings, heights, lines_m);
 
   Profiles profiles{std::move(roads), {}, {}};
   profiles.off_ground.resize(static_cast<std::size_t>(std::ranges::count_if(features.tracks, leaves_ground)));
-  for (const GradedWay& way : graph.ways) {
+  for (const GraphWay& way : graph.ways) {
     if (way.road == kNone) {
-      profiles.off_ground[way.off_ground] = knots_of(graph, way, plates);
-    } else if (!is_level_zero(graph, way, plates, heights)) {
-      profiles.roads[way.road].profile = knots_of(graph, way, plates);
+      profiles.off_ground[way.off_ground] = knots_of(graph, way, planes);
+    } else if (!is_level_zero(graph, way, planes, heights)) {
+      profiles.roads[way.road].profile = knots_of(graph, way, planes);
     }
   }
-  tell_steep(graph, plates.z_m, report);
-  tell_dug(graph, lines_m, plates.z_m, report);
-  tell_loose_ends(graph, report);
+  report_steep(graph, planes.z_m, report);
+  report_lowered_tunnels(graph, lines_m, planes.z_m, report);
+  report_free_ends(graph, report);
   return plan_paths(features, std::move(profiles), {streams, waters, heights}, report);
 }
 

@@ -3,9 +3,9 @@
 // One network of all that is driven on, and of all bridges and tunnels (profile_graph.h), goes through five steps, each
 // a function of heights by node, each with a hard reach:
 //
-//     line_heights      what the heightmap says, without spikes; between ends of what leaves the ground the line
+//     initial_heights      what the heightmap says, without spikes; between ends of what leaves the ground the line
 //     smooth_heights    smooth, as the class wants it
-//     level_junctions   junctions are plates
+//     fit_junction_planes   junctions are plates
 //     limit_grades      no steeper than the class allows
 //     clear_crossings   bridges rise, tunnels go down (and junctions are plates again, under their grades; what that
 //                       takes back of a clearance is asked for once more)
@@ -28,20 +28,20 @@ namespace citykiln::ground {
 
 /// Where nothing leaves the ground, nothing farther than this matters: the steps' reaches added up (smoothing, plates
 /// twice, grades twice). Each storey of bridges or tunnels adds the length of two ramps, 850 m for a railway's and half
-/// as much for a road's, and once more the reach of plates and grades; kSpanReach_m is how far their ends are looked
-/// for.
-inline constexpr double kProfileReach_m = 2560;
+/// as much for a road's, and once more the reach of plates and grades; kSpanEndRadius_m is how far their ends are
+/// looked for.
+inline constexpr double kProfileRadius_m = 2560;
 
 /// One line over another, or over a water or under a path of the ground.
-struct Lack {
-  OsmId upper, lower;  ///< None for what has no profile.
-  double lack_m = 0;   ///< Where most is missing; not above zero where there is room everywhere.
+struct ClearanceShortfall {
+  OsmId upper, lower;      ///< None for what has no profile.
+  double shortfall_m = 0;  ///< Where most is missing; not above zero where there is room everywhere.
 };
 
 struct Profiles {
-  std::vector<roads::Road> roads;   ///< Those given, with their profiles.
-  std::vector<Profile> off_ground;  ///< One a track that leaves the ground, in the order of features.tracks.
-  std::vector<Lack> lacks;          ///< One a pair, sorted by the upper's id, those that are none last.
+  std::vector<roads::Road> roads;              ///< Those given, with their profiles.
+  std::vector<Profile> off_ground;             ///< One a track that leaves the ground, in the order of features.tracks.
+  std::vector<ClearanceShortfall> shortfalls;  ///< One a pair, sorted by the upper's id, those that are none last.
 };
 
 /// @param streams  With profiles; without one a stream lies on the heightmap.
@@ -52,10 +52,10 @@ struct Profiles {
 /// one plane; a bridge that crosses nothing, or has room, lies on the smooth line between its ends; spikes of the
 /// heightmap (20 to 500 m at one vertex) move no profile by more than 8 m; a road at height 0 all along, over a
 /// heightmap that is 0 there, has no knots. Does not depend on the order of tracks and roads. Diagnosed: kTooSteep,
-/// kClearanceNotMet, kBridgeWithoutGround. Total. Reach: kProfileReach_m.
+/// kClearanceNotMet, kBridgeWithoutGround. Total. Reach: kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
-                       std::span<const Surface> waters, const map::Heightfield& heights, Report& report,
+                       std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale = 1);
 
 }  // namespace citykiln::ground

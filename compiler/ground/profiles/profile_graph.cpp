@@ -81,7 +81,7 @@ void Builder::add_ways() {
   std::uint32_t off = 0;
   for (std::size_t t = 0; t < features.tracks.size(); ++t) {
     const Track& track = features.tracks[t];
-    GradedWay way{&track, kNone, kNone, 0, 0};
+    GraphWay way{&track, kNone, kNone, 0, 0};
     if (leaves_ground(track)) way.off_ground = off++;
     if (!is_member(t)) {
       if (leaves_ground(track) || is_graded(track.surface))
@@ -96,7 +96,7 @@ void Builder::add_ways() {
     graph.ways.push_back(way);
   }
   std::ranges::sort(foreign);
-  std::ranges::sort(graph.ways, {}, [](const GradedWay& way) { return way.track->id; });
+  std::ranges::sort(graph.ways, {}, [](const GraphWay& way) { return way.track->id; });
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     if (graph.ways[w].road != kNone) way_of_road[graph.ways[w].road] = w;
     const Polyline& axis = graph.ways[w].track->axis;
@@ -172,12 +172,12 @@ void Builder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::spa
   auto v = static_cast<std::int64_t>(arm.vertex) + arm.step;
   for (; v >= 0 && v < static_cast<std::int64_t>(draft.along.size()); v += arm.step) {
     const auto vertex = static_cast<std::size_t>(v);
-    if (cut.length_m != roads::kWhole_m && std::abs(draft.along[vertex] - from_m) > cut.length_m) break;
+    if (cut.length_m != roads::kWholeLink_m && std::abs(draft.along[vertex] - from_m) > cut.length_m) break;
     draft.junction[vertex] = std::min(draft.junction[vertex], junction);
     if (std::ranges::binary_search(places, graph.ways[w].track->axis[vertex])) return;
   }
-  if (cut.length_m == roads::kWhole_m) return;
-  const double cut_m = from_m + arm.step * cut.length_m, eased_m = cut_m + arm.step * kEase_m;
+  if (cut.length_m == roads::kWholeLink_m) return;
+  const double cut_m = from_m + arm.step * cut.length_m, eased_m = cut_m + arm.step * kJunctionEase_m;
   const double end_m = draft.along.back();
   if (cut_m > 0 && cut_m < end_m) draft.stops.push_back({cut_m, kNone, junction});
   if (eased_m > 0 && eased_m < end_m) draft.stops.push_back({eased_m, kNone, kNone});
@@ -219,7 +219,7 @@ Vec2 point_at(const Polyline& axis, std::span<const double> along, double at_m) 
 void Builder::put_stations() {
   const double station_m = lines == Lines::kPaths ? kPathStation_m : kStation_m;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
-    GradedWay& way = graph.ways[w];
+    GraphWay& way = graph.ways[w];
     Draft& draft = drafts[w];
     for (std::uint32_t v = 0; v < draft.along.size(); ++v)
       if (draft.node_at[v] != kNone) draft.stops.push_back({draft.along[v], v, draft.junction[v]});
@@ -306,11 +306,11 @@ void Builder::pin() {
 
 void Builder::pin_loose_ends() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
-    const GradedWay& way = graph.ways[w];
+    const GraphWay& way = graph.ways[w];
     if (way.track->passage != Passage::kBridge) continue;
     for (const std::uint32_t end : {drafts[w].node_at.front(), drafts[w].node_at.back()}) {
       GraphNode& node = graph.nodes[end];
-      if (!node.is_on_ground && !node.is_pinned && node.legs == 1) node.is_loose = node.is_pinned = true;
+      if (!node.is_on_ground && !node.is_pinned && node.legs == 1) node.is_free_end = node.is_pinned = true;
     }
   }
 }
@@ -332,14 +332,14 @@ ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road
   return std::move(builder.graph);
 }
 
-std::uint32_t station_before(const ProfileGraph& graph, const GradedWay& way, double at_m) {
+std::uint32_t station_before(const ProfileGraph& graph, const GraphWay& way, double at_m) {
   const std::span<const Station> stations = graph.stations_of(way);
   const auto after = std::ranges::upper_bound(stations, at_m, {}, &Station::at_m);
   const auto i = static_cast<std::uint32_t>(after - stations.begin());
   return std::clamp(i, 1u, way.count - 1) - 1;
 }
 
-double height_along(const ProfileGraph& graph, const GradedWay& way, std::span<const double> z_m, double at_m) {
+double height_along(const ProfileGraph& graph, const GraphWay& way, std::span<const double> z_m, double at_m) {
   const std::uint32_t i = station_before(graph, way, at_m);
   const Station &a = graph.stations[way.first + i], &b = graph.stations[way.first + i + 1];
   const double t = std::clamp((at_m - a.at_m) / (b.at_m - a.at_m), 0.0, 1.0);

@@ -55,7 +55,7 @@ struct Placed {
 // Of two that rounding puts on one place one has a knot: the way's end. But an end that nothing else meets gives its
 // knot to a meeting beside it: between two so close their rounding would tilt what lies there.
 std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station> stations) {
-  const auto is_loose = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
+  const auto is_free_end = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
   const auto is_meeting = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() > 2; };
   std::vector<Placed> places;
   for (std::size_t s = 0; s < stations.size(); ++s) {
@@ -63,9 +63,9 @@ std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station
     const double at_m =
         is_last ? std::floor(stations[s].at_m / kAlong_m) * kAlong_m : snapped_to(kAlong_m, stations[s].at_m);
     const double gap_m = places.empty() ? at_m + 1 : at_m - places.back().at_m;
-    if (is_last && !is_second && gap_m <= kAlong_m && is_loose(s) && is_meeting(places.back().station))
+    if (is_last && !is_second && gap_m <= kAlong_m && is_free_end(s) && is_meeting(places.back().station))
       places.back().at_m = at_m;
-    else if (!is_last && is_second && gap_m <= kAlong_m && is_loose(0) && is_meeting(s))
+    else if (!is_last && is_second && gap_m <= kAlong_m && is_free_end(0) && is_meeting(s))
       places.back().station = s;
     else if (is_last && !is_second && gap_m <= 0)
       places.back() = {s, at_m};
@@ -75,7 +75,7 @@ std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station
   return places;
 }
 
-std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GradedWay& way, const Plates& plates) {
+std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
   std::vector<Candidate> candidates;
   Directions directions(way.track->axis);
   const std::span<const Station> stations = graph.stations_of(way);
@@ -86,8 +86,8 @@ std::vector<Candidate> candidates_of(const ProfileGraph& graph, const GradedWay&
     const std::uint32_t node = stations[s].node;
     // level beyond the last
     const double after_m = is_last ? std::max(0.0, at_m - stations[s].at_m) : at_m - stations[s].at_m;
-    const double z_m = height_beside(stations, s, plates.z_m, after_m);
-    const double tilt = dot(plates.gradient[node], left_of(directions.at(stations[s].at_m)));
+    const double z_m = height_beside(stations, s, planes.z_m, after_m);
+    const double tilt = dot(planes.gradient[node], left_of(directions.at(stations[s].at_m)));
     const Knot knot{at_m, snapped_to(kProfileQuantum_m, z_m), snapped_to(kTiltQuantum, tilt)};
     candidates.push_back({knot, i == 0 || is_last || graph.legs_of(node).size() != 2});
   }
@@ -115,8 +115,8 @@ void keep_bends(std::vector<Candidate>& candidates, std::size_t first, std::size
 
 }  // namespace
 
-Profile knots_of(const ProfileGraph& graph, const GradedWay& way, const Plates& plates) {
-  std::vector<Candidate> candidates = candidates_of(graph, way, plates);
+Profile knots_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
+  std::vector<Candidate> candidates = candidates_of(graph, way, planes);
   for (std::size_t first = 0, i = 1; i < candidates.size(); ++i) {
     if (!candidates[i].is_kept) continue;
     keep_bends(candidates, first, i);

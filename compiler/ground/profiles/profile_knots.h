@@ -15,6 +15,6 @@ inline constexpr double kTiltArm_m = 8;
 /// The profile of a way. Where ways share a node, and at both ends, there is a knot. Guarantees: knots rise strictly
 /// along the way, on the grids of profile.h; the first lies at 0, the last at the way's end or less than 1/8 m before.
 /// Douglas and Peucker (1973). O(n log n) as a rule.
-Profile knots_of(const ProfileGraph& graph, const GradedWay& way, const Plates& plates);
+Profile knots_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes);
 
 }  // namespace citykiln::ground

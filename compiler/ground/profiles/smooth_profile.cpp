@@ -26,7 +26,7 @@ struct Bend {
 
 // Lines off the ground have no noise.
 double smooth_m_of(const ProfileGraph& graph, const Leg& leg, double least_m) {
-  const GradedWay& way = graph.ways[leg.way];
+  const GraphWay& way = graph.ways[leg.way];
   return std::max(grade_rule_of(way.track->surface).smooth_m, way.road == kNone ? 0 : least_m);
 }
 
@@ -72,8 +72,8 @@ struct Cell {
 
 // Nodes by squares of half the size, which the halo and the blending together are as wide as.
 struct Bins {
-  static constexpr double kBin_m = kSquare_m / 2;
-  static_assert(kBlend_m + kHalo_m <= kBin_m);
+  static constexpr double kBin_m = kWindow_m / 2;
+  static_assert(kWindowBlend_m + kHalo_m <= kBin_m);
   std::vector<std::pair<Cell, std::uint32_t>> entries;
 
   explicit Bins(const ProfileGraph& graph) {
@@ -110,8 +110,8 @@ struct Bins {
 
 // How much a square has to say at a place: 1 inside, 0 outside, a ramp across its borders.
 double share_along(int square, double v) {
-  const double inside_m = std::min(v - square * kSquare_m, (square + 1) * kSquare_m - v);
-  return std::clamp((inside_m + kBlend_m) / (2 * kBlend_m), 0.0, 1.0);
+  const double inside_m = std::min(v - square * kWindow_m, (square + 1) * kWindow_m - v);
+  return std::clamp((inside_m + kWindowBlend_m) / (2 * kWindowBlend_m), 0.0, 1.0);
 }
 double share_of(Cell square, Vec2 at) { return share_along(square.x, at.x) * share_along(square.y, at.y); }
 
@@ -187,7 +187,7 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
       solver.factorize(stiff);
       z = solver.solve(doubted.cwiseProduct(data));
       for (Eigen::Index i = 0; i < count; ++i) {
-        const double miss = (z[i] - data[i]) / kDoubt_m;
+        const double miss = (z[i] - data[i]) / kRobustScale_m;
         doubted[i] = weight[i] / (1 + miss * miss);
       }
     }

@@ -20,7 +20,7 @@ struct Seen {
 };
 
 std::vector<Seen> places_of(const roads::Strip& stream, const map::Heightfield& heights) {
-  const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
+  const std::vector<double> along = roads::distances_along(stream.axis, stream.start_along_m);
   std::vector<Seen> places;
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const double long_m = along[i + 1] - along[i];
@@ -68,9 +68,9 @@ struct LevelEdge {
   auto operator<=>(const LevelEdge&) const = default;
 };
 
-std::size_t count_not_level(std::span<const Surface> surfaces) {
+std::size_t count_not_level(std::span<const LandCoverPolygon> surfaces) {
   std::vector<LevelEdge> edges;
-  for (const Surface& surface : surfaces)
+  for (const LandCoverPolygon& surface : surfaces)
     for (const Ring& ring : surface.rings)
       for (std::size_t i = 0, j = ring.size() - 1; surface.level_m && i < ring.size(); j = i++)
         edges.push_back({std::min(ring[i], ring[j]), std::max(ring[i], ring[j]), *surface.level_m});
@@ -88,19 +88,19 @@ double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, c
   return stream.profile.empty() ? height_m_at(heights, there) : knot_at(stream.profile, at_m).z_m;
 }
 
-WaterMeasures measure_waters(std::span<const Surface> surfaces, std::span<const roads::Strip> streams,
+WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights) {
   WaterMeasures measures;
   measures.streams = streams.size();
-  measures.standing =
-      static_cast<std::size_t>(std::ranges::count_if(surfaces, [](const Surface& s) { return s.level_m.has_value(); }));
+  measures.standing = static_cast<std::size_t>(
+      std::ranges::count_if(surfaces, [](const LandCoverPolygon& s) { return s.level_m.has_value(); }));
   measures.waters_not_level = count_not_level(surfaces);
   std::vector<double> rises(streams.size(), 0);
   std::vector<Passing> passings;
   for (std::uint32_t s = 0; s < streams.size(); ++s) {
     const std::vector<Seen> places = places_of(streams[s], heights);
     rises[s] = rise_along_m(places, streams[s].profile);
-    const std::vector<double> along = roads::distances_along(streams[s].axis, streams[s].passed_m);
+    const std::vector<double> along = roads::distances_along(streams[s].axis, streams[s].start_along_m);
     for (std::size_t v = 0; v < along.size(); ++v)
       passings.push_back(
           {streams[s].axis[v], water_at_station_m(streams[s], along[v], streams[s].axis[v], heights), s});

@@ -20,7 +20,7 @@ struct WaterMeasures {
 };
 
 /// Streams without profile count as lying on the land. O(n log n).
-WaterMeasures measure_waters(std::span<const Surface> surfaces, std::span<const roads::Strip> streams,
+WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights);
 
 /// How high a strip's water lies over a place of its whole way; the land's height where it has no profile.

@@ -41,10 +41,10 @@ struct RiverGroup {
   std::vector<AxisPlace> places;
 };
 
-std::vector<RiverGroup> group_areas(std::span<const Surface> surfaces) {
+std::vector<RiverGroup> group_areas(std::span<const LandCoverPolygon> surfaces) {
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].surface == map::SurfaceClass::kRiver) members.push_back(i);
+    if (surfaces[i].surface == map::LandCoverClass::kRiver) members.push_back(i);
   const std::vector<std::uint32_t> group = groups_of(members.size(), shared_borders(surfaces, members));
   std::vector<RiverGroup> groups(members.size());
   for (std::uint32_t m = 0; m < members.size(); ++m) {
@@ -89,7 +89,7 @@ Nearest nearest_place(const std::vector<AxisPlace>& places, Vec2 p) {
 }
 
 // The farthest bank of one area from each stream that is the nearest to it.
-std::vector<Nearest> farthest_banks(const Surface& surface, const RiverGroup& group, const Box2& box) {
+std::vector<Nearest> farthest_banks(const LandCoverPolygon& surface, const RiverGroup& group, const Box2& box) {
   std::vector<Nearest> farthest;
   const auto look = [&](Vec2 p) {
     if (!box.contains(p)) return;
@@ -106,16 +106,17 @@ std::vector<Nearest> farthest_banks(const Surface& surface, const RiverGroup& gr
 }
 
 double reach_for(double distance_m) {
-  return std::ceil((distance_m + kApart_m / 2) * 1.25 / kReachStep_m) * kReachStep_m;
+  return std::ceil((distance_m + kApart_m / 2) * 1.25 / kInfluenceStep_m) * kInfluenceStep_m;
 }
 
-void set_reaches(std::span<const Surface> surfaces, const RiverGroup& group, const Box2& box, RiverAreas& areas) {
+void set_reaches(std::span<const LandCoverPolygon> surfaces, const RiverGroup& group, const Box2& box,
+                 RiverAreas& areas) {
   for (const std::uint32_t s : group.surfaces) {
     const std::vector<Nearest> banks =
         group.places.empty() ? std::vector<Nearest>{} : farthest_banks(surfaces[s], group, box);
-    const auto is_too_far = [](const Nearest& n) { return reach_for(n.distance_m) > kMostReach_m; };
-    areas.lacks_axis[s] = group.places.empty() || std::ranges::any_of(banks, is_too_far);
-    if (areas.lacks_axis[s]) continue;
+    const auto is_too_far = [](const Nearest& n) { return reach_for(n.distance_m) > kMaxInfluence_m; };
+    areas.has_no_axis[s] = group.places.empty() || std::ranges::any_of(banks, is_too_far);
+    if (areas.has_no_axis[s]) continue;
     for (const Nearest& bank : banks)
       areas.reach_m[bank.stream] = std::max(areas.reach_m[bank.stream], reach_for(bank.distance_m));
   }
@@ -123,7 +124,8 @@ void set_reaches(std::span<const Surface> surfaces, const RiverGroup& group, con
 
 }  // namespace
 
-RiverAreas find_river_axes(std::span<const Surface> surfaces, std::span<const roads::Strip> streams, const Box2& box) {
+RiverAreas find_river_axes(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
+                           const Box2& box) {
   RiverAreas areas{std::vector<double>(streams.size(), 0), std::vector<bool>(surfaces.size(), false)};
   std::vector<Box2> boxes;
   for (const roads::Strip& stream : streams) boxes.push_back(box_of(stream.axis));

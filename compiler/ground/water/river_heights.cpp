@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "compiler/ground/water/falling_fit.h"
+#include "compiler/ground/water/descending_fit.h"
 #include "compiler/ground/water/strong_components.h"
 
 namespace citykiln::ground {
@@ -27,7 +27,7 @@ Neighbours downstream_of(const RiverNetwork& network) {
 // The network with its circles drawn together.
 struct Falls {
   Components components;
-  Flow flow;
+  FlowGraph flow;
   std::vector<bool> stays;     // standing water and circles
   std::vector<double> land_m;  // by component: that of its only node, or infinity
 };
@@ -41,7 +41,7 @@ Falls draw_together(const RiverNetwork& network, const std::vector<bool>& seas) 
   const Neighbours downstream = downstream_of(network);
   Falls falls{strong_components(downstream), {}, {}, {}};
   const std::uint32_t count = falls.components.count;
-  falls.flow = {std::vector<std::vector<Pull>>(count), Neighbours(count), std::vector<bool>(count)};
+  falls.flow = {std::vector<std::vector<WeightedHeight>>(count), Neighbours(count), std::vector<bool>(count)};
   falls.stays.assign(count, false);
   falls.land_m.assign(count, std::numeric_limits<double>::infinity());
   for (std::uint32_t i = 0; i < network.nodes.size(); ++i) {
@@ -78,7 +78,7 @@ std::vector<double> smoothed(const Falls& falls, std::vector<double> heights) {
   const Neighbours &downstream = falls.flow.downstream, upstream = upstream_of(downstream);
   std::vector<double> lowest = heights, highest = lowest_lands(falls), next = heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    lowest[i] -= kMostSmoothed_m;
+    lowest[i] -= kMaxSmoothing_m;
     highest[i] = std::max(highest[i], heights[i]);
   }
   for (int round = 0; round < kRounds; ++round) {
@@ -99,13 +99,13 @@ std::vector<double> smoothed(const Falls& falls, std::vector<double> heights) {
 
 RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas) {
   const Falls falls = draw_together(network, seas);
-  const std::vector<double> heights = smoothed(falls, fit_falling(falls.flow));
+  const std::vector<double> heights = smoothed(falls, fit_descending(falls.flow));
   RiverHeights found;
   std::vector<bool> has_water(falls.components.count);
   for (std::uint32_t w = 0; w < network.water_count; ++w) has_water[falls.components.of[w]] = true;
   for (const std::uint32_t c : falls.components.of) {
     found.height_m.push_back(heights[c]);
-    found.is_circle.push_back(falls.stays[c] && !has_water[c]);
+    found.is_cycle.push_back(falls.stays[c] && !has_water[c]);
   }
   return found;
 }

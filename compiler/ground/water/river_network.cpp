@@ -62,7 +62,7 @@ struct StandingCover {
   }
 };
 
-StandingCover cover_of(std::span<const Surface> surfaces, const StandingWaters& waters) {
+StandingCover cover_of(std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (waters.water_of[i] != kNoWater) order.push_back(i);
@@ -218,30 +218,30 @@ class NetworkMaker {
         marks_[l].push_back({wet.from_m, wet.water, true});
         if (wet.to_m > wet.from_m) marks_[l].push_back({wet.to_m, wet.water, true});
       }
-      std::ranges::sort(marks_[l], {}, [](const Stop& s) { return std::pair(s.at_m, s.node); });
-      const auto same = [](const Stop& a, const Stop& b) { return a.at_m == b.at_m; };
+      std::ranges::sort(marks_[l], {}, [](const RiverStation& s) { return std::pair(s.at_m, s.node); });
+      const auto same = [](const RiverStation& a, const RiverStation& b) { return a.at_m == b.at_m; };
       marks_[l].erase(std::unique(marks_[l].begin(), marks_[l].end(), same), marks_[l].end());
     }
   }
 
   // marks, and between them as many stops as fit
-  std::vector<Stop> stops_of(std::uint32_t l) {
+  std::vector<RiverStation> stops_of(std::uint32_t l) {
     const Axis& axis = axes_[l];
-    std::vector<Stop> stops;
-    for (const Stop& mark : marks_[l]) {
+    std::vector<RiverStation> stops;
+    for (const RiverStation& mark : marks_[l]) {
       if (!stops.empty() && !is_within_water(axis, stops.back(), mark)) fill(axis, stops, mark);
       stops.push_back(mark);
     }
     return stops;
   }
 
-  static bool is_within_water(const Axis& axis, const Stop& a, const Stop& b) {
+  static bool is_within_water(const Axis& axis, const RiverStation& a, const RiverStation& b) {
     const Wet* wet = wet_at(axis, a.at_m);
     return wet != nullptr && a.node == b.node && b.at_m <= wet->to_m;
   }
 
-  void fill(const Axis& axis, std::vector<Stop>& stops, const Stop& next) {
-    const Stop last = stops.back();
+  void fill(const Axis& axis, std::vector<RiverStation>& stops, const RiverStation& next) {
+    const RiverStation last = stops.back();
     const double long_m = next.at_m - last.at_m, spacing_m = std::max(heights_.shorter_step_m() / 2, kClosestStops_m);
     const int n = axis.is_covered ? 1 : static_cast<int>(std::ceil(long_m / spacing_m));
     const auto length_mm = static_cast<std::int64_t>(long_m / n * 1000);
@@ -263,14 +263,14 @@ class NetworkMaker {
   std::span<const Axis> axes_;
   const StandingCover& cover_;
   const map::Heightfield& heights_;
-  std::vector<std::vector<Stop>> marks_;  // by line
+  std::vector<std::vector<RiverStation>> marks_;  // by line
   RiverNetwork network_;
 };
 
 }  // namespace
 
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
-                                std::span<const Surface> surfaces, const StandingWaters& waters,
+                                std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights) {
   const StandingCover cover = cover_of(surfaces, waters);
   std::vector<Axis> axes;

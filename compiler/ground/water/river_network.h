@@ -21,7 +21,7 @@ struct RiverNode {
   bool is_known() const { return weight_mm > 1; }
 };
 
-struct Stop {
+struct RiverStation {
   double at_m = 0;  ///< Along the line.
   std::uint32_t node = 0;
   bool is_pinned =
@@ -29,7 +29,7 @@ struct Stop {
 };
 
 struct RiverLine {
-  std::vector<Stop> stops;  ///< By at_m, strictly; from one end of the line to the other.
+  std::vector<RiverStation> stops;  ///< By at_m, strictly; from one end of the line to the other.
 };
 
 struct RiverNetwork {
@@ -44,7 +44,7 @@ struct RiverNetwork {
 /// @param covered  Axes of culverts and aqueducts, downstream like the streams': the water goes on through them.
 /// Independent of order but for the numbers of nodes. O(n log n) in vertices and stops, plus streams times waters.
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
-                                std::span<const Surface> surfaces, const StandingWaters& waters,
+                                std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

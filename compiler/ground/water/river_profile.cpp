@@ -21,7 +21,7 @@ std::vector<Place> places_of(const RiverLine& line, const RiverHeights& heights)
   const auto add = [&](double at_m, double z_m, bool is_pinned) {
     if (places.empty() || places.back().knot.at_m < at_m) places.push_back({{at_m, z_m, 0}, is_pinned});
   };
-  for (const Stop& stop : line.stops) {
+  for (const RiverStation& stop : line.stops) {
     const double z_m = rounded_down(heights.height_m[stop.node]);
     add(std::floor(stop.at_m / kKnot_m) * kKnot_m, z_m, stop.is_pinned);
     add(std::ceil(stop.at_m / kKnot_m) * kKnot_m, z_m, stop.is_pinned);

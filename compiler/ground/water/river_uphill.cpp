@@ -25,7 +25,7 @@ Degrees degrees_of(const RiverNetwork& network) {
 
 std::vector<double> lands_along(const RiverNetwork& network, const RiverLine& line) {
   std::vector<double> lands;
-  for (const Stop& stop : line.stops)
+  for (const RiverStation& stop : line.stops)
     if (network.nodes[stop.node].is_known()) lands.push_back(network.nodes[stop.node].land_m);
   return lands;
 }
@@ -60,8 +60,8 @@ double clear_rise_m(const RiverNetwork& network, const Degrees& degrees, const s
 
 }  // namespace
 
-std::vector<double> uphill_rises_m(const RiverNetwork& network, const std::vector<bool>& seas,
-                                   std::size_t stream_count) {
+std::vector<double> uphill_rise_m(const RiverNetwork& network, const std::vector<bool>& seas,
+                                  std::size_t stream_count) {
   const Degrees degrees = degrees_of(network);
   std::vector<double> rises(stream_count, 0);
   for (std::size_t l = 0; l < stream_count; ++l) {

@@ -13,7 +13,6 @@ namespace citykiln::ground {
 /// one direction as for the other. O(stops).
 ///
 /// @param seas  For each water, whether it is the sea.
-std::vector<double> uphill_rises_m(const RiverNetwork& network, const std::vector<bool>& seas,
-                                   std::size_t stream_count);
+std::vector<double> uphill_rise_m(const RiverNetwork& network, const std::vector<bool>& seas, std::size_t stream_count);
 
 }  // namespace citykiln::ground

@@ -16,7 +16,7 @@ constexpr double kSeaShore_m = 8;
 // Edges so many times longer than the median are no shore.
 constexpr double kLongEdge = 8;
 // A shore is asked twice a grid square, and no edge more often than this.
-constexpr int kMostSamples = 64;
+constexpr int kMaxSamples = 64;
 // What a spike's far end, and the middles of its edges, are off the level by at least. Cliffs over fjords are less far
 // from the water.
 constexpr double kSpikeEnd_m = 50, kSpikeSide_m = 20;
@@ -36,7 +36,7 @@ double median_edge_m(const Ring& ring) {
 void sample_edge(Vec2 a, Vec2 b, const map::Heightfield& heights, bool clips, std::vector<Sample>& samples) {
   const double length_m = distance(a, b);
   const int n =
-      static_cast<int>(std::clamp(std::ceil(length_m / (heights.shorter_step_m() / 2)), 1.0, double{kMostSamples}));
+      static_cast<int>(std::clamp(std::ceil(length_m / (heights.shorter_step_m() / 2)), 1.0, double{kMaxSamples}));
   for (int i = 0; i < n; ++i) {
     const Vec2 p = a + (b - a) * ((i + 0.5) / n);
     if (!clips || heights.box().contains(p)) samples.push_back({height_m_at(heights, p), length_m / n});
@@ -79,7 +79,7 @@ struct Standing {
   std::vector<Shore> shores;
 };
 
-Standing ask_shores(std::span<const Surface> surfaces, const std::vector<bool>& stands,
+Standing ask_shores(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                     const map::Heightfield& heights) {
   Standing standing;
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
@@ -90,17 +90,17 @@ Standing ask_shores(std::span<const Surface> surfaces, const std::vector<bool>& 
   return standing;
 }
 
-bool is_sea(const Surface& surface) { return surface.surface == map::SurfaceClass::kSea; }
+bool is_sea(const LandCoverPolygon& surface) { return surface.surface == map::LandCoverClass::kSea; }
 
 // Whether two that share a border are one water.
-bool are_level(const Surface& a, const Shore& shore_a, const Surface& b, const Shore& shore_b) {
+bool are_level(const LandCoverPolygon& a, const Shore& shore_a, const LandCoverPolygon& b, const Shore& shore_b) {
   if (is_sea(a) && is_sea(b)) return true;
   if (is_sea(a)) return shore_b.low_m <= kSeaShore_m;
   if (is_sea(b)) return shore_a.low_m <= kSeaShore_m;
   return std::abs(shore_a.low_m - shore_b.low_m) <= kDam_m;
 }
 
-std::vector<std::uint32_t> group_levels(std::span<const Surface> surfaces, const Standing& standing) {
+std::vector<std::uint32_t> group_levels(std::span<const LandCoverPolygon> surfaces, const Standing& standing) {
   auto pairs = shared_borders(surfaces, standing.members);
   std::erase_if(pairs, [&](const auto& pair) {
     return !are_level(surfaces[standing.members[pair.first]], standing.shores[pair.first],
@@ -110,7 +110,7 @@ std::vector<std::uint32_t> group_levels(std::span<const Surface> surfaces, const
 }
 
 // A water of several surfaces: what they share is no shore.
-StandingWater water_of(std::span<const Surface> surfaces, std::span<const std::uint32_t> members,
+StandingWater water_of(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members,
                        std::span<const Edge> shared, const map::Heightfield& heights) {
   StandingWater water{surfaces[members.front()].id, 0, 0, false};
   std::vector<Ring> rings;
@@ -125,18 +125,18 @@ StandingWater water_of(std::span<const Surface> surfaces, std::span<const std::u
   return water;
 }
 
-void diagnose_seas(std::span<const Surface> surfaces, const Standing& standing, Report& report) {
+void diagnose_seas(std::span<const LandCoverPolygon> surfaces, const Standing& standing, Report& report) {
   for (std::size_t m = 0; m < standing.members.size(); ++m) {
     const double low_m = standing.shores[m].low_m;
     if (is_sea(surfaces[standing.members[m]]) && std::abs(low_m) > kSeaShore_m)
-      report.add(Code::kSeaOffShore, surfaces[standing.members[m]].id.osm, std::abs(low_m));
+      report.add(Code::kSeaLevelOffShore, surfaces[standing.members[m]].id.osm, std::abs(low_m));
   }
 }
 
 }  // namespace
 
-bool is_standing(map::SurfaceClass surface) {
-  return map::values_of(surface).group == map::SurfaceGroup::kWater && surface != map::SurfaceClass::kRiver;
+bool is_standing(map::LandCoverClass surface) {
+  return map::values_of(surface).group == map::LandCoverGroup::kWater && surface != map::LandCoverClass::kRiver;
 }
 
 Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared) {
@@ -150,7 +150,7 @@ Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std
   return shore;
 }
 
-StandingWaters find_standing_waters(std::span<const Surface> surfaces, const std::vector<bool>& stands,
+StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report) {
   const Standing standing = ask_shores(surfaces, stands, heights);
   diagnose_seas(surfaces, standing, report);
@@ -170,7 +170,8 @@ StandingWaters find_standing_waters(std::span<const Surface> surfaces, const std
   return waters;
 }
 
-Surface without_spikes(Surface surface, double level_m, const map::Heightfield& heights, Report& report) {
+LandCoverPolygon without_spikes(LandCoverPolygon surface, double level_m, const map::Heightfield& heights,
+                                Report& report) {
   const auto off_m = [&](Vec2 p) { return std::abs(height_m_at(heights, p) - level_m); };
   for (Ring& ring : surface.rings) {
     if (ring.size() < 5) continue;

@@ -35,7 +35,7 @@ struct StandingWaters {
 };
 
 /// Sea, lake, reservoir, basin, pool, dock; not rivers.
-bool is_standing(map::SurfaceClass surface);
+bool is_standing(map::LandCoverClass surface);
 
 /// The height below which kShoreQuantile of the land along the rings lies, and how long the shore is that was asked.
 /// Left out are edges more than eight times as long as their ring's median (a node in the sky has two), what lies
@@ -51,12 +51,13 @@ Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std
 ///
 /// @param stands  For each surface, whether it is standing water.
 /// Guarantees: independent of the surfaces' order; at most kShoreQuantile of a water's shore lies below its level,
-/// where it is one surface. Total. A sea whose shore lies more than kSeaShore_m from 0 is diagnosed kSeaOffShore.
-StandingWaters find_standing_waters(std::span<const Surface> surfaces, const std::vector<bool>& stands,
+/// where it is one surface. Total. A sea whose shore lies more than kSeaShore_m from 0 is diagnosed kSeaLevelOffShore.
+StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report);
 
 /// The surface without the vertices that are far out of place: both of their edges many times longer than the ring's
 /// others, and the land there and on the way far from the level. Mended vertices are diagnosed kShoreSpike.
-Surface without_spikes(Surface surface, double level_m, const map::Heightfield& heights, Report& report);
+LandCoverPolygon without_spikes(LandCoverPolygon surface, double level_m, const map::Heightfield& heights,
+                                Report& report);
 
 }  // namespace citykiln::ground

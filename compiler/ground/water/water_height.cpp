@@ -23,7 +23,7 @@ Foot foot_on(Vec2 a, Vec2 b, Vec2 p) {
 
 // An axis cut at its vertices and its knots, so that a height is linear along each piece.
 void add_pieces(WaterIndex& index, const roads::Strip& stream) {
-  const std::vector<double> along = roads::distances_along(stream.axis, stream.passed_m);
+  const std::vector<double> along = roads::distances_along(stream.axis, stream.start_along_m);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
     const Vec2 a = stream.axis[i], b = stream.axis[i + 1];
     const auto place = [&](double at_m) { return a + (b - a) * ((at_m - along[i]) / (along[i + 1] - along[i])); };
@@ -39,7 +39,7 @@ void add_pieces(WaterIndex& index, const roads::Strip& stream) {
   }
 }
 
-void add_shores(WaterIndex& index, const Surface& surface) {
+void add_shores(WaterIndex& index, const LandCoverPolygon& surface) {
   for (const Ring& ring : surface.rings)
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
       index.shores.push_back({ring[j], ring[i], *surface.level_m});
@@ -67,13 +67,13 @@ void fill_buckets(WaterIndex& index) {
     for_each_bucket(index, box, [&](WaterIndex::Bucket& bucket) { bucket.pieces.push_back(i); });
   }
   for (std::uint32_t i = 0; i < index.shores.size(); ++i) {
-    const Box2 box = box_of(std::array{index.shores[i].a, index.shores[i].b}).widened(kStandingReach_m);
+    const Box2 box = box_of(std::array{index.shores[i].a, index.shores[i].b}).widened(kStandingInfluence_m);
     for_each_bucket(index, box, [&](WaterIndex::Bucket& bucket) { bucket.shores.push_back(i); });
   }
 }
 
 struct NearShore {
-  double distance_m = kStandingReach_m;
+  double distance_m = kStandingInfluence_m;
   std::optional<double> level_m;
 };
 
@@ -111,12 +111,13 @@ double reach_m(const roads::Strip& stream) {
   return std::max(stream.reach_m, 1.25 * std::max(stream.left_m, stream.right_m) + 0.5);
 }
 
-WaterIndex index_waters(std::span<const Surface> surfaces, std::span<const roads::Strip> streams, const Box2& box) {
+WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
+                        const Box2& box) {
   WaterIndex index;
-  for (const Surface& surface : surfaces)
+  for (const LandCoverPolygon& surface : surfaces)
     if (surface.level_m) index.standing.push_back(surface);
-  index.map = map_surfaces(index.standing, box);
-  for (const Surface& surface : index.standing) add_shores(index, surface);
+  index.map = index_land_cover(index.standing, box);
+  for (const LandCoverPolygon& surface : index.standing) add_shores(index, surface);
   for (const roads::Strip& stream : streams)
     if (!stream.profile.empty()) add_pieces(index, stream);
   index.corner = box.min;
@@ -132,8 +133,8 @@ std::optional<double> water_m(const WaterIndex& index, Vec2 p) {
   const WaterIndex::Bucket& bucket = index.buckets[static_cast<std::size_t>(row) * index.columns + column];
   const NearShore shore = nearest_shore(index, bucket, p);
   if (shore.distance_m <= kOn_m) return shore.level_m;
-  const std::uint32_t around = surface_at(index.map, p);
-  if (around != kNoSurface) return index.standing[around].level_m;
+  const std::uint32_t around = land_cover_at(index.map, p);
+  if (around != kNoLandCover) return index.standing[around].level_m;
   if (const auto running = running_m(index, bucket, p)) return running;
   return shore.level_m;
 }

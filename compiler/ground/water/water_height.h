@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "compiler/geometry/box.h"
-#include "compiler/ground/cover/surface_map.h"
+#include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/roads/recipe.h"
 
 namespace citykiln::ground {
 
 /// So far beside standing water its level is known: more than any simplified shore is off.
-inline constexpr double kStandingReach_m = 32;
+inline constexpr double kStandingInfluence_m = 32;
 
 /// So far from a stream's axis its water is known: beyond its own strip, and over its river's area.
 double reach_m(const roads::Strip& stream);
@@ -38,8 +38,8 @@ struct WaterIndex {
   struct Bucket {
     std::vector<std::uint32_t> pieces, shores;
   };
-  std::vector<Surface> standing;
-  SurfaceMap map;  ///< Of those.
+  std::vector<LandCoverPolygon> standing;
+  LandCoverIndex map;  ///< Of those.
   std::vector<Piece> pieces;
   std::vector<Shore> shores;
   Vec2 corner;
@@ -55,15 +55,16 @@ struct WaterIndex {
 /// @param box  Where it will be asked.
 /// Surfaces without level and streams without profile say nothing. Cost: linear, times the buckets of 32 m that a reach
 /// touches.
-WaterIndex index_waters(std::span<const Surface> surfaces, std::span<const roads::Strip> streams, const Box2& box);
+WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
+                        const Box2& box);
 
 /// The height of the water at p: on a shore or within standing water its level; else of running water within reach;
-/// else the level of the nearest shore within kStandingReach_m; else nothing.
+/// else the level of the nearest shore within kStandingInfluence_m; else nothing.
 ///
 /// Guarantees: on an axis the height of its profile; within the heights of the axes in reach; continuous where running
-/// water is alone. Depends only on surfaces within kStandingReach_m of p and on axes within their reach, in the order
-/// of their ids: any index of recipes trimmed no nearer gives the same bytes. p must lie in the index's box. O(pieces
-/// in reach).
+/// water is alone. Depends only on surfaces within kStandingInfluence_m of p and on axes within their reach, in the
+/// order of their ids: any index of recipes trimmed no nearer gives the same bytes. p must lie in the index's box.
+/// O(pieces in reach).
 std::optional<double> water_m(const WaterIndex& index, Vec2 p);
 
 }  // namespace citykiln::ground

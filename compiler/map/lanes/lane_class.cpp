@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 #include "compiler/map/tag_values.h"
 #include "compiler/map/track_rules.h"
 
@@ -33,7 +33,7 @@ bool is_for_buses(const LaneTags& tags) {
 }
 
 LaneClass class_of(const LaneTags& tags, const TrackRow& row) {
-  LaneClass result{kind_of(row), row.width_m, row.lanes, row.surface == SurfaceClass::kMotorwayRoad, false, false};
+  LaneClass result{kind_of(row), row.width_m, row.lanes, row.surface == LandCoverClass::kMotorwayRoad, false, false};
   result.is_road = row.key == "highway" && (result.kind == LaneKind::kDriving || result.kind == LaneKind::kBus);
   result.is_both_ways = !result.is_road && result.kind != LaneKind::kCycle;
   if (result.is_road && is_for_buses(tags)) result.kind = LaneKind::kBus;

@@ -132,7 +132,7 @@ LaneCounts counts_told(const LaneTags& tags, const LaneClass& lane_class, const 
 LaneCounts lane_counts_of(const LaneTags& tags, const LaneClass& lane_class, const PerFlow<LaneList>& lists) {
   const Told told = told_by(tags);
   LaneCounts counts = counts_told(tags, lane_class, told, lists);
-  if (counts.total() == 0 || counts.total() > kMostLanesOfRoad) {
+  if (counts.total() == 0 || counts.total() > kMaxLanesOfRoad) {
     tags.add_bad_value();
     counts = counts_told(tags, lane_class, {}, {});
   }

@@ -20,7 +20,7 @@ struct LaneCounts {
 };
 
 /// By the tags lanes, lanes:forward, lanes:backward, lanes:both_ways, centre_turn_lane and the lengths of the lists, in
-/// the order lanes.h says. At least one lane, at most kMostLanes a flow and kMostLanesOfRoad in all; contradictions are
+/// the order lanes.h says. At least one lane, at most kMaxLanes a flow and kMaxLanesOfRoad in all; contradictions are
 /// diagnosed kBadTagValue.
 LaneCounts lane_counts_of(const LaneTags& tags, const LaneClass& lane_class, const PerFlow<LaneList>& lists);
 

@@ -9,7 +9,7 @@ namespace {
 
 using Lanes = std::vector<Lane>;
 
-Lanes plain_lanes(int count, LaneKind kind, LaneWay way) {
+Lanes plain_lanes(int count, LaneKind kind, LaneDirection way) {
   return Lanes(static_cast<std::size_t>(count), Lane{kind, way, 0, 0, false});
 }
 
@@ -33,7 +33,7 @@ bool fit(const LaneTags& tags, Flow flow, LaneList& list, int& count) {
   return true;
 }
 
-Lanes listed_flow(const LaneList& list, LaneKind kind, LaneWay way) {
+Lanes listed_flow(const LaneList& list, LaneKind kind, LaneDirection way) {
   Lanes lanes;
   for (const ListedLane& listed : list.lanes) {
     const LaneKind own = listed.kind == LaneKind::kDriving ? kind : listed.kind;
@@ -99,7 +99,7 @@ void reserve_for_buses(const LaneTags& tags, MovingLanes& moving) {
     const int outside = bus_lanes_told(tags, flow);
     // what a busway on the inner side takes is not taken from the outer one again
     const int inside = at_inner_edge ? 1 : 0;
-    const int count = std::min(std::max(outside, undirected - inside), kMostLanes / 4);
+    const int count = std::min(std::max(outside, undirected - inside), kMaxLanes / 4);
     for (int i = 0; i < count; ++i) reserve_for_buses(moving, flow, true);
     if (at_inner_edge) reserve_for_buses(moving, flow, false);
   }
@@ -132,7 +132,7 @@ MovingLanes moving_lanes_of(const LaneTags& tags, const LaneClass& lane_class) {
     moving.counted -= before - counts.flows[flow];
   }
   moving.middle =
-      plain_lanes(counts.in_middle, counts.is_middle_to_turn ? LaneKind::kTurn : lane_class.kind, LaneWay::kBoth);
+      plain_lanes(counts.in_middle, counts.is_middle_to_turn ? LaneKind::kTurn : lane_class.kind, LaneDirection::kBoth);
   // a one-way road's cycle lane lies between both of its roadsides
   if (tags.is_one_way()) moving.has_cycle_lane[opposite(tags.only_flow())] |= moving.has_cycle_lane[tags.only_flow()];
   bool is_known = true;

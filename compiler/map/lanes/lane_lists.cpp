@@ -84,7 +84,7 @@ LaneList listed_lanes(const LaneTags& tags, Flow flow) {
   for (const ListRow& row : kLists) {
     const Entries entries = tags.list_along(flow, row.key);
     if (entries.empty()) continue;
-    if (list.lanes.empty() && entries.size() <= kMostLanes) list.lanes.resize(entries.size());
+    if (list.lanes.empty() && entries.size() <= kMaxLanes) list.lanes.resize(entries.size());
     if (entries.size() != list.lanes.size() || !row.mark(entries, list.lanes)) tags.add_bad_value();
   }
   if (list.cycle_count() <= kMostCycleLanes) return list;

@@ -16,7 +16,7 @@ struct ListedLane {
 
 /// What the lists of one flow say together, from the middle of the road outwards. Lists that differ in length from the
 /// first of bicycle:lanes, bus:lanes, psv:lanes, turn:lanes, width:lanes are diagnosed kBadTagValue and left out, as
-/// are lists of more than kMostLanes or of more than two cycle lanes.
+/// are lists of more than kMaxLanes or of more than two cycle lanes.
 struct LaneList {
   std::vector<ListedLane> lanes;
   int cycle_count() const;

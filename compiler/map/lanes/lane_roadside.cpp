@@ -49,10 +49,10 @@ const CyclewayRow* cycleway_beside(const LaneTags& tags, Flow flow) {
   return row->is_contraflow == (flow == tags.only_flow()) ? nullptr : row;
 }
 
-LaneWay cycling_way(const LaneTags& tags, Flow flow, const CyclewayRow& row) {
+LaneDirection cycling_way(const LaneTags& tags, Flow flow, const CyclewayRow& row) {
   const std::string_view oneway = tags.beside(flow, "cycleway", ":oneway");
-  if (oneway == "-1") return LaneWay::kBackward;
-  if (oneway == "no") return LaneWay::kBoth;
+  if (oneway == "-1") return LaneDirection::kBackward;
+  if (oneway == "no") return LaneDirection::kBoth;
   if (!tags.is_one_way()) return way_of(flow);
   // cyclists who may ride against a one-way road do so on its other side
   const bool rides_against =
@@ -71,17 +71,17 @@ double buffer_m(const LaneTags& tags, Flow flow) {
 void add_cycleway(const LaneTags& tags, Flow flow, bool is_raised, std::vector<RoadsideLane>& lanes) {
   const CyclewayRow* row = cycleway_beside(tags, flow);
   if (row == nullptr || row->is_raised != is_raised) return;
-  const LaneWay way = cycling_way(tags, flow, *row);
-  const double usual_m = way == LaneWay::kBoth ? kTwoWayCycling_m : is_raised ? kCycleTrack_m : kCycleLane_m;
+  const LaneDirection way = cycling_way(tags, flow, *row);
+  const double usual_m = way == LaneDirection::kBoth ? kTwoWayCycling_m : is_raised ? kCycleTrack_m : kCycleLane_m;
   const double width_m = snapped(tags.width_beside(flow, "cycleway").value_or(usual_m));
   if (const double buffer = snapped(buffer_m(tags, flow)); buffer > 0)
-    lanes.push_back({{LaneKind::kBuffer, LaneWay::kBoth, buffer, 0, is_raised}, is_raised ? 0 : buffer});
+    lanes.push_back({{LaneKind::kBuffer, LaneDirection::kBoth, buffer, 0, is_raised}, is_raised ? 0 : buffer});
   lanes.push_back({{LaneKind::kCycle, way, width_m, 0, is_raised}, is_raised ? 0 : width_m});
 }
 
 // Cars stand in the direction of the traffic beside them.
-LaneWay parking_way(const LaneTags& tags, Flow flow) {
-  if (tags.traffic == Traffic::kInTurns) return LaneWay::kBoth;
+LaneDirection parking_way(const LaneTags& tags, Flow flow) {
+  if (tags.traffic == Traffic::kInTurns) return LaneDirection::kBoth;
   return way_of(tags.is_one_way() ? tags.only_flow() : flow);
 }
 
@@ -141,7 +141,7 @@ bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
 void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
   if (!is_beside(tags, flow, "verge")) return;
   const double width_m = snapped(tags.width_beside(flow, "verge").value_or(kVerge_m));
-  lanes.push_back({{LaneKind::kVerge, LaneWay::kBoth, width_m, 0, true}, 0});
+  lanes.push_back({{LaneKind::kVerge, LaneDirection::kBoth, width_m, 0, true}, 0});
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
   add_cycleway(tags, flow, true, lanes);
   if (is_beside(tags, flow, "sidewalk")) {
     const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
-    lanes.push_back({{LaneKind::kSidewalk, LaneWay::kBoth, width_m, 0, true}, 0});
+    lanes.push_back({{LaneKind::kSidewalk, LaneDirection::kBoth, width_m, 0, true}, 0});
   }
   return lanes;
 }

@@ -75,7 +75,7 @@ std::optional<double> LaneTags::count(const std::string& key, double least) cons
   const std::string_view text = (*this)(key);
   if (text.empty()) return std::nullopt;
   const auto number = number_of(text);
-  if (number && *number >= least && *number <= kMostLanes) return number;
+  if (number && *number >= least && *number <= kMaxLanes) return number;
   add_bad_value();
   return std::nullopt;
 }
@@ -85,7 +85,7 @@ std::optional<double> LaneTags::width_beside(Flow flow, std::string_view key) co
   return readable_width_m(text.empty() && key == "verge" ? (*this)("verge:width") : text);
 }
 
-std::optional<Traffic> told_traffic(std::string_view oneway) {
+std::optional<Traffic> tagged_traffic(std::string_view oneway) {
   if (oneway == "yes" || oneway == "1" || oneway == "true") return Traffic::kForward;
   if (oneway == "no" || oneway == "0" || oneway == "false") return Traffic::kTwoWay;
   if (oneway == "-1" || oneway == "reverse") return Traffic::kBackward;
@@ -95,7 +95,7 @@ std::optional<Traffic> told_traffic(std::string_view oneway) {
 
 Traffic traffic_of(const LaneTags& tags) {
   const std::string_view oneway = tags("oneway"), junction = tags("junction"), highway = tags("highway");
-  if (const auto told = told_traffic(oneway)) return *told;
+  if (const auto told = tagged_traffic(oneway)) return *told;
   if (!oneway.empty()) tags.add_bad_value();
   const bool is_implied =
       junction == "roundabout" || junction == "circular" || highway == "motorway" || highway == "motorway_link";
@@ -103,7 +103,7 @@ Traffic traffic_of(const LaneTags& tags) {
 }
 
 void diagnose_widths_beside(const LaneTags& tags) {
-  const source::OsmData& osm = tags.reading.osm;
+  const source::OsmData& osm = tags.context.osm;
   for (const source::Tag& tag : osm.tags_of(tags.tags)) {
     const std::string_view key = osm.strings[tag.key], value = osm.strings[tag.value];
     const bool is_bad_width = is_width_beside(key) && !readable_width_m(value);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "compiler/map/lanes/lanes.h"
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/read_context.h"
 
 namespace citykiln::map {
 
@@ -20,7 +20,9 @@ enum class Flow : std::uint8_t { kForward, kBackward };  ///< Along the way, and
 inline constexpr std::array kFlows = {Flow::kForward, Flow::kBackward};
 
 inline Flow opposite(Flow flow) { return flow == Flow::kForward ? Flow::kBackward : Flow::kForward; }
-inline LaneWay way_of(Flow flow) { return flow == Flow::kForward ? LaneWay::kForward : LaneWay::kBackward; }
+inline LaneDirection way_of(Flow flow) {
+  return flow == Flow::kForward ? LaneDirection::kForward : LaneDirection::kBackward;
+}
 
 /// Which flows a road has.
 enum class Traffic : std::uint8_t { kTwoWay, kForward, kBackward, kInTurns /* oneway=reversible, alternating */ };
@@ -34,14 +36,14 @@ struct PerFlow {
 };
 
 struct LaneTags {
-  const Reading& reading;
+  const ReadContext& context;
   OsmId id;
   source::Range tags;
   DrivingSide side;
   Traffic traffic = Traffic::kTwoWay;
 
-  std::string_view operator()(std::string_view key) const { return reading.tag(tags, key); }
-  void add_bad_value() const { reading.report.add(Code::kBadTagValue, id); }
+  std::string_view operator()(std::string_view key) const { return context.tag(tags, key); }
+  void add_bad_value() const { context.report.add(Code::kBadTagValue, id); }
 
   bool is_one_way() const { return traffic == Traffic::kForward || traffic == Traffic::kBackward; }
   /// The flow of a one-way road.
@@ -60,7 +62,7 @@ struct LaneTags {
   /// A list of one flow's lanes, "a|b|c", from the middle of the road outwards; empty where it is not tagged.
   std::vector<std::string_view> list_along(Flow flow, const std::string& key) const;
 
-  /// A number of lanes, least … kMostLanes; diagnosed and nothing where it is not one.
+  /// A number of lanes, least … kMaxLanes; diagnosed and nothing where it is not one.
   std::optional<double> count(const std::string& key, double least) const;
   /// A width beside the road, 0.1 … 20 m; of verges verge:width too. Not diagnosed here: one value may tell of both
   /// sides.
@@ -68,12 +70,12 @@ struct LaneTags {
 };
 
 /// One way.
-inline constexpr int kMostLanes = 16;
+inline constexpr int kMaxLanes = 16;
 /// Of both directions together; with four cycle lanes and two roadsides of six, 42.
-inline constexpr int kMostLanesOfRoad = 26;
+inline constexpr int kMaxLanesOfRoad = 26;
 
 /// What a value of oneway=* says; nothing where nobody knows the word.
-std::optional<Traffic> told_traffic(std::string_view oneway);
+std::optional<Traffic> tagged_traffic(std::string_view oneway);
 /// What oneway=*, junction=* and the class say. Diagnoses a word of oneway=* that nobody knows.
 Traffic traffic_of(const LaneTags& tags);
 

@@ -31,10 +31,10 @@ void merge_two_lanes(MovingLanes& moving) {
   const std::vector<Lane*> lanes = moving.all();
   if (moving.is_tagged || lanes.size() != 2 || lanes[0]->kind != lanes[1]->kind) return;
   Lane one = *lanes[0];
-  std::vector<Lane>& place = one.way == lanes[1]->way && one.way != LaneWay::kBoth
-                                 ? moving.flows[one.way == LaneWay::kForward ? Flow::kForward : Flow::kBackward]
+  std::vector<Lane>& place = one.way == lanes[1]->way && one.way != LaneDirection::kBoth
+                                 ? moving.flows[one.way == LaneDirection::kForward ? Flow::kForward : Flow::kBackward]
                                  : moving.middle;
-  if (one.way != lanes[1]->way) one.way = LaneWay::kBoth;
+  if (one.way != lanes[1]->way) one.way = LaneDirection::kBoth;
   for (const Flow flow : kFlows) moving.flows[flow].clear();
   place = {one};
 }
@@ -43,7 +43,7 @@ void merge_two_lanes(MovingLanes& moving) {
 
 std::optional<double> tagged_width_m(const LaneTags& tags) {
   for (const char* key : {"width", "est_width"})
-    if (const auto tagged = tagged_length_m(tags.reading, tags.id, tags.tags, key, kLeastWidth_m, kMostWidth_m))
+    if (const auto tagged = tagged_length_m(tags.context, tags.id, tags.tags, key, kLeastWidth_m, kMostWidth_m))
       return std::max(kQuantum_m, snapped(*tagged));
   return std::nullopt;
 }

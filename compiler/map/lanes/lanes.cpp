@@ -11,7 +11,8 @@ namespace citykiln::map {
 namespace {
 
 CrossSection lone_lane(const LaneTags& tags, const LaneClass& lane_class) {
-  const LaneWay way = lane_class.is_both_ways || !tags.is_one_way() ? LaneWay::kBoth : way_of(tags.only_flow());
+  const LaneDirection way =
+      lane_class.is_both_ways || !tags.is_one_way() ? LaneDirection::kBoth : way_of(tags.only_flow());
   const double width_m = tagged_width_m(tags).value_or(snapped(lane_class.width_m));
   return {{{lane_class.kind, way, width_m, 0, false}}, width_m / 2};
 }
@@ -75,12 +76,14 @@ char letter_of(LaneKind kind) {
   return '?';
 }
 
-char letter_of(LaneWay way) { return way == LaneWay::kForward ? '^' : way == LaneWay::kBackward ? 'v' : '-'; }
+char letter_of(LaneDirection way) {
+  return way == LaneDirection::kForward ? '^' : way == LaneDirection::kBackward ? 'v' : '-';
+}
 
 }  // namespace
 
-CrossSection cross_section_of(const Reading& reading, OsmId id, source::Range tags, DrivingSide side) {
-  LaneTags lane_tags{reading, id, tags, side};
+CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side) {
+  LaneTags lane_tags{context, id, tags, side};
   lane_tags.traffic = traffic_of(lane_tags);
   const LaneClass lane_class = lane_class_of(lane_tags);
   return lane_class.is_road ? road_section(lane_tags, lane_class) : lone_lane(lane_tags, lane_class);

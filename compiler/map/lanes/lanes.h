@@ -31,7 +31,7 @@
 
 namespace citykiln::map {
 
-struct Reading;
+struct ReadContext;
 
 enum class LaneKind : std::uint8_t {
   kDriving,
@@ -48,7 +48,7 @@ enum class LaneKind : std::uint8_t {
   kCount
 };
 
-enum class LaneWay : std::uint8_t { kForward, kBackward, kBoth };  ///< As seen along the way's direction.
+enum class LaneDirection : std::uint8_t { kForward, kBackward, kBoth };  ///< As seen along the way's direction.
 
 /// Bits of Lane::turns, as turn:lanes says them: seen by who drives. None set: nothing marked.
 enum LaneTurn : std::uint16_t {
@@ -61,7 +61,7 @@ enum LaneTurn : std::uint16_t {
 
 struct Lane {
   LaneKind kind{};
-  LaneWay way = LaneWay::kBoth;
+  LaneDirection way = LaneDirection::kBoth;
   double width_m = 0;       ///< > 0, a multiple of 2^-10.
   std::uint16_t turns = 0;  ///< LaneTurn bits.
   bool is_raised = false;   ///< Outside the kerb: pavements, cycle tracks, verges.
@@ -85,7 +85,7 @@ enum class DrivingSide : std::uint8_t { kRight, kLeft };
 /// turned round, but for 2^-10 m a lane. What is beside the carriageway does not move the axis. Total: values that
 /// cannot be read are diagnosed kBadTagValue and read as absent; a way of no known class is a path. O(length of the
 /// tags).
-CrossSection cross_section_of(const Reading& reading, OsmId id, source::Range tags, DrivingSide side);
+CrossSection cross_section_of(const ReadContext& context, OsmId id, source::Range tags, DrivingSide side);
 
 /// All lanes that are not raised.
 double carriageway_width_m(const CrossSection& section);

@@ -17,7 +17,7 @@ constexpr double kCandidates = 2.5;
 
 // What becomes of them: sites in a spacing's square of ground, and how many more where so many a hectare are asked for,
 // as there the lattice itself keeps candidates apart. Measured (blue_noise_test.cpp).
-constexpr double kSites = 0.4925, kMoreSites = 6.5e-5;
+constexpr double kSamples = 0.4925, kMoreSamples = 6.5e-5;
 
 // A block of cells is looked at, or left out, as one.
 constexpr int kBlock = 16;
@@ -28,19 +28,19 @@ constexpr double kBucket_m = 8;
 enum class State : std::uint8_t { kUndecided, kAccepted, kRejected };
 
 struct Candidate {
-  Site site;
+  Sample site;
   std::uint64_t priority = 0;
   float kept = 0;  // its draw for the seat's share
 };
 
-struct Throw {
+struct CellDraws {
   Vec2 at;
   double keep, share;
   std::uint64_t priority;
 };
 
 // The dice of a lattice cell.
-Throw throw_for(std::uint64_t seed, std::int64_t column, std::int64_t row) {
+CellDraws draws_for(std::uint64_t seed, std::int64_t column, std::int64_t row) {
   constexpr std::uint32_t kPurpose = 0x517e;
   const std::array<std::uint32_t, 2> key = {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
   const auto dice =
@@ -53,8 +53,8 @@ Throw throw_for(std::uint64_t seed, std::int64_t column, std::int64_t row) {
 }
 
 // How many of a lattice cell's candidates are wanted, where the ground is so upright.
-double chance_of(double spacing_m, double upright) {
-  return kCandidates * kLattice_m * kLattice_m / (spacing_m * spacing_m * upright);
+double chance_of(double spacing_m, double normal_z) {
+  return kCandidates * kLattice_m * kLattice_m / (spacing_m * spacing_m * normal_z);
 }
 
 StableId id_of(std::int64_t column, std::int64_t row) {
@@ -72,21 +72,21 @@ Cells cells_in(const Box2& box) {
 }
 
 // Of one block.
-void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& reach, double most, const SeatAt& seat_at,
-                     std::vector<Candidate>& candidates) {
+void find_candidates(std::uint64_t seed, const Cells& cells, const Box2& reach, double most,
+                     const DensityAt& density_at, std::vector<Candidate>& candidates) {
   for (std::int64_t row = cells.first_row; row <= cells.last_row; ++row)
     for (std::int64_t column = cells.first_column; column <= cells.last_column; ++column) {
-      const Throw thrown = throw_for(seed, column, row);
-      if (thrown.keep >= most || !reach.contains(thrown.at)) continue;
-      const Seat seat = seat_at(thrown.at);
-      if (seat.spacing_m <= 0 || seat.upright < kLeastUpright) continue;
-      if (thrown.keep >= chance_of(seat.spacing_m, seat.upright)) continue;
-      candidates.push_back({{thrown.at, id_of(column, row), seat}, thrown.priority, static_cast<float>(thrown.share)});
+      const CellDraws draws = draws_for(seed, column, row);
+      if (draws.keep >= most || !reach.contains(draws.at)) continue;
+      const SampleDensity density = density_at(draws.at);
+      if (density.spacing_m <= 0 || density.normal_z < kLeastNormal_z) continue;
+      if (draws.keep >= chance_of(density.spacing_m, density.normal_z)) continue;
+      candidates.push_back({{draws.at, id_of(column, row), density}, draws.priority, static_cast<float>(draws.share)});
     }
 }
 
 std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& reach, const LeastSpacing& least_spacing,
-                                     const SeatAt& seat_at) {
+                                     const DensityAt& density_at) {
   std::vector<Candidate> candidates;
   const Cells all = cells_in(reach);
   for (std::int64_t row = all.first_row; row <= all.last_row; row += kBlock)
@@ -97,14 +97,15 @@ std::vector<Candidate> candidates_in(std::uint64_t seed, const Box2& reach, cons
       const Box2 box{{metres(block.first_column), metres(block.first_row)},
                      {metres(block.last_column + 1), metres(block.last_row + 1)}};
       const double spacing_m = least_spacing(box);
-      if (spacing_m > 0) find_candidates(seed, block, reach, chance_of(spacing_m, kLeastUpright), seat_at, candidates);
+      if (spacing_m > 0)
+        find_candidates(seed, block, reach, chance_of(spacing_m, kLeastNormal_z), density_at, candidates);
     }
   return candidates;
 }
 
-bool are_close(const Site& a, const Site& b) {
-  const Vec3 apart = at_height(b.at - a.at, b.seat.height_m - a.seat.height_m);
-  const double spacing_m = (a.seat.spacing_m + b.seat.spacing_m) / 2;
+bool are_close(const Sample& a, const Sample& b) {
+  const Vec3 apart = at_height(b.at - a.at, b.density.height_m - a.density.height_m);
+  const double spacing_m = (a.density.spacing_m + b.density.spacing_m) / 2;
   return dot(apart, apart) < spacing_m * spacing_m;
 }
 
@@ -191,27 +192,27 @@ std::vector<State> decide_all(std::span<const Candidate> candidates, const Rival
 
 }  // namespace
 
-Seat seat_for(double per_ha) {
+SampleDensity density_for(double trees_per_ha) {
   constexpr double kHectare_m2 = 10000;
-  const double wanted = std::clamp(per_ha, kLeastPerHa, kMostPerHa);
-  const double spacing_m = std::sqrt((kSites + kMoreSites * wanted) * kHectare_m2 / wanted);
+  const double wanted = std::clamp(trees_per_ha, kLeastTreesPerHa, kMostTreesPerHa);
+  const double spacing_m = std::sqrt((kSamples + kMoreSamples * wanted) * kHectare_m2 / wanted);
   if (spacing_m <= kWidest_m) return {spacing_m};
   return {kWidest_m, (kWidest_m / spacing_m) * (kWidest_m / spacing_m)};
 }
 
-std::vector<Site> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,
-                             const SeatAt& seat_at) {
-  const Box2 reach = box.widened(kSiteReach_m);
-  const std::vector<Candidate> candidates = candidates_in(seed, reach, least_spacing, seat_at);
+std::vector<Sample> blue_noise(std::uint64_t seed, const Box2& box, const LeastSpacing& least_spacing,
+                               const DensityAt& density_at) {
+  const Box2 reach = box.widened(kSampleInfluence_m);
+  const std::vector<Candidate> candidates = candidates_in(seed, reach, least_spacing, density_at);
   const std::vector<State> states = decide_all(candidates, rivals_of(candidates, reach));
-  std::vector<Site> sites;
+  std::vector<Sample> samples;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
     const Vec2 p = c.site.at;
     const bool is_here = p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-    if (is_here && states[i] == State::kAccepted && c.kept < c.site.seat.share) sites.push_back(c.site);
+    if (is_here && states[i] == State::kAccepted && c.kept < c.site.density.share) samples.push_back(c.site);
   }
-  return sites;
+  return samples;
 }
 
 }  // namespace citykiln::plants

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/placing/contour.h"
-#include "compiler/plants/placing/standing.h"
+#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/placing/row_heading.h"
 
 namespace citykiln::plants {
 namespace {
@@ -23,16 +23,17 @@ constexpr double kHeightSpread = 0.15;
 constexpr double kProbe_m = 16;
 
 bool is_blade(const Planting& planting) {
-  return is_species(planting.stock) && values_of(species_of(planting.stock)).leaves == Leaves::kBlade;
+  return is_single_species(planting.species_mix) &&
+         values_of(single_species(planting.species_mix)).leaves == LeafForm::kBlade;
 }
 
 /// The surface of a planting, by id; surfaces are sorted by id.
-std::uint32_t surface_of(const ground::SurfaceMap& map, const Planting& planting) {
-  const auto first = std::ranges::lower_bound(map.surfaces, planting.surface, {}, &ground::Surface::id);
+std::uint32_t surface_of(const ground::LandCoverIndex& map, const Planting& planting) {
+  const auto first = std::ranges::lower_bound(map.surfaces, planting.surface, {}, &ground::LandCoverPolygon::id);
   for (auto at = first; at != map.surfaces.end() && at->id == planting.surface; ++at)
-    if (map::values_of(at->surface).group != map::SurfaceGroup::kBuilding)
+    if (map::values_of(at->surface).group != map::LandCoverGroup::kBuilding)
       return static_cast<std::uint32_t>(at - map.surfaces.begin());
-  return ground::kNoSurface;
+  return ground::kNoLandCover;
 }
 
 Box2 common(const Box2& a, const Box2& b) {
@@ -40,7 +41,7 @@ Box2 common(const Box2& a, const Box2& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-Box2 extent_in(const ground::Surface& surface, const Box2& box) {
+Box2 extent_in(const ground::LandCoverPolygon& surface, const Box2& box) {
   Box2 around;
   for (const Ring& ring : surface.rings)
     for (const Vec2 p : ring) around.grow(p);
@@ -57,8 +58,8 @@ struct RowGrid {
 };
 
 RowGrid grid_of(const Planting& planting) {
-  const Vec2 along = along_rows(planting.heading);
-  return {along * planting.plant_m, left_of(along) * planting.row_m};
+  const Vec2 along = row_direction(planting.heading);
+  return {along * planting.plant_spacing_m, left_of(along) * planting.row_spacing_m};
 }
 
 struct Range {
@@ -80,72 +81,75 @@ void for_each_plant(const Planting& planting, const Box2& box, double share, std
   const RowGrid grid = grid_of(planting);
   const Range plants = range_over(box, [&](Vec2 p) { return grid.plant(p); });
   const Range rows = range_over(box, [&](Vec2 p) { return grid.row(p); });
-  const bool is_sown = is_species(planting.stock) && species_of(planting.stock) == Species::kGrass;
+  const bool is_sown =
+      is_single_species(planting.species_mix) && single_species(planting.species_mix) == Species::kGrass;
   const double off = is_sown ? kWildOff : kPlantedOff;
   for (std::int64_t row = rows.first; row <= rows.last; ++row)
     for (std::int64_t plant = plants.first; plant <= plants.last; ++plant) {
       const auto number = static_cast<std::uint64_t>(plant) << 32 ^ (static_cast<std::uint64_t>(row) & 0xffffffffu);
       const Draw draw(seed, stable_id(stable_id(planting.surface), "plant", number), "plant");
-      if (draw.unit(kKeptDice) >= share) continue;
-      const double x = static_cast<double>(plant) + off * (draw.unit(kAlongDice) - 0.5);
-      const double y = static_cast<double>(row) + off * (draw.unit(kAcrossDice) - 0.5);
-      if (const Vec2 at = snapped(grid.at(x, y)); stands_in(box, at)) visit(at, draw);
+      if (draw.unit(kKeptDraw) >= share) continue;
+      const double x = static_cast<double>(plant) + off * (draw.unit(kAlongDraw) - 0.5);
+      const double y = static_cast<double>(row) + off * (draw.unit(kAcrossDraw) - 0.5);
+      if (const Vec2 at = snapped(grid.at(x, y)); is_in_half_open(box, at)) visit(at, draw);
     }
 }
 
-void place_planting(Placed& placed, const Planting& planting, const Obstacles& trees, double share, const Land& land) {
+void place_planting(PlacedPlants& placed, const Planting& planting, const ObstacleIndex& trees, double share,
+                    const PlacingContext& land) {
   const std::uint32_t surface = surface_of(land.surfaces, planting);
-  if (surface == ground::kNoSurface) return;
+  if (surface == ground::kNoLandCover) return;
   const Box2 here = extent_in(land.surfaces.surfaces[surface], land.box);
   if (here.is_empty()) return;
   const double clear_m = planting.height_m <= kLow_m ? kLowClearance_m : kTrunkClearance_m;
-  const Vec2 along = along_rows(planting.heading);
+  const Vec2 along = row_direction(planting.heading);
   for_each_plant(planting, here, share, land.seed, [&](Vec2 at, const Draw& draw) {
-    if (ground::surface_at(land.surfaces, at) != surface || is_taken(trees, at)) return;
+    if (ground::land_cover_at(land.surfaces, at) != surface || is_near_obstacle(trees, at)) return;
     if (clearance_m(land.surfaces, at, kLeastBarePriority, clear_m) < clear_m) return;
-    const double height_m = planting.height_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice);
-    if (!is_species(planting.stock)) {
-      const Species species = draw_species(planting.stock, habitat_of(land, at), land.seed, draw.unit(kSpeciesDice));
-      return stand(placed, land, species, at, height_m, draw, planting.surface.osm);
+    const double height_m = planting.height_m * draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDraw);
+    if (!is_single_species(planting.species_mix)) {
+      const Species species =
+          draw_species(planting.species_mix, habitat_of(land, at), land.seed, draw.unit(kSpeciesDraw));
+      return place_plant(placed, land, species, at, height_m, draw, planting.surface.osm);
     }
-    const Species species = species_of(planting.stock);
+    const Species species = single_species(planting.species_mix);
     const bool is_aligned = species == Species::kHedge || species == Species::kVine;
     if (is_aligned)
-      stand_along(placed, land, species, at, height_m, along, draw, planting.surface.osm);
+      place_plant_along(placed, land, species, at, height_m, along, draw, planting.surface.osm);
     else
-      stand(placed, land, species, at, height_m, draw, planting.surface.osm);
+      place_plant(placed, land, species, at, height_m, draw, planting.surface.osm);
   });
 }
 
 /// How many plants are asked for in the box, from places on a grid.
-double asked_for(std::span<const Planting> plantings, const Land& land) {
+double asked_for(std::span<const Planting> plantings, const PlacingContext& land) {
   std::vector<double> per_m2(land.surfaces.surfaces.size());
   for (const Planting& planting : plantings)
-    if (const std::uint32_t s = surface_of(land.surfaces, planting); is_blade(planting) && s != ground::kNoSurface)
-      per_m2[s] = 1 / (planting.row_m * planting.plant_m);
+    if (const std::uint32_t s = surface_of(land.surfaces, planting); is_blade(planting) && s != ground::kNoLandCover)
+      per_m2[s] = 1 / (planting.row_spacing_m * planting.plant_spacing_m);
   double sum = 0;
   for (double y = land.box.min.y + kProbe_m / 2; y < land.box.max.y; y += kProbe_m)
     for (double x = land.box.min.x + kProbe_m / 2; x < land.box.max.x; x += kProbe_m)
-      if (const std::uint32_t s = ground::surface_at(land.surfaces, {x, y}); s != ground::kNoSurface)
+      if (const std::uint32_t s = ground::land_cover_at(land.surfaces, {x, y}); s != ground::kNoLandCover)
         sum += per_m2[s] * kProbe_m * kProbe_m;
   return sum;
 }
 
 }  // namespace
 
-void place_plantings(Placed& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
-                     const Land& land) {
-  const Obstacles obstacles = sort_obstacles(trees);
+void place_plantings(PlacedPlants& placed, std::span<const Planting> plantings, std::span<const Obstacle> trees,
+                     const PlacingContext& land) {
+  const ObstacleIndex obstacles = index_obstacles(trees);
   for (const Planting& planting : plantings)
     if (!is_blade(planting)) place_planting(placed, planting, obstacles, 1, land);
 }
 
-Placed expand_blades(std::span<const Planting> plantings, const Land& land) {
+PlacedPlants generate_blades(std::span<const Planting> plantings, const PlacingContext& land) {
   constexpr double kKm2_m2 = 1e6;
-  Placed placed;
+  PlacedPlants placed;
   const double most = kMostBladesPerKm2 * land.box.width() * land.box.height() / kKm2_m2;
   const double share = std::min(1.0, most / std::max(asked_for(plantings, land), 1.0));
-  const Obstacles none = sort_obstacles({});
+  const ObstacleIndex none = index_obstacles({});
   for (const Planting& planting : plantings)
     if (is_blade(planting)) place_planting(placed, planting, none, share, land);
   return placed;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/habit.h"
-#include "compiler/plants/placing/standing.h"
+#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
@@ -18,11 +18,12 @@ constexpr double kCrownShare = 0.95, kLeastSpacing_m = 2, kMostSpacing_m = 14;
 constexpr double kAbout_m = 8;
 
 /// The species of a row is one: that of its middle.
-Species species_of_row(const Row& row, const Land& land, const Draw& draw) {
-  return draw_species(row.stock, habitat_of(land, row.axis[row.axis.size() / 2]), land.seed, draw.unit(kSpeciesDice));
+Species species_of_row(const TreeRow& row, const PlacingContext& land, const Draw& draw) {
+  return draw_species(row.species_mix, habitat_of(land, row.axis[row.axis.size() / 2]), land.seed,
+                      draw.unit(kSpeciesDraw));
 }
 
-double spacing_m_of(const Row& row, Species species, double height_m) {
+double spacing_m_of(const TreeRow& row, Species species, double height_m) {
   if (row.spacing_m > 0) return row.spacing_m;
   return std::clamp(kCrownShare * crown_share(species) * height_m, kLeastSpacing_m, kMostSpacing_m);
 }
@@ -44,46 +45,46 @@ void for_each_along(const Polyline& axis, double spacing_m, Visit visit) {
   }
 }
 
-void place_row(Placed& placed, const Row& row, const Obstacles& mapped, const Land& land,
+void place_row(PlacedPlants& placed, const TreeRow& row, const ObstacleIndex& mapped, const PlacingContext& land,
                std::vector<Obstacle>& trees) {
   const Draw of_row(land.seed, stable_id(row.id), "row");
   const Species species = species_of_row(row, land, of_row);
-  const double mean_m = row.height_m > 0 ? row.height_m : usual_height_m(species);
+  const double mean_m = row.height_m > 0 ? row.height_m : default_height_m(species);
   const double spacing_m = spacing_m_of(row, species, mean_m);
   const Box2 about = land.box.widened(kAbout_m);
   for_each_along(row.axis, spacing_m, [&](Vec2 at, std::uint32_t number) {
-    if (!about.contains(at) || is_covered(land.surfaces, at)) return;
+    if (!about.contains(at) || is_blocked_ground(land.surfaces, at)) return;
     const bool is_mapped = std::ranges::any_of(boxes_about(mapped.grid, at), [&](std::uint32_t i) {
       return distance(mapped.all[i].at, at) < std::min(spacing_m / 2, mapped.all[i].reach_m);
     });
     if (is_mapped) return;
     const Draw draw(land.seed, stable_id(stable_id(row.id), "tree", number), "tree");
-    const double height_m = mean_m * draw.between(1 - kSpread, 1 + kSpread, kHeightDice);
-    trees.push_back({at, reach_of_crown_m(species, height_m)});
-    if (stands_in(land.box, at)) stand(placed, land, species, at, height_m, draw, row.id.osm);
+    const double height_m = mean_m * draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
+    trees.push_back({at, crown_clearance_m(species, height_m)});
+    if (is_in_half_open(land.box, at)) place_plant(placed, land, species, at, height_m, draw, row.id.osm);
   });
 }
 
 }  // namespace
 
-std::vector<Obstacle> place_rows(Placed& placed, std::span<const Row> rows, std::vector<Obstacle> trees,
-                                 const Land& land) {
+std::vector<Obstacle> place_rows(PlacedPlants& placed, std::span<const TreeRow> rows, std::vector<Obstacle> trees,
+                                 const PlacingContext& land) {
   const std::vector<Obstacle> single = trees;
-  const Obstacles mapped = sort_obstacles(single);
-  for (const Row& row : rows) place_row(placed, row, mapped, land, trees);
+  const ObstacleIndex mapped = index_obstacles(single);
+  for (const TreeRow& row : rows) place_row(placed, row, mapped, land, trees);
   return trees;
 }
 
-void add_hedge(const HedgeLine& hedge, const Land& land, Placed& placed) {
+void add_hedge(const HedgeLine& hedge, const PlacingContext& land, PlacedPlants& placed) {
   const double length = length_m(hedge.axis);
   if (length <= 0 || hedge.height_m <= 0) return;
   std::uint32_t piece = 0;
   Vec2 before;
   for_each_along(hedge.axis, hedge.height_m, [&](Vec2 at, std::uint32_t number) {
     const Vec2 middle = snapped((before + at) * 0.5);
-    if (number > 0 && before != at && stands_in(land.box, middle)) {
+    if (number > 0 && before != at && is_in_half_open(land.box, middle)) {
       const Draw draw(land.seed, stable_id(stable_id(ObjectId{hedge.feature, 0}), "piece", piece), "hedge");
-      stand_along(placed, land, Species::kHedge, middle, hedge.height_m, unit(at - before), draw, hedge.feature);
+      place_plant_along(placed, land, Species::kHedge, middle, hedge.height_m, unit(at - before), draw, hedge.feature);
     }
     before = at, ++piece;
   });

@@ -1,25 +1,25 @@
 #include <optional>
 
 #include "compiler/geometry/trig.h"
-#include "compiler/plants/habit.h"
-#include "compiler/plants/placing/standing.h"
+#include "compiler/plants/placing/placing.h"
+#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
 
 constexpr double kSpread = 0.25;
 
-struct Grown {
+struct GrownPlant {
   Species species;
   double height_m;
 };
 
-Grown grown(const Tree& tree, const Land& land, const Draw& draw) {
+GrownPlant grown(const Tree& tree, const PlacingContext& land, const Draw& draw) {
   const Habitat habitat = habitat_of(land, tree.at);
-  const Species species = draw_species(tree.stock, habitat, land.seed, draw.unit(kSpeciesDice));
+  const Species species = draw_species(tree.species_mix, habitat, land.seed, draw.unit(kSpeciesDraw));
   if (tree.height_m > 0) return {species, tree.height_m};
-  const double spread = draw.between(1 - kSpread, 1 + kSpread, kHeightDice);
-  return {species, usual_height_m(species) * vigour(habitat) * spread};
+  const double spread = draw.between(1 - kSpread, 1 + kSpread, kHeightDraw);
+  return {species, default_height_m(species) * height_factor(habitat) * spread};
 }
 
 // Trees are mapped to half a metre, roads' edges follow from lanes whose widths are usual ones: so far in a tree is
@@ -27,48 +27,49 @@ Grown grown(const Tree& tree, const Land& land, const Draw& draw) {
 constexpr double kInRoad_m = 2, kBesideRoad_m = 0.5, kStep_m = 0.25;
 constexpr int kDirections = 16;
 
-bool is_on_road(const ground::SurfaceMap& map, Vec2 p) {
-  const std::uint32_t top = ground::surface_at(map, p);
-  return top != ground::kNoSurface && map::values_of(map.surfaces[top].surface).group == map::SurfaceGroup::kRoad;
+bool is_on_road(const ground::LandCoverIndex& map, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(map, p);
+  return top != ground::kNoLandCover && map::values_of(map.surfaces[top].surface).group == map::LandCoverGroup::kRoad;
 }
 
 // The nearest place beside the road that a tree is in; nothing where it stands too deep.
-std::optional<Vec2> beside_road(const ground::SurfaceMap& map, Vec2 p) {
+std::optional<Vec2> beside_road(const ground::LandCoverIndex& map, Vec2 p) {
   if (!is_on_road(map, p)) return std::nullopt;
   for (double in_m = 0; in_m <= kInRoad_m; in_m += kStep_m)
     for (int i = 0; i < kDirections; ++i) {
       const Vec2 out = direction_of(i / double{kDirections});
       const Vec2 place = p + out * (in_m + kBesideRoad_m);
-      if (!is_covered(map, p + out * in_m) && !is_covered(map, place)) return place;
+      if (!is_blocked_ground(map, p + out * in_m) && !is_blocked_ground(map, place)) return place;
     }
   return std::nullopt;
 }
 
 // Where it stands, if anywhere, whichever tile asks.
-std::optional<Vec2> place_of(const ground::SurfaceMap& map, Vec2 p) {
+std::optional<Vec2> place_of(const ground::LandCoverIndex& map, Vec2 p) {
   if (!map.box.contains(p)) return std::nullopt;
-  return is_covered(map, p) ? beside_road(map, p) : p;
+  return is_blocked_ground(map, p) ? beside_road(map, p) : p;
 }
 
 }  // namespace
 
-std::vector<Obstacle> place_trees(Placed& placed, std::span<const Tree> trees, const Land& land, Report& report) {
+std::vector<Obstacle> place_trees(PlacedPlants& placed, std::span<const Tree> trees, const PlacingContext& land,
+                                  Report& report) {
   std::vector<Obstacle> standing;
   Account account;
   for (const Tree& tree : trees) {
     const std::optional<Vec2> at = place_of(land.surfaces, tree.at);
     // whoever is moved is his new tile's
-    const bool is_here = stands_in(land.box, at.value_or(tree.at));
+    const bool is_here = is_in_half_open(land.box, at.value_or(tree.at));
     if (is_here) ++account.in;
     if (is_here && !at) report.drop(account, Code::kTreeOnRoad, tree.id.osm);
     if (!at) continue;
     const Draw draw(land.seed, stable_id(tree.id), "tree");
     const auto [species, height_m] = grown(tree, land, draw);
-    standing.push_back({*at, reach_of_crown_m(species, height_m)});
+    standing.push_back({*at, crown_clearance_m(species, height_m)});
     if (!is_here) continue;
     if (*at != tree.at) report.add(Code::kTreeMoved, tree.id.osm, distance(*at, tree.at));
     ++account.out;
-    stand(placed, land, species, *at, height_m, draw, tree.id.osm);
+    place_plant(placed, land, species, *at, height_m, draw, tree.id.osm);
   }
   report.account("bake", "tree") = account;
   return standing;

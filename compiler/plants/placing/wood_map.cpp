@@ -20,10 +20,11 @@ constexpr double kTall_m = 22;
 constexpr double kDenseUpTo_m = 2100, kSparseFrom_m = 2500, kSparse = 0.15;
 
 /// Surfaces are sorted by id; a building may bear the id of a wood.
-std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods, std::span<const ground::Surface> surfaces) {
-  std::vector<std::uint32_t> of_surface(surfaces.size(), ground::kNoSurface);
+std::vector<std::uint32_t> woods_by_surface(std::span<const Wood> woods,
+                                            std::span<const ground::LandCoverPolygon> surfaces) {
+  std::vector<std::uint32_t> of_surface(surfaces.size(), ground::kNoLandCover);
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
-    if (map::values_of(surfaces[s].surface).group == map::SurfaceGroup::kBuilding) continue;
+    if (map::values_of(surfaces[s].surface).group == map::LandCoverGroup::kBuilding) continue;
     const auto found = std::ranges::lower_bound(woods, surfaces[s].id, {}, &Wood::surface);
     if (found != woods.end() && found->surface == surfaces[s].id)
       of_surface[s] = static_cast<std::uint32_t>(found - woods.begin());
@@ -36,7 +37,7 @@ double share_at(double belt_m) {
   return 1 - (1 - kSparse) * std::clamp(up, 0.0, 1.0);
 }
 
-double distance_to(const Lanes::Segment& s, Vec2 p) {
+double distance_to(const CorridorIndex::Segment& s, Vec2 p) {
   const Vec2 along = s.b - s.a;
   const double t = std::clamp(dot(p - s.a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
   return distance(p, s.a + along * t);
@@ -44,42 +45,42 @@ double distance_to(const Lanes::Segment& s, Vec2 p) {
 
 }  // namespace
 
-WoodMap map_woods(std::span<const Wood> woods, const Land& land) {
+WoodMap map_woods(std::span<const Wood> woods, const PlacingContext& land) {
   WoodMap map{woods, land, woods_by_surface(woods, land.surfaces.surfaces), {}};
-  for (const Wood& wood : woods) map.seats.push_back(seat_for(wood.per_ha));
+  for (const Wood& wood : woods) map.densities.push_back(density_for(wood.trees_per_ha));
   return map;
 }
 
 std::uint32_t wood_at(const WoodMap& map, Vec2 p) {
-  const std::uint32_t surface = ground::surface_at(map.land.surfaces, p);
-  return surface == ground::kNoSurface ? ground::kNoSurface : map.of_surface[surface];
+  const std::uint32_t surface = ground::land_cover_at(map.land.surfaces, p);
+  return surface == ground::kNoLandCover ? ground::kNoLandCover : map.of_surface[surface];
 }
 
-Seat seat_at(const WoodMap& woods, Vec2 p) {
-  const Land& land = woods.land;
+SampleDensity density_at(const WoodMap& woods, Vec2 p) {
+  const PlacingContext& land = woods.land;
   if (!land.surfaces.box.contains(p)) return {};
   const std::uint32_t wood = wood_at(woods, p);
-  if (wood == ground::kNoSurface) return {};
+  if (wood == ground::kNoLandCover) return {};
   if (clearance_m(land.surfaces, p, kLeastBarePriority, kTrunkClearance_m) < kTrunkClearance_m) return {};
-  Seat seat = woods.seats[wood];
-  seat.owner = wood;
-  seat.height_m = height_m_at(land.ground.terrain, p);
+  SampleDensity density = woods.densities[wood];
+  density.owner = wood;
+  density.height_m = height_m_at(land.ground.terrain, p);
   const Vec3 normal = normal_at(land.ground.terrain, p);
-  seat.upright = normal.z;
-  seat.share *= share_at(habitat_at(land.latitude_deg, p, seat.height_m, normal, false).belt_m);
-  return seat;
+  density.normal_z = normal.z;
+  density.share *= share_at(habitat_at(land.latitude_deg, p, density.height_m, normal, false).belt_m);
+  return density;
 }
 
 double height_in_wood_m(const Wood& wood, Species species, const Habitat& habitat, const Draw& draw) {
-  return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * vigour(habitat) *
-         draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDice);
+  return wood.height_m * std::min(values_of(species).height_m / kTall_m, 1.4) * height_factor(habitat) *
+         draw.between(1 - kHeightSpread, 1 + kHeightSpread, kHeightDraw);
 }
 
-Lanes sort_lanes(std::span<const Lane> lanes, const Box2& box) {
+CorridorIndex index_corridors(std::span<const PowerLineCorridor> corridors, const Box2& box) {
   constexpr double kBucket_m = 32;
-  Lanes sorted;
+  CorridorIndex sorted;
   std::vector<Box2> boxes;
-  for (const Lane& lane : lanes)
+  for (const PowerLineCorridor& lane : corridors)
     for (std::size_t i = 0; i + 1 < lane.axis.size(); ++i) {
       const Box2 about = box_of(std::array{lane.axis[i], lane.axis[i + 1]}).widened(lane.width_m / 2);
       if (!about.touches(box)) continue;
@@ -91,9 +92,9 @@ Lanes sort_lanes(std::span<const Lane> lanes, const Box2& box) {
   return sorted;
 }
 
-bool is_in_lane(const Lanes& lanes, Vec2 p) {
-  return std::ranges::any_of(boxes_about(lanes.grid, p), [&](std::uint32_t i) {
-    return distance_to(lanes.segments[i], p) < lanes.segments[i].half_m;
+bool is_in_corridor(const CorridorIndex& corridors, Vec2 p) {
+  return std::ranges::any_of(boxes_about(corridors.grid, p), [&](std::uint32_t i) {
+    return distance_to(corridors.segments[i], p) < corridors.segments[i].half_m;
   });
 }
 

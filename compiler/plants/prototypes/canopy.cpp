@@ -6,16 +6,16 @@
 #include <set>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/plants/prototypes/crown_mix.h"
+#include "compiler/plants/prototypes/crown_average.h"
 
 namespace citykiln::plants {
 namespace {
 
-using materials::DressedMesh;
 using materials::Material;
+using materials::MaterialMesh;
 
 // A cell is asked at so many places each way, and at so many of all something else may be: a path.
-constexpr int kSamples = 4, kElse = 4;
+constexpr int kSamplesPerSide = 4, kElse = 4;
 
 // Seats that want fewer trees than stand closed have a share of them.
 constexpr double kClosedShare = 0.7;
@@ -35,7 +35,7 @@ struct Lattice {
   const Box2& box;
   double tolerance_m;
   int columns, rows;  // of cells in the box
-  std::vector<CrownMix> mixes{};
+  std::vector<CrownAverage> crowns{};
   std::vector<bool> closed{};
 
   Vec2 at(int column, int row) const { return box.min + Vec2{double(column), double(row)} * kCanopyCell_m; }
@@ -46,34 +46,35 @@ struct Lattice {
     return static_cast<std::size_t>(row + 1) * (columns + 3) + static_cast<std::size_t>(column + 1);
   }
   bool is_closed(int column, int row) const { return closed[cell(column, row)]; }
-  const CrownMix& mix(int column, int row) const { return mixes[corner(column, row)]; }
+  const CrownAverage& mix(int column, int row) const { return crowns[corner(column, row)]; }
 };
 
-bool is_closed_cell(const Lattice& lattice, const Lanes& lanes, int column, int row) {
+bool is_closed_cell(const Lattice& lattice, const CorridorIndex& corridors, int column, int row) {
   for (const int c : {column, column + 1})
     for (const int r : {row, row + 1})
       if (lattice.mix(c, r).height_m < kLeastHeight * lattice.tolerance_m) return false;
   int others = 0;
-  for (int i = 0; i < kSamples * kSamples; ++i) {
-    const Vec2 share{(i % kSamples + 0.5) / kSamples, (i / kSamples + 0.5) / kSamples};
+  for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i) {
+    const Vec2 share{(i % kSamplesPerSide + 0.5) / kSamplesPerSide, (i / kSamplesPerSide + 0.5) / kSamplesPerSide};
     const Vec2 p = lattice.at(column, row) + share * kCanopyCell_m;
-    if (is_in_lane(lanes, p)) return false;
-    const Seat seat = seat_at(lattice.woods, p);
-    if (seat.share >= kClosedShare && seat.spacing_m > 0 && seat.upright >= kLeastUpright) continue;
-    if (++others > kElse || is_covered(lattice.woods.land.surfaces, p)) return false;
+    if (is_in_corridor(corridors, p)) return false;
+    const SampleDensity density = density_at(lattice.woods, p);
+    if (density.share >= kClosedShare && density.spacing_m > 0 && density.normal_z >= kLeastNormal_z) continue;
+    if (++others > kElse || is_blocked_ground(lattice.woods.land.surfaces, p)) return false;
   }
   return true;
 }
 
-Lattice lattice_of(const WoodMap& woods, const Lanes& lanes, const Box2& box, double tolerance_m, Month month) {
+Lattice lattice_of(const WoodMap& woods, const CorridorIndex& corridors, const Box2& box, double tolerance_m,
+                   Month month) {
   const auto cells = [](double side_m) { return static_cast<int>(side_m / kCanopyCell_m); };
   Lattice lattice{woods, box, tolerance_m, cells(box.width()), cells(box.height())};
   for (int row = -1; row <= lattice.rows + 1; ++row)
     for (int column = -1; column <= lattice.columns + 1; ++column)
-      lattice.mixes.push_back(crown_mix_at(woods, lattice.at(column, row), month));
+      lattice.crowns.push_back(crown_average_at(woods, lattice.at(column, row), month));
   for (int row = -1; row <= lattice.rows; ++row)
     for (int column = -1; column <= lattice.columns; ++column)
-      lattice.closed.push_back(is_closed_cell(lattice, lanes, column, row));
+      lattice.closed.push_back(is_closed_cell(lattice, corridors, column, row));
   return lattice;
 }
 
@@ -89,15 +90,15 @@ bool is_whole(const Lattice& lattice, int column, int row) {
 }
 
 // Above the ground, if it is in the air.
-double height_m_of(const CrownMix& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
+double height_m_of(const CrownAverage& mix) { return mix.height_m * std::lerp(kLowest, kHighest, mix.chance); }
 
 // The terrain's slope and the crowns', whichever of these are in the air.
 Vec3 normal_of(const Lattice& lattice, int column, int row) {
   const Vec3 land = normal_at(lattice.woods.land.ground.terrain, lattice.at(column, row));
   const double own_m = height_m_of(lattice.mix(column, row));
   const auto height_m = [&](int c, int r) {
-    const CrownMix& mix = lattice.mix(c, r);
-    return mix.wood == ground::kNoSurface ? own_m : height_m_of(mix);
+    const CrownAverage& mix = lattice.mix(c, r);
+    return mix.wood == ground::kNoLandCover ? own_m : height_m_of(mix);
   };
   constexpr double kAcross = 1 / (2 * kCanopyCell_m);
   return unit(Vec3{land.x / land.z - (height_m(column + 1, row) - height_m(column - 1, row)) * kAcross,
@@ -111,7 +112,7 @@ Vec3 place_of(const Lattice& lattice, int column, int row) {
   return snapped(at_height(p, is_up ? land + height_m_of(lattice.mix(column, row)) : land - kRimDepth_m));
 }
 
-materials::Tint tint_of(const CrownMix& mix) {
+materials::Tint tint_of(const CrownAverage& mix) {
   const auto& base = values_of(Material::kBroadLeaf).base_colour;
   materials::Tint tint = materials::kNoTint;
   for (std::size_t c = 0; c < 3; ++c)
@@ -122,7 +123,7 @@ materials::Tint tint_of(const CrownMix& mix) {
 
 // What one wood's part of the canopy is made of.
 struct Part {
-  DressedMesh dressed{};
+  MaterialMesh dressed{};
   std::map<std::size_t, std::uint32_t> vertices{};  // by corner
 
   std::uint32_t vertex(const Lattice& lattice, int column, int row) {
@@ -148,13 +149,13 @@ bool is_any_corner_in_air(const Lattice& lattice, int column, int row) {
          is_in_air(lattice, column, row + 1) || is_in_air(lattice, column + 1, row + 1);
 }
 
-std::vector<DressedMesh> mesh_of(const Lattice& lattice) {
+std::vector<MaterialMesh> mesh_of(const Lattice& lattice) {
   std::map<std::uint32_t, Part> parts;
   for (int row = 0; row < lattice.rows; ++row)
     for (int column = 0; column < lattice.columns; ++column)
       if (is_any_corner_in_air(lattice, column, row))
         add_cell(parts[lattice.mix(column, row).wood], lattice, column, row);
-  std::vector<DressedMesh> meshes;
+  std::vector<MaterialMesh> meshes;
   for (auto& [wood, part] : parts) {
     part.dressed.material = Material::kBroadLeaf, part.dressed.feature = lattice.woods.woods[wood].surface.osm;
     meshes.push_back(std::move(part.dressed));
@@ -176,7 +177,7 @@ InCell in_cell(const Canopy& canopy, Vec2 p) {
 
 bool is_below(const Canopy& canopy, Vec2 p) {
   const InCell in = in_cell(canopy, p);
-  return stands_in(canopy.box, p) &&
+  return is_in_half_open(canopy.box, p) &&
          canopy.is_whole[static_cast<std::size_t>(in.row) * canopy.columns + static_cast<std::size_t>(in.column)];
 }
 
@@ -191,13 +192,13 @@ double top_m_at(const Canopy& canopy, Vec2 p) {
 
 }  // namespace
 
-Canopy canopy_over(std::span<const Wood> woods, std::span<const Lane> lanes, const Land& land, double tolerance_m,
-                   Month month) {
+Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
+                   const PlacingContext& land, double tolerance_m, Month month) {
   Canopy canopy;
   if (woods.empty() || tolerance_m < kCanopyFrom_m) return canopy;
   const WoodMap map = map_woods(woods, land);
   const Lattice lattice =
-      lattice_of(map, sort_lanes(lanes, land.box.widened(kCanopyCell_m)), land.box, tolerance_m, month);
+      lattice_of(map, index_corridors(corridors, land.box.widened(kCanopyCell_m)), land.box, tolerance_m, month);
   canopy.meshes = mesh_of(lattice);
   canopy.box = land.box, canopy.columns = lattice.columns;
   for (int row = 0; row < lattice.rows; ++row)
@@ -208,7 +209,7 @@ Canopy canopy_over(std::span<const Wood> woods, std::span<const Lane> lanes, con
   return canopy;
 }
 
-void gather(Canopy& canopy, std::span<const Wood> woods, Placed& placed) {
+void remove_trees_below(Canopy& canopy, std::span<const Wood> woods, PlacedPlants& placed) {
   if (canopy.meshes.empty()) return;
   std::set<OsmId> ids;
   for (const Wood& wood : woods) ids.insert(wood.surface.osm);

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "compiler/materials/dressed_mesh.h"
-#include "compiler/plants/expand.h"
+#include "compiler/materials/material_mesh.h"
+#include "compiler/plants/generate.h"
 #include "compiler/plants/season.h"
 
 namespace citykiln::plants {
@@ -21,8 +21,8 @@ inline constexpr double kCanopyFrom_m = 11;
 inline constexpr double kCanopyCell_m = 16;
 
 struct Canopy {
-  std::vector<materials::DressedMesh> meshes;  ///< One a wood, plane metres, with normals and tints.
-  double error_m = 0;                          ///< Stated: of the trees that it stands for.
+  std::vector<materials::MaterialMesh> meshes;  ///< One a wood, plane metres, with normals and tints.
+  double error_m = 0;                           ///< Stated: of the trees that it stands for.
   Box2 box{};
   int columns = 0;             ///< Of cells.
   std::vector<bool> is_whole;  ///< By cell, row by row from the south-west: at each of its corners it is in the air.
@@ -35,11 +35,11 @@ struct Canopy {
 ///
 /// Guarantees: places, normals and tints of corners are functions of the place: those on a side of the box are the
 /// neighbour's too. Below the tolerance that it is from, empty. Cost: O(cells · samples).
-Canopy canopy_over(std::span<const Wood> woods, std::span<const Lane> lanes, const Land& land, double tolerance_m,
-                   Month month);
+Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
+                   const PlacingContext& land, double tolerance_m, Month month);
 
 /// Takes those trees of the woods that stand in whole cells out of what is placed, and states how far the canopy is
 /// from them: from their tops, and from the middle of trunks, which have the ground below and the canopy above.
-void gather(Canopy& canopy, std::span<const Wood> woods, Placed& placed);
+void remove_trees_below(Canopy& canopy, std::span<const Wood> woods, PlacedPlants& placed);
 
 }  // namespace citykiln::plants

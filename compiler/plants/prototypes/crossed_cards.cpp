@@ -5,14 +5,14 @@
 
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/imprint/imprint.h"
+#include "compiler/impostor/impostor.h"
 #include "compiler/materials/paint.h"
 
 namespace citykiln::plants {
 namespace {
 
-using materials::DressedMesh;
-using materials::Sheet;
+using materials::MaterialMesh;
+using materials::TextureImage;
 
 // How much of the tolerance pictures take in depth; the rest is a texel.
 constexpr double kDepth = 0.75;
@@ -25,9 +25,9 @@ struct Extent {
   double radius_m = 0, low_m = 1e300, high_m = -1e300;
 };
 
-Extent extent_of(const std::vector<DressedMesh>& shape) {
+Extent extent_of(const std::vector<MaterialMesh>& shape) {
   Extent extent;
-  for (const DressedMesh& dressed : shape)
+  for (const MaterialMesh& dressed : shape)
     for (const Vec3 p : dressed.mesh.positions) {
       extent.radius_m = std::max(extent.radius_m, length(in_plan(p)));
       extent.low_m = std::min(extent.low_m, p.z), extent.high_m = std::max(extent.high_m, p.z);
@@ -81,7 +81,7 @@ std::vector<Plane> planes_of(const Extent& extent, double tolerance_m) {
   return planes;
 }
 
-imprint::View view_of(const Plane& plane, double texel_m) {
+impostor::View view_of(const Plane& plane, double texel_m) {
   const auto texels = [&](double metres) {
     return static_cast<std::uint32_t>(std::max(2.0, std::ceil(metres / texel_m)));
   };
@@ -89,7 +89,7 @@ imprint::View view_of(const Plane& plane, double texel_m) {
           texels(plane.width_m), texels(plane.height_m), plane.depth_m, plane.depth_m};
 }
 
-void add_card(DressedMesh& dressed, const imprint::View& view, Vec2 at_m) {
+void add_card(MaterialMesh& dressed, const impostor::View& view, Vec2 at_m) {
   const auto first = static_cast<std::uint32_t>(dressed.mesh.positions.size());
   const double width_m = view.columns * view.texel_m, height_m = view.rows * view.texel_m;
   const Vec3 normal = cross(view.v, view.u);
@@ -103,7 +103,7 @@ void add_card(DressedMesh& dressed, const imprint::View& view, Vec2 at_m) {
 }
 
 // A crown is lit as a ball is: outwards from its middle, flat at the rim.
-Sheet::Texel normal_at(double x, double y) {
+TextureImage::Texel normal_at(double x, double y) {
   const double off = std::sqrt(x * x + y * y), most = std::sqrt(1 - kLeastOut * kLeastOut);
   const double shrink = off > most ? most / off : 1;
   const Vec3 n = unit(Vec3{x * shrink, y * shrink, std::sqrt(std::max(0.0, 1 - (x * x + y * y) * shrink * shrink))});
@@ -112,7 +112,7 @@ Sheet::Texel normal_at(double x, double y) {
 }
 
 // A little beyond its picture, up to the frame, a normal is the picture's.
-void draw_normals(Sheet& normals, const imprint::View& view, Vec2 at_m) {
+void draw_normals(TextureImage& normals, const impostor::View& view, Vec2 at_m) {
   const double width_m = view.columns * view.texel_m, height_m = view.rows * view.texel_m;
   for (std::uint32_t row = 0; row < normals.rows; ++row)
     for (std::uint32_t column = 0; column < normals.columns; ++column) {
@@ -126,24 +126,24 @@ void draw_normals(Sheet& normals, const imprint::View& view, Vec2 at_m) {
 
 }  // namespace
 
-CrossedCards crossed_cards(const std::vector<DressedMesh>& shape, double tolerance_m) {
+CrossedCards crossed_cards(const std::vector<MaterialMesh>& shape, double tolerance_m) {
   const Extent extent = extent_of(shape);
   const double texel_m = (1 - kDepth) * tolerance_m;
-  const imprint::Shape ready = imprint::shape_of(shape);
-  std::vector<imprint::View> views;
-  std::vector<imprint::Picture> pictures;
+  const impostor::Model ready = impostor::model_of(shape);
+  std::vector<impostor::View> views;
+  std::vector<impostor::Picture> pictures;
   CrossedCards out;
   for (const Plane& plane : planes_of(extent, tolerance_m)) {
     views.push_back(view_of(plane, texel_m));
-    pictures.push_back(imprint::imprint(ready, views.back()).picture);
+    pictures.push_back(impostor::render(ready, views.back()).picture);
     out.error_m = std::max(out.error_m, plane.depth_m + texel_m);
   }
-  imprint::CutoutLayout layout = imprint::cut_out(std::move(pictures), texel_m);
+  impostor::CutoutLayout layout = impostor::lay_out_cutout(std::move(pictures), texel_m);
   out.cutout = std::move(layout.cutout);
-  const Sheet& colour = out.cutout.colour;
-  out.cutout.normal = materials::blank_sheet(colour.texel_m * kNormalTexels, (colour.columns + 1) / kNormalTexels,
+  const TextureImage& colour = out.cutout.colour;
+  out.cutout.normal = materials::blank_image(colour.texel_m * kNormalTexels, (colour.columns + 1) / kNormalTexels,
                                              (colour.rows + 1) / kNormalTexels, {128, 128, 255});
-  out.mesh.coloured = materials::Coloured::kByCutout;
+  out.mesh.colour_source = materials::ColourSource::kByCutout;
   for (std::size_t i = 0; i < views.size(); ++i) {
     add_card(out.mesh, views[i], layout.at_m[i]);
     draw_normals(out.cutout.normal, views[i], layout.at_m[i]);

@@ -8,14 +8,14 @@
 
 #include <vector>
 
-#include "compiler/imprint/cutout.h"
-#include "compiler/materials/dressed_mesh.h"
+#include "compiler/impostor/cutout.h"
+#include "compiler/materials/material_mesh.h"
 
 namespace citykiln::plants {
 
 struct CrossedCards {
-  materials::DressedMesh mesh;  ///< On the cutout.
-  imprint::Cutout cutout;
+  materials::MaterialMesh mesh;  ///< On the cutout.
+  impostor::Cutout cutout;
   double error_m = 0;
 };
 
@@ -26,7 +26,7 @@ struct CrossedCards {
 /// Error: any place of the shape is within R sin(90°/n) of an upright plane; n is what the tolerance asks for, up to
 /// kMostPlanes. Of a picture every place is as near to the shape as its depth. A texel, a quarter of the tolerance, is
 /// added, since pictures are there or not texel by texel: stated, not proved, as single leaves may be lost.
-CrossedCards crossed_cards(const std::vector<materials::DressedMesh>& shape, double tolerance_m);
+CrossedCards crossed_cards(const std::vector<materials::MaterialMesh>& shape, double tolerance_m);
 
 inline constexpr int kMostPlanes = 8, kMostLevels = 3;
 

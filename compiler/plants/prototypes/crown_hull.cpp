@@ -58,8 +58,8 @@ Mesh body_of(const std::vector<Ring>& rings, double foot, double top) {
     }
     mesh.triangles.push_back({last, last - n + i, last - n + j});
   }
-  const Vec3 heart{0, 0, foot + 0.4 * (top - foot)};
-  for (const Vec3 p : mesh.positions) mesh.normals.push_back(unit(p - heart));
+  const Vec3 crown_centre{0, 0, foot + 0.4 * (top - foot)};
+  for (const Vec3 p : mesh.positions) mesh.normals.push_back(unit(p - crown_centre));
   return mesh;
 }
 

@@ -94,11 +94,11 @@ Crown crown_of(std::span<const Card> cards) {
 }
 
 // The normal of an ellipsoid about the heart, through a place.
-Vec3 out_of(const Crown& crown, Vec3 heart, Vec3 place) {
+Vec3 out_of(const Crown& crown, Vec3 crown_centre, Vec3 place) {
   const auto part = [](double off, double extent) { return extent > 0 ? off / (extent * extent) : 0; };
-  return unit(Vec3{part(place.x - heart.x, crown.high.x - crown.low.x),
-                   part(place.y - heart.y, crown.high.y - crown.low.y),
-                   part(place.z - heart.z, crown.high.z - crown.low.z)});
+  return unit(Vec3{part(place.x - crown_centre.x, crown.high.x - crown.low.x),
+                   part(place.y - crown_centre.y, crown.high.y - crown.low.y),
+                   part(place.z - crown_centre.z, crown.high.z - crown.low.z)});
 }
 
 // Its front outwards, and its light with it.
@@ -137,9 +137,9 @@ Foliage foliage_of(const lsystems::LSystem& system, const lsystems::Skeleton& sk
   std::erase_if(foliage.cards, [](const Card& card) { return !(area_of(card) > 0); });
   if (foliage.cards.empty()) return foliage;
   const Crown crown = crown_of(foliage.cards);
-  foliage.heart = (crown.low + crown.high) * 0.5;
-  foliage.heart.z = crown.low.z + kHeartHeight * (crown.high.z - crown.low.z);
-  for (Card& card : foliage.cards) face_outwards(card, out_of(crown, foliage.heart, card.centre()));
+  foliage.crown_centre = (crown.low + crown.high) * 0.5;
+  foliage.crown_centre.z = crown.low.z + kHeartHeight * (crown.high.z - crown.low.z);
+  for (Card& card : foliage.cards) face_outwards(card, out_of(crown, foliage.crown_centre, card.centre()));
   return foliage;
 }
 

@@ -38,7 +38,7 @@ std::array<Vec3, 4> corners_of(const Card& card);
 struct Foliage {
   std::vector<Card> cards;
   std::vector<std::string> sprays;  ///< What ~ calls them (sprays.h); "" for blades, which fill their cards.
-  Vec3 heart;                       ///< The middle of the crown.
+  Vec3 crown_centre;                ///< The middle of the crown.
 };
 
 /// The instances of a skeleton and its polygons, these as cards of the same area, in shades of `tint`. O(n).

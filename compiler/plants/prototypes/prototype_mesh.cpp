@@ -13,18 +13,18 @@
 namespace citykiln::plants {
 namespace {
 
-using materials::DressedMesh;
 using materials::Material;
+using materials::MaterialMesh;
 
 // A spray covers so much of its card: pictures from afar are made of cards that are as much smaller.
 constexpr double kSprayCover = 0.42, kTwigsCover = 0.1;
 
-// Leaves shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
+// LeafForm shade each other. Pictures and bodies do not show that, and would be lighter than what they stand for: by so
 // much, as `chart plant` measures woods. Twigs do less.
 constexpr double kCardShade = 0.52, kBodyShade = 0.25, kBoxShade = 0.6, kTwigsCardShade = 0.8, kTwigsBodyShade = 0.42;
 
 void scale(PrototypeMesh& plant, double by) {
-  for (DressedMesh& dressed : plant.meshes)
+  for (MaterialMesh& dressed : plant.meshes)
     for (Vec3& p : dressed.mesh.positions) p = p * by;
   plant.error_per_m *= by;
 }
@@ -37,35 +37,35 @@ materials::Tint shaded(materials::Tint tint, double share) {
 // On the grid of textures, on which 16 bits a number tell it.
 Vec2 on_grid(Vec2 uv) {
   const auto nearest = [](double v) {
-    return std::floor(v / materials::kTexturePlace_m + 0.5) * materials::kTexturePlace_m;
+    return std::floor(v / materials::kTextureCoordinateStep_m + 0.5) * materials::kTextureCoordinateStep_m;
   };
   return {nearest(uv.x), nearest(uv.y)};
 }
 
 // @param material  With its picture, if it has one.
-DressedMesh bark_of(const Grown& grown, Material material, double tolerance_m, double& error_m) {
+MaterialMesh bark_of(const GrownPlant& grown, Material material, double tolerance_m, double& error_m) {
   StemMesh stems = mesh_stems(grown.skeleton, tolerance_m, materials::texture_side_m(material));
   error_m = std::max(error_m, stems.error_m);
   for (Vec2& uv : stems.uvs) uv = on_grid(uv);
-  return {std::move(stems.mesh), material, grown.look.bark, {}, std::move(stems.uvs)};
+  return {std::move(stems.mesh), material, grown.appearance.bark, {}, std::move(stems.uvs)};
 }
 
 // Sprays on a sheet of texels of size 1, whatever a card's size is.
 struct SprayedLeaves {
-  DressedMesh mesh;
-  imprint::CutoutLayout layout;
+  MaterialMesh mesh;
+  impostor::CutoutLayout layout;
   std::vector<Vec2> size_m;
 };
 
-SprayedLeaves sprays_of(const Foliage& foliage, const Look& look) {
+SprayedLeaves sprays_of(const Foliage& foliage, const Appearance& appearance) {
   SprayedLeaves leaves;
-  std::vector<imprint::Picture> pictures;
+  std::vector<impostor::Picture> pictures;
   for (const std::string& name : foliage.sprays) {
-    pictures.push_back(picture_of_spray(name, look.leaf_material, look.leafage));
+    pictures.push_back(picture_of_spray(name, appearance.leaf_material, appearance.leaf_share));
     leaves.size_m.push_back(Vec2{double(pictures.back().columns), double(pictures.back().rows)} * kSprayTexel);
   }
-  leaves.layout = imprint::cut_out(std::move(pictures), kSprayTexel);
-  leaves.mesh.material = look.leaf_material, leaves.mesh.coloured = materials::Coloured::kByCutout;
+  leaves.layout = impostor::lay_out_cutout(std::move(pictures), kSprayTexel);
+  leaves.mesh.material = appearance.leaf_material, leaves.mesh.colour_source = materials::ColourSource::kByCutout;
   return leaves;
 }
 
@@ -84,13 +84,13 @@ void add_card(SprayedLeaves& leaves, const Card& card) {
 }
 
 // @param tolerance_m  In the plant's own metres.
-PrototypeMesh near_mesh(const Grown& grown, Material bark, double tolerance_m) {
+PrototypeMesh near_mesh(const GrownPlant& grown, Material bark, double tolerance_m) {
   PrototypeMesh plant;
   if (!grown.skeleton.segments.empty()) plant.meshes.push_back(bark_of(grown, bark, tolerance_m, plant.error_per_m));
   if (grown.foliage.cards.empty()) return plant;
   const Clusters clusters = cluster(grown.foliage, tolerance_m);
   plant.error_per_m = std::max(plant.error_per_m, clusters.error_m);
-  SprayedLeaves leaves = sprays_of(grown.foliage, grown.look);
+  SprayedLeaves leaves = sprays_of(grown.foliage, grown.appearance);
   for (const Card& card : clusters.cards) add_card(leaves, card);
   plant.meshes.push_back(std::move(leaves.mesh));
   plant.cutout = std::move(leaves.layout.cutout);
@@ -108,53 +108,53 @@ void add_kite(Mesh& mesh, const Card& card, double cover) {
 }
 
 // What pictures are taken of: leaves by their tints, which are few.
-std::vector<DressedMesh> sitter_of(const Grown& grown, double tolerance_m) {
-  const Look& look = grown.look;
-  const double cover = std::lerp(kTwigsCover, kSprayCover, look.leafage);
+std::vector<MaterialMesh> impostor_source(const GrownPlant& grown, double tolerance_m) {
+  const Appearance& appearance = grown.appearance;
+  const double cover = std::lerp(kTwigsCover, kSprayCover, appearance.leaf_share);
   double ignored = 0;
-  std::vector<DressedMesh> meshes{bark_of(grown, Material::kBark, tolerance_m, ignored)};
+  std::vector<MaterialMesh> meshes{bark_of(grown, Material::kBark, tolerance_m, ignored)};
   for (const Card& card : grown.foliage.cards) {
     auto same = std::find_if(meshes.begin() + 1, meshes.end(), [&](const auto& m) { return m.tint == card.tint; });
-    if (same == meshes.end()) same = meshes.insert(same, DressedMesh{{}, look.leaf_material, card.tint, {}});
+    if (same == meshes.end()) same = meshes.insert(same, MaterialMesh{{}, appearance.leaf_material, card.tint, {}});
     add_kite(same->mesh, card, grown.foliage.sprays[card.spray].empty() ? 1 : cover);
   }
   return meshes;
 }
 
-PrototypeMesh far_mesh(const Grown& grown, double tolerance_m) {
-  CrossedCards cards = crossed_cards(sitter_of(grown, tolerance_m / 16), tolerance_m);
-  cards.mesh.material = grown.look.leaf_material;
-  cards.mesh.tint = shaded(materials::kNoTint, std::lerp(kTwigsCardShade, kCardShade, grown.look.leafage));
+PrototypeMesh far_mesh(const GrownPlant& grown, double tolerance_m) {
+  CrossedCards cards = crossed_cards(impostor_source(grown, tolerance_m / 16), tolerance_m);
+  cards.mesh.material = grown.appearance.leaf_material;
+  cards.mesh.tint = shaded(materials::kNoTint, std::lerp(kTwigsCardShade, kCardShade, grown.appearance.leaf_share));
   PrototypeMesh plant{{}, std::move(cards.cutout), cards.error_m};
   plant.meshes.push_back(std::move(cards.mesh));
   return plant;
 }
 
 // A box is one from nearer by than it would be crossed cards.
-bool is_clipped(Species species) { return species == Species::kHedge; }
+bool is_hedge(Species species) { return species == Species::kHedge; }
 
-PrototypeMesh farthest_mesh(const Grown& grown, Species species) {
-  const Look& look = grown.look;
-  const double shade = is_clipped(species) ? kBoxShade : std::lerp(kTwigsBodyShade, kBodyShade, look.leafage);
-  CrownHull hull = is_clipped(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
+PrototypeMesh farthest_mesh(const GrownPlant& grown, Species species) {
+  const Appearance& appearance = grown.appearance;
+  const double shade = is_hedge(species) ? kBoxShade : std::lerp(kTwigsBodyShade, kBodyShade, appearance.leaf_share);
+  CrownHull hull = is_hedge(species) ? crown_box(grown.foliage) : crown_hull(grown.foliage);
   PrototypeMesh plant{{}, {}, hull.error_m};
-  plant.meshes.push_back({std::move(hull.mesh), look.leaf_material, shaded(look.leaf, shade), {}});
+  plant.meshes.push_back({std::move(hull.mesh), appearance.leaf_material, shaded(appearance.leaf, shade), {}});
   return plant;
 }
 
 }  // namespace
 
-PrototypeMesh prototype_mesh(const Grown& grown, Species species, double height_m, double tolerance_m) {
-  const double stature = grown.look.stature, share = tolerance_m / (height_m * stature);
-  if (!(share < 1) || !(grown.height_m > 0)) return {{}, {}, stature};
+PrototypeMesh prototype_mesh(const GrownPlant& grown, Species species, double height_m, double tolerance_m) {
+  const double height_share = grown.appearance.height_share, share = tolerance_m / (height_m * height_share);
+  if (!(share < 1) || !(grown.height_m > 0)) return {{}, {}, height_share};
   const double own_m = share * grown.height_m;
-  const double cards_from = is_clipped(species) ? kBoxFrom : kCardsFrom;
-  const double body_from = is_clipped(species) ? kBoxFrom : kBodyFrom;
+  const double cards_from = is_hedge(species) ? kBoxFrom : kCardsFrom;
+  const double body_from = is_hedge(species) ? kBoxFrom : kBodyFrom;
   const Material bark = has_texture(grown.bark, tolerance_m) ? grown.bark : Material::kBark;
   PrototypeMesh plant = share < cards_from  ? near_mesh(grown, bark, own_m)
                         : share < body_from ? far_mesh(grown, own_m)
                                             : farthest_mesh(grown, species);
-  scale(plant, stature / grown.height_m);
+  scale(plant, height_share / grown.height_m);
   return plant;
 }
 

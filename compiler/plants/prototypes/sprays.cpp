@@ -6,12 +6,12 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/trig.h"
-#include "compiler/imprint/imprint.h"
+#include "compiler/impostor/impostor.h"
 
 namespace citykiln::plants {
 namespace {
 
-using materials::DressedMesh;
+using materials::MaterialMesh;
 
 struct Spray {
   std::string_view name;
@@ -59,7 +59,7 @@ struct Shaded {
   std::array<Mesh, kShades.size()> by_shade;
 };
 
-void add_leaves(Shaded& shaded, const Spray& spray, double leafage) {
+void add_leaves(Shaded& shaded, const Spray& spray, double leaf_share) {
   const Draw draw(1, StableId{}, "spray");
   for (int i = 0; i < spray.leaves; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
@@ -70,7 +70,7 @@ void add_leaves(Shaded& shaded, const Spray& spray, double leafage) {
     const double size = spray.length * draw.between(0.85, 1.1, dice + 1) * (is_tip ? 1 : 1 - 0.25 * place);
     const Vec2 stalk{0, is_tip ? 1 - size : place * (1 - 0.5 * spray.length)};
     const auto shade = draw.below(kShades.size(), dice + 2);
-    const double width = draw.unit(dice + 4) < leafage ? spray.width : kTwig;
+    const double width = draw.unit(dice + 4) < leaf_share ? spray.width : kTwig;
     add_leaf(shaded.by_shade[shade], stalk, direction_of(turn) * size, width, 0.01 * draw.unit(dice + 3));
   }
   add_leaf(shaded.by_shade[0], {0, 0}, {0, 1 - 0.6 * spray.length}, kTwig, 0);
@@ -97,20 +97,20 @@ double width_of_spray(std::string_view name) {
 
 bool is_fruit(std::string_view name) { return !name.empty() && spray_called(name) == nullptr; }
 
-imprint::Picture picture_of_spray(std::string_view name, materials::Material material, double leafage) {
+impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share) {
   Shaded shaded;
   const Spray* spray = spray_called(name);
-  if (spray != nullptr) add_leaves(shaded, *spray, leafage);
+  if (spray != nullptr) add_leaves(shaded, *spray, leaf_share);
   if (spray == nullptr) name.empty() ? add_card(shaded) : add_disc(shaded);
-  std::vector<DressedMesh> meshes;
+  std::vector<MaterialMesh> meshes;
   for (std::size_t s = 0; s < kShades.size(); ++s)
     meshes.push_back({std::move(shaded.by_shade[s]), material, {kShades[s], kShades[s], kShades[s], 255}, {}});
   const double width = width_of_spray(name);
-  imprint::View view{{-width / 2, 1, 0.5}, {1, 0, 0}, {0, -1, 0}, kSprayTexel, kSprayTexels, kSprayTexels, 1, 1};
+  impostor::View view{{-width / 2, 1, 0.5}, {1, 0, 0}, {0, -1, 0}, kSprayTexel, kSprayTexels, kSprayTexels, 1, 1};
   view.columns = static_cast<std::uint32_t>(width * kSprayTexels + 0.5);
   // plain blades need no more than a few texels
   if (name.empty()) view.texel_m = 0.25, view.columns = view.rows = 4;
-  return imprint::imprint(imprint::shape_of(meshes), view).picture;
+  return impostor::render(impostor::model_of(meshes), view).picture;
 }
 
 }  // namespace citykiln::plants

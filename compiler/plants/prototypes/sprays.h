@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "compiler/imprint/picture.h"
+#include "compiler/impostor/picture.h"
 #include "compiler/materials/material.h"
 
 namespace citykiln::plants {
@@ -19,10 +19,10 @@ double width_of_spray(std::string_view name);
 /// Whether it is a round fruit: what has a name that is not known.
 bool is_fruit(std::string_view name);
 
-/// Leaves left and right of a twig, the tip on top, in three shades of grey: cards' tints colour them. What has no name
-/// is opaque all over. A function of its arguments alone.
+/// LeafForm left and right of a twig, the tip on top, in three shades of grey: cards' tints colour them. What has no
+/// name is opaque all over. A function of its arguments alone.
 ///
 /// @param leafage  Of its leaves so many are there; where one is not, there is its twig.
-imprint::Picture picture_of_spray(std::string_view name, materials::Material material, double leafage = 1);
+impostor::Picture picture_of_spray(std::string_view name, materials::Material material, double leaf_share = 1);
 
 }  // namespace citykiln::plants

@@ -6,8 +6,8 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/roads/junctions/arm_lines.h"
+#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/junction.h"
-#include "compiler/roads/junctions/round_places.h"
 
 namespace citykiln::roads {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kShortLink_m = 2;
 constexpr double kCar_m = 5;
 
 // Between the farthest places of what is no junction of streets.
-constexpr double kNearReach_m = kReach_m / 2;
+constexpr double kNearReach_m = kJunctionRadius_m / 2;
 
 // Wider medians, in carriageways, make two junctions of a dual carriageway's crossing.
 constexpr double kWidestMedian = 1.5;
@@ -60,7 +60,7 @@ struct ShortLink {
 
 bool is_street(const Road& road) {
   return family_of(road.surface) == Family::kStreet &&
-         map::values_of(road.surface).priority >= map::values_of(map::SurfaceClass::kResidentialRoad).priority;
+         map::values_of(road.surface).priority >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
 }
 
 // Three streets meet, and no island is in their middle.
@@ -74,8 +74,8 @@ int oneway(std::span<const Road> roads, const Arm& arm) {
   bool has_along = false, has_against = false;
   for (const map::Lane& lane : roads[arm.road].section.lanes) {
     if (lane.kind != map::LaneKind::kDriving) continue;
-    has_along |= lane.way != map::LaneWay::kBackward;
-    has_against |= lane.way != map::LaneWay::kForward;
+    has_along |= lane.way != map::LaneDirection::kBackward;
+    has_against |= lane.way != map::LaneDirection::kForward;
   }
   return has_along == has_against ? 0 : has_along ? arm.step : -arm.step;
 }
@@ -139,9 +139,9 @@ std::vector<ShortLink> short_links(std::span<const Road> roads, std::span<const 
     from_here.clear();
     for (std::size_t a = 0; a < nodes[n].arms.size(); ++a) {
       const Arm& arm = nodes[n].arms[a];
-      const Link link = index.link_of(arm, kReach_m);
+      const Link link = index.link_of(arm, kJunctionRadius_m);
       if (link.node == kNoNode || link.node == n || nodes[link.node].family != nodes[n].family) continue;
-      if (link.length_m > kReach_m) continue;
+      if (link.length_m > kJunctionRadius_m) continue;
       from_here.push_back({{link.length_m, n, link.node, roads[arm.road].id, kNearReach_m},
                            arm,
                            nodes[link.node].arms[link.arm],
@@ -149,8 +149,8 @@ std::vector<ShortLink> short_links(std::span<const Road> roads, std::span<const 
     }
     for (Candidate c : from_here) {
       const bool is_nothing = c.link.length_m <= kShortLink_m || c.between_m <= 0;
-      if (joins_streets(roads, nodes, from_here, c)) c.link.reach_m = kReach_m;
-      if (is_nothing || c.link.reach_m == kReach_m) links.push_back(c.link);
+      if (joins_streets(roads, nodes, from_here, c)) c.link.reach_m = kJunctionRadius_m;
+      if (is_nothing || c.link.reach_m == kJunctionRadius_m) links.push_back(c.link);
     }
   }
   return links;

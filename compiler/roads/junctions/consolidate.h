@@ -20,7 +20,7 @@ namespace citykiln::roads {
 /// Streets are residential ones and higher, and their nodes have three of them: driveways and car parks merge by the
 /// first rule only, as do paths, rings of roundabouts and round places. Two groups become one only if each is the
 /// other's nearest such neighbour; three rounds, so a group has at most eight nodes and nobody asks farther. A
-/// group's places lie in a square of kReach_m. Diagnosed kJunctionsMerged. O(nodes).
+/// group's places lie in a square of kJunctionRadius_m. Diagnosed kJunctionsMerged. O(nodes).
 std::vector<std::uint32_t> consolidate(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
                                        Report& report);
 

@@ -26,7 +26,7 @@ struct RaisedArm {
 RaisedArm raised_arm(std::span<const Road> roads, const Arm& arm, double raised_m, const Cut& cut) {
   constexpr double kWidest_m = 6;
   const double width_m = std::min(raised_m, kWidest_m);
-  return {path_of(roads, arm), width_m, std::min(cut.length_m, kReach_m) + width_m};
+  return {path_of(roads, arm), width_m, std::min(cut.length_m, kJunctionRadius_m) + width_m};
 }
 
 std::optional<Ring> stroke_corner(RaisedArm arm, RaisedArm next, double radius_m) {

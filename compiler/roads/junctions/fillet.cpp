@@ -49,7 +49,7 @@ double distance_to(const Polyline& axis, Vec2 p) {
   return least;
 }
 
-Touch touch_at(const Moved& stretch, Vec2 centre, double off_m) {
+TangentPoint touch_at(const Moved& stretch, Vec2 centre, double off_m) {
   const double along_m = std::min(dot(centre - stretch.axis_from, stretch.along), stretch.length_m);
   return {stretch.axis_from + stretch.along * along_m + left_of(stretch.along) * off_m, stretch.before_m + along_m,
           stretch.segment};
@@ -80,7 +80,7 @@ bool is_obtuse(const ArmPath& arm, const ArmPath& next) {
 }  // namespace
 
 ArmPath path_of(std::span<const Road> roads, const Arm& arm) {
-  Polyline axis = walk(roads, arm, kReach_m);
+  Polyline axis = walk(roads, arm, kJunctionRadius_m);
   // a vertex just there is walked to and interpolated
   if (axis.size() > 2 && axis.back() == axis[axis.size() - 2]) axis.pop_back();
   return {std::move(axis), left_of(roads, arm), right_of(roads, arm)};

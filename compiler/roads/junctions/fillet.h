@@ -22,7 +22,7 @@ struct ArmPath {
 ArmPath path_of(std::span<const Road> roads, const Arm& arm);
 
 /// Where an arc touches an arm's kerb.
-struct Touch {
+struct TangentPoint {
   Vec2 at;                  ///< On the kerb, not snapped.
   double along_m = 0;       ///< Along the axis from the arm's place; below 0 where the kerb is met behind it.
   std::size_t segment = 0;  ///< Of the axis, that `at` lies beside.
@@ -31,7 +31,7 @@ struct Touch {
 struct Fillet {
   Vec2 centre;
   double radius_m = 0;
-  Touch arm, next;  ///< At one point for radius 0.
+  TangentPoint arm, next;  ///< At one point for radius 0.
 };
 
 /// The corner between the left kerb of `arm` and the right kerb of the next arm counter-clockwise; of several, the one

@@ -23,17 +23,17 @@ namespace citykiln::roads {
 /// No cut lies farther from a junction's centre, along its arm, than this: farther apart, roads are roads, even side by
 /// side. No point of a junction lies farther from the centre than this and three quarters of its widest arm (the tip of
 /// a bend's mitre).
-inline constexpr double kReach_m = 24;
+inline constexpr double kJunctionRadius_m = 24;
 
 /// What is decided about an arm.
 struct Cut {
-  double length_m = 0;  ///< Along the axis, from the arm's place; a multiple of 1/4 m. kWhole_m: a link
+  double length_m = 0;  ///< Along the axis, from the arm's place; a multiple of 1/4 m. kWholeLink_m: a link
                         ///< inside the junction.
   double radius_m = 0;  ///< Of the corner with the next arm of its place, counter-clockwise, links inside among them; a
                         ///< multiple of 1/4 m; 0: not rounded.
   bool operator==(const Cut&) const = default;
 };
-inline constexpr double kWhole_m = 63.75;
+inline constexpr double kWholeLink_m = 63.75;
 
 /// A junction: one place, or a few that a driver takes for one. Its roads say the rest.
 struct Junction {
@@ -52,9 +52,9 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms);
 /// Decides all junctions of a layer's roads.
 ///
 /// Guarantees: cuts of one road never overlap, unless its whole link is inside; places of one junction lie in a
-/// square of kReach_m; what is decided depends on nothing farther than 14 kReach_m away (three rounds of merging; 8 as
-/// a rule). Diagnosed: kArmSwallowed (a road between two junctions that nothing is left of), kJunctionsMerged. Sorted
-/// by their first arm. Total. O(n log n).
+/// square of kJunctionRadius_m; what is decided depends on nothing farther than 14 kJunctionRadius_m away (three rounds
+/// of merging; 8 as a rule). Diagnosed: kRoadInsideJunctions (a road between two junctions that nothing is left of),
+/// kJunctionsMerged. Sorted by their first arm. Total. O(n log n).
 std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report);
 
 /// The junction as overlapping counter-clockwise rings, snapped; their union is what it covers, before higher junctions

@@ -6,7 +6,7 @@
 #include "compiler/geometry/overlay.h"
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 #include "compiler/roads/junctions/arm_lines.h"
 #include "compiler/roads/junctions/junction.h"
 #include "compiler/roads/junctions/junction_ring.h"
@@ -30,7 +30,7 @@ void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std
                 std::vector<Ring>& rings) {
   const ArmLine line = line_of(roads, arm);
   Strip piece{{}, {}, {}, line.left_m, line.right_m};
-  piece.axis = cut.length_m == kWhole_m ? walk_inside(roads, arm, places) : walk(roads, arm, cut.length_m);
+  piece.axis = cut.length_m == kWholeLink_m ? walk_inside(roads, arm, places) : walk(roads, arm, cut.length_m);
   piece.axis.back() = snapped(piece.axis.back());
   if (piece.axis.back() == piece.axis[piece.axis.size() - 2]) piece.axis.pop_back();
   if (piece.axis.size() < 2) return;
@@ -52,14 +52,14 @@ Ring disk_at(Vec2 place, double radius_m) {
 
 // Arms of a place that lie more than half a turn apart open a wedge: what the second widest arm reaches to both sides
 // (a street that ends on a narrow one opens none).
-double open_half_m(const Around& around, Vec2 place) {
+double open_half_m(const JunctionArms& junction_arms, Vec2 place) {
   constexpr double kWedgeSine = -0.08;
   double widest = 0, second = 0;
   bool is_open = false;
-  for (std::size_t a = 0; a < around.lines.size(); ++a) {
-    const ArmLine& line = around.lines[a];
+  for (std::size_t a = 0; a < junction_arms.lines.size(); ++a) {
+    const ArmLine& line = junction_arms.lines[a];
     if (line.from != place) continue;
-    is_open |= cross(line.along, around.lines[around.next[a]].along) < kWedgeSine;
+    is_open |= cross(line.along, junction_arms.lines[junction_arms.next[a]].along) < kWedgeSine;
     const double half = std::min(line.left_m, line.right_m);
     second = std::max(second, std::min(widest, half));
     widest = std::max(widest, half);
@@ -75,7 +75,7 @@ void push_ring(std::vector<Ring>& rings, const Ring& ring) {
 }  // namespace
 
 Box2 box_of(const Junction& junction, double widest_arm_m) {
-  return citykiln::box_of(junction.places).widened(kReach_m + 0.75 * widest_arm_m);
+  return citykiln::box_of(junction.places).widened(kJunctionRadius_m + 0.75 * widest_arm_m);
 }
 
 const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
@@ -87,27 +87,28 @@ const Road& main_road(std::span<const Road> roads, std::span<const Arm> arms) {
 }
 
 std::vector<Ring> stroke_pieces(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
-                                const Around& around) {
+                                const JunctionArms& junction_arms) {
   std::vector<Ring> rings;
   for (std::size_t a = 0; a < arms.size(); ++a) stroke_arm(roads, arms[a], junction.cuts[a], junction.places, rings);
   for (std::size_t p = 0; p < junction.places.size(); ++p) {
     const Vec2 place = junction.places[p];
-    push_ring(rings, disk_at(place, std::max(open_half_m(around, place), around.disks_m[p])));
+    push_ring(rings, disk_at(place, std::max(open_half_m(junction_arms, place), junction_arms.disks_m[p])));
   }
   for (std::uint32_t arm = 0; arm < arms.size(); ++arm) {
-    const std::uint32_t next = around.next[arm];
+    const std::uint32_t next = junction_arms.next[arm];
     const double radius = junction.cuts[arm].radius_m;
     if (radius == 0) continue;
-    const auto fillet = fillet_between(around.paths[arm], around.paths[next], radius);
+    const auto fillet = fillet_between(junction_arms.paths[arm], junction_arms.paths[next], radius);
     if (!fillet) continue;
-    if (auto corner = corner_ring(around.paths[arm], around.paths[next], *fillet)) rings.push_back(std::move(*corner));
+    if (auto corner = corner_ring(junction_arms.paths[arm], junction_arms.paths[next], *fillet))
+      rings.push_back(std::move(*corner));
   }
   return rings;
 }
 
 std::vector<Ring> stroke(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
-  const Around all = around(junction, roads, arms);
-  if (auto ring = walk_around(junction, roads, arms, all)) return {std::move(*ring)};
+  const JunctionArms all = junction_arms(junction, roads, arms);
+  if (auto ring = trace_outline(junction, roads, arms, all)) return {std::move(*ring)};
   return stroke_pieces(junction, roads, arms, all);
 }
 

@@ -4,7 +4,7 @@
 
 #include "compiler/geometry/ring_crossing.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/roads/junctions/round_places.h"
+#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/taper.h"
 
 namespace citykiln::roads {
@@ -62,7 +62,7 @@ std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
 }
 
 // How many points of an edge, from the cut's middle in, lie beyond a touch.
-std::size_t count_beyond(const Polyline& edge, const Touch& touch) {
+std::size_t count_beyond(const Polyline& edge, const TangentPoint& touch) {
   const std::size_t inner = touch.along_m < 0 ? 0 : touch.segment + 1;
   // the middle of the cut is always walked
   return edge.size() - std::min(inner, edge.size() - 1);
@@ -85,17 +85,17 @@ Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
 }
 
 // From an arm to its next.
-std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edges>& edges, const Around& around,
-                                 std::uint32_t arm, std::uint32_t next) {
+std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edges>& edges,
+                                 const JunctionArms& junction_arms, std::uint32_t arm, std::uint32_t next) {
   const Cut &cut = junction.cuts[arm], &next_cut = junction.cuts[next];
   const Polyline &left = edges[arm].left, &right = edges[next].right;
-  const auto fillet = fillet_between(around.paths[arm], around.paths[next], cut.radius_m);
+  const auto fillet = fillet_between(junction_arms.paths[arm], junction_arms.paths[next], cut.radius_m);
   if (fillet && fillet->arm.along_m <= cut.length_m && fillet->next.along_m <= next_cut.length_m)
     return rounded(left, right, *fillet);
   if (auto meeting = first_meeting(left, right)) return meeting;
   // one arm's cut lies within the other
-  if (corner_between(around.lines[arm], around.lines[next])) return std::nullopt;
-  return outside(around.lines[arm], around.lines[next], left.size());
+  if (corner_between(junction_arms.lines[arm], junction_arms.lines[next])) return std::nullopt;
+  return outside(junction_arms.lines[arm], junction_arms.lines[next], left.size());
 }
 
 void push(Ring& ring, std::span<const Vec2> points) {
@@ -140,7 +140,7 @@ void add_fillet(const Fillet& fillet, Ring& ring) {
 
 namespace {
 
-void push_up_to(Ring& ring, const Polyline& axis, const Touch& touch) {
+void push_up_to(Ring& ring, const Polyline& axis, const TangentPoint& touch) {
   const Vec2 along = unit(axis[touch.segment + 1] - axis[touch.segment]);
   ring.insert(ring.end(), axis.begin(), axis.begin() + static_cast<std::ptrdiff_t>(touch.segment) + 1);
   ring.push_back(axis[touch.segment] + along * dot(touch.at - axis[touch.segment], along));
@@ -164,12 +164,12 @@ namespace {
 
 // Nothing where an arm has no length to walk, or bends too sharply.
 std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::span<const Road> roads,
-                                                std::span<const Arm> arms, const Around& around) {
+                                                std::span<const Arm> arms, const JunctionArms& junction_arms) {
   std::vector<Edges> edges(arms.size());
-  for (const std::uint32_t arm : around.order) {
+  for (const std::uint32_t arm : junction_arms.order) {
     const double length = junction.cuts[arm].length_m;
     if (length <= 0) return std::nullopt;
-    auto both = edges_of(walk(roads, arms[arm], length), around.lines[arm]);
+    auto both = edges_of(walk(roads, arms[arm], length), junction_arms.lines[arm]);
     if (!both) return std::nullopt;
     edges[arm] = std::move(*both);
   }
@@ -178,11 +178,11 @@ std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::s
 
 // One an arm, in order: to its next.
 std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::vector<Edges>& edges,
-                                          const Around& around) {
+                                          const JunctionArms& junction_arms) {
   std::vector<Turn> turns;
-  for (std::size_t i = 0; i < around.order.size(); ++i) {
-    const std::uint32_t arm = around.order[i], next = around.order[(i + 1) % around.order.size()];
-    auto turn = turn_between(junction, edges, around, arm, next);
+  for (std::size_t i = 0; i < junction_arms.order.size(); ++i) {
+    const std::uint32_t arm = junction_arms.order[i], next = junction_arms.order[(i + 1) % junction_arms.order.size()];
+    auto turn = turn_between(junction, edges, junction_arms, arm, next);
     if (!turn) return std::nullopt;
     turns.push_back(std::move(*turn));
   }
@@ -191,15 +191,15 @@ std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::v
 
 }  // namespace
 
-Around around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
-  Around all;
+JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms) {
+  JunctionArms all;
   for (const Arm& arm : arms) {
     all.lines.push_back(line_of(roads, arm));
     all.paths.push_back(path_of(roads, arm));
   }
   all.next = next_at_place(all.lines);
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
-    if (junction.cuts[a].length_m != kWhole_m) all.order.push_back(a);
+    if (junction.cuts[a].length_m != kWholeLink_m) all.order.push_back(a);
   // arms of one place are neighbours
   for (std::size_t from = 0, p = 0; p < junction.places.size(); ++p) {
     std::size_t to = from;
@@ -210,16 +210,16 @@ Around around(const Junction& junction, std::span<const Road> roads, std::span<c
   return all;
 }
 
-std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
-                                   const Around& around) {
-  const std::size_t count = around.order.size();
+std::optional<Ring> trace_outline_unchecked(const Junction& junction, std::span<const Road> roads,
+                                            std::span<const Arm> arms, const JunctionArms& junction_arms) {
+  const std::size_t count = junction_arms.order.size();
   if (junction.places.size() != 1 || count < 2) return std::nullopt;
-  const auto edges = edges_of_arms(junction, roads, arms, around);
-  const auto turns = edges ? turns_of(junction, *edges, around) : std::nullopt;
+  const auto edges = edges_of_arms(junction, roads, arms, junction_arms);
+  const auto turns = edges ? turns_of(junction, *edges, junction_arms) : std::nullopt;
   if (!turns) return std::nullopt;
   Ring ring;
   for (std::size_t i = 0; i < count; ++i) {
-    const Edges& arm = (*edges)[around.order[i]];
+    const Edges& arm = (*edges)[junction_arms.order[i]];
     const Turn &before = (*turns)[(i + count - 1) % count], &after = (*turns)[i];
     push(ring, std::span(arm.right).subspan(before.right_from));
     push(ring, std::span(arm.left).first(after.left_count));
@@ -228,13 +228,16 @@ std::optional<Ring> walk_unchecked(const Junction& junction, std::span<const Roa
   return without_repeats(ring);
 }
 
-std::optional<Ring> walk_around(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
-                                const Around& around) {
-  if (junction.places.size() != 1 || around.disks_m.front() > 0) return std::nullopt;
+std::optional<Ring> trace_outline(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms,
+                                  const JunctionArms& junction_arms) {
+  if (junction.places.size() != 1 || junction_arms.disks_m.front() > 0) return std::nullopt;
   const auto taper = [&] {
-    return taper_ring(around.paths[0], junction.cuts[0].length_m, around.paths[1], junction.cuts[1].length_m);
+    return taper_ring(junction_arms.paths[0], junction.cuts[0].length_m, junction_arms.paths[1],
+                      junction.cuts[1].length_m);
   };
-  auto ring = is_taper(junction.family, around.lines) ? taper() : walk_unchecked(junction, roads, arms, around);
+  auto ring = is_taper(junction.family, junction_arms.lines)
+                  ? taper()
+                  : trace_outline_unchecked(junction, roads, arms, junction_arms);
   if (ring && !is_sound(*ring, junction.places.front())) ring.reset();
   return ring;
 }

@@ -4,10 +4,10 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/roads/junctions/arm_lines.h"
+#include "compiler/roads/junctions/circular_nodes.h"
 #include "compiler/roads/junctions/consolidate.h"
 #include "compiler/roads/junctions/fillet.h"
 #include "compiler/roads/junctions/junction.h"
-#include "compiler/roads/junctions/round_places.h"
 #include "compiler/roads/junctions/taper.h"
 
 namespace citykiln::roads {
@@ -15,25 +15,25 @@ namespace {
 
 double cut_steps(double length_m) { return std::floor(length_m * 4) / 4; }
 
-constexpr double kLeastCut_m = 0.5;
+constexpr double kMinCut_m = 0.5;
 
 // Kerbs' radii: what a car of the narrower road's class turns in.
-double radius_m(map::SurfaceClass surface) {
-  using map::SurfaceClass;
+double radius_m(map::LandCoverClass surface) {
+  using map::LandCoverClass;
   switch (surface) {
-    case SurfaceClass::kMotorwayRoad:
+    case LandCoverClass::kMotorwayRoad:
       return 15;
-    case SurfaceClass::kPrimaryRoad:
+    case LandCoverClass::kPrimaryRoad:
       return 8;
-    case SurfaceClass::kSecondaryRoad:
+    case LandCoverClass::kSecondaryRoad:
       return 7;
-    case SurfaceClass::kTertiaryRoad:
+    case LandCoverClass::kTertiaryRoad:
       return 6;
-    case SurfaceClass::kResidentialRoad:
+    case LandCoverClass::kResidentialRoad:
       return 5;
-    case SurfaceClass::kServiceRoad:
-    case SurfaceClass::kUnpavedRoad:
-    case SurfaceClass::kPedestrianStreet:
+    case LandCoverClass::kServiceRoad:
+    case LandCoverClass::kUnpavedRoad:
+    case LandCoverClass::kPedestrianStreet:
       return 3;
     default:
       return 1.5;
@@ -71,7 +71,7 @@ Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const N
   }
   draft.centre = box.centre();
   for (const Arm& arm : draft.arms) {
-    draft.links.push_back(index.link_of(arm, 2 * kReach_m));
+    draft.links.push_back(index.link_of(arm, 2 * kJunctionRadius_m));
     draft.lines.push_back(line_of(roads, arm));
     draft.paths.push_back(path_of(roads, arm));
   }
@@ -84,14 +84,14 @@ void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
   for (std::size_t a = 0; a < draft.arms.size(); ++a) {
     const Link& link = draft.links[a];
     const bool is_inside = draft.nodes.size() > 1 && link.node != kNoNode && group[link.node] == draft.nodes.front();
-    if (is_inside && link.length_m <= kReach_m) draft.cuts[a].length_m = kWhole_m;
+    if (is_inside && link.length_m <= kJunctionRadius_m) draft.cuts[a].length_m = kWholeLink_m;
   }
 }
 
 // How far an arm may be the junction's.
 double reach_m(const Draft& draft, std::uint32_t arm) {
-  if (draft.cuts[arm].length_m == kWhole_m) return draft.links[arm].length_m;
-  return kReach_m - distance(draft.lines[arm].from, draft.centre);
+  if (draft.cuts[arm].length_m == kWholeLink_m) return draft.links[arm].length_m;
+  return kJunctionRadius_m - distance(draft.lines[arm].from, draft.centre);
 }
 
 // A kerb's radius, where it is to be rounded at all: a road's own bend, as a roundabout's ring has at every place, is
@@ -113,7 +113,7 @@ std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& dr
 void find_order(Draft& draft) {
   draft.next = next_at_place(draft.lines);
   for (const std::uint32_t a : counter_clockwise(draft.lines, draft.centre))
-    if (draft.cuts[a].length_m != kWhole_m) draft.order.push_back(a);
+    if (draft.cuts[a].length_m != kWholeLink_m) draft.order.push_back(a);
 }
 
 // Neighbours at one place meet in a corner.
@@ -146,12 +146,12 @@ void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft&
   for (const std::uint32_t n : draft.nodes) {
     const double radius_m = disk_radius_m(roads, nodes[n].arms);
     for (std::size_t i = 0; i < nodes[n].arms.size(); ++i, ++arm)
-      if (draft.cuts[arm].length_m != kWhole_m) draft.cuts[arm].length_m = radius_m;
+      if (draft.cuts[arm].length_m != kWholeLink_m) draft.cuts[arm].length_m = radius_m;
   }
 }
 
 bool is_taper(Family family, const Draft& draft) {
-  const auto is_whole = [](const Cut& cut) { return cut.length_m == kWhole_m; };
+  const auto is_whole = [](const Cut& cut) { return cut.length_m == kWholeLink_m; };
   const auto is_round = [](const Cut& cut) { return cut.length_m > 0; };
   return draft.nodes.size() == 1 && roads::is_taper(family, draft.lines) &&
          std::ranges::none_of(draft.cuts, is_whole) && std::ranges::none_of(draft.cuts, is_round);
@@ -161,12 +161,12 @@ bool is_taper(Family family, const Draft& draft) {
 void want_taper(Draft& draft) {
   for (const std::uint32_t arm : {0u, 1u}) {
     const double length_m = taper_length_m(draft.paths[arm], draft.paths[1 - arm]);
-    draft.cuts[arm].length_m = std::max(kLeastCut_m, std::min(length_m, draft.links[arm].length_m / 2));
+    draft.cuts[arm].length_m = std::max(kMinCut_m, std::min(length_m, draft.links[arm].length_m / 2));
   }
 }
 
 void want(Cut& cut, double length_m) {
-  if (cut.length_m != kWhole_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kReach_m));
+  if (cut.length_m != kWholeLink_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kJunctionRadius_m));
 }
 
 // As far as the farther of an arm's two corners, within reach.
@@ -177,7 +177,7 @@ void want_cuts(Draft& draft) {
   }
   for (const std::uint32_t arm : draft.order) {
     // a cut that nothing asks for still shows where the junction is
-    draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kLeastCut_m);
+    draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kMinCut_m);
     // half metres, of which a manifest has fewer than of quarters
     const double cut_m = std::ceil(draft.cuts[arm].length_m * 2) / 2;
     draft.cuts[arm].length_m = std::min(cut_m, std::ceil(reach_m(draft, arm) * 4) / 4);
@@ -187,17 +187,17 @@ void want_cuts(Draft& draft) {
 // Two junctions at the ends of one link share it by what they want; nobody wants more than there is.
 void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
                 Report& report) {
-  if (cut.length_m == kWhole_m) return;
-  const double wanted_there = other && other->length_m != kWhole_m ? other->length_m : 0;
+  if (cut.length_m == kWholeLink_m) return;
+  const double wanted_there = other && other->length_m != kWholeLink_m ? other->length_m : 0;
   if (cut.length_m + wanted_there <= link.length_m) return;
-  report.add(Code::kArmSwallowed, roads[arm.road].id.osm, link.length_m);
+  report.add(Code::kRoadInsideJunctions, roads[arm.road].id.osm, link.length_m);
   cut.length_m = cut_steps(link.length_m * cut.length_m / (cut.length_m + wanted_there));
 }
 
 // Rounds corners only as far as their arms are the junction's.
 void shrink_radii(Draft& draft) {
   const auto length_m = [&](std::uint32_t arm) {
-    return draft.cuts[arm].length_m == kWhole_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
+    return draft.cuts[arm].length_m == kWholeLink_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
   };
   for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
     double& radius = draft.cuts[arm].radius_m;

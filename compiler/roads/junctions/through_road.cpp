@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compiler/roads/junctions/arm_lines.h"
-#include "compiler/roads/junctions/round_places.h"
+#include "compiler/roads/junctions/circular_nodes.h"
 
 namespace citykiln::roads {
 namespace {

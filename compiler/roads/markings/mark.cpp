@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/roads/markings/pattern.h"
+#include "compiler/roads/markings/marking_layout.h"
 
 namespace citykiln::roads {
 namespace {
@@ -19,19 +19,19 @@ Vec2 mitre(Vec2 before, Vec2 after, double half_width) {
 
 Ring rectangle(Vec2 low, Vec2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
-void add_line(double u_m, double width_m, Rhythm rhythm, Marks& marks) {
+void add_line(double u_m, double width_m, DashPattern rhythm, Marks& marks) {
   const double left_m = u_m - width_m / 2, right_m = u_m + width_m / 2;
   if (rhythm.dash_m == rhythm.period_m) {
-    marks.push_back({rectangle({left_m, 0}, {right_m, kPatternLength_m}), kWhite});
+    marks.push_back({rectangle({left_m, 0}, {right_m, kLayoutLength_m}), kWhite});
     return;
   }
-  for (double period_m = 0; period_m < kPatternLength_m; period_m += rhythm.period_m) {
+  for (double period_m = 0; period_m < kLayoutLength_m; period_m += rhythm.period_m) {
     const double low_m = period_m + (rhythm.period_m - rhythm.dash_m) / 2;
     marks.push_back({rectangle({left_m, low_m}, {right_m, low_m + rhythm.dash_m}), kWhite});
   }
 }
 
-void add_dashes_across(double left_m, double right_m, double low_m, double high_m, Rhythm rhythm, Marks& marks) {
+void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern rhythm, Marks& marks) {
   const double gap_m = rhythm.period_m - rhythm.dash_m, width_m = right_m - left_m;
   const double count = std::max(1.0, std::floor((width_m + gap_m) / rhythm.period_m + 0.5));
   // dashes and gaps together fill the width

@@ -8,7 +8,7 @@
 namespace citykiln::roads {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 constexpr LineMeasures kMotorwayLines = {0.15, 0.30, {4, 12}, {6, 12}, true, true};
 constexpr LineMeasures kCountryLines = {0.12, 0.25, {4, 12}, {3, 6}, true, false};
@@ -19,30 +19,30 @@ constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;
 
 }  // namespace
 
-LineMeasures measures_of(const Pattern& pattern) {
-  if (pattern.surface == SurfaceClass::kMotorwayRoad) return kMotorwayLines;
-  const bool is_in_town = pattern.has_kerb_left || pattern.has_kerb_right;
+LineMeasures measures_of(const MarkingLayout& layout) {
+  if (layout.surface == LandCoverClass::kMotorwayRoad) return kMotorwayLines;
+  const bool is_in_town = layout.has_kerb_left || layout.has_kerb_right;
   LineMeasures measures = is_in_town ? kTownLines : kCountryLines;
-  measures.has_lane_lines = !is_quiet(pattern);
+  measures.has_lane_lines = !is_quiet(layout);
   measures.has_edge_lines =
-      pattern.surface == SurfaceClass::kPrimaryRoad || pattern.surface == SurfaceClass::kSecondaryRoad;
+      layout.surface == LandCoverClass::kPrimaryRoad || layout.surface == LandCoverClass::kSecondaryRoad;
   return measures;
 }
 
-bool is_quiet(const Pattern& pattern) {
-  switch (pattern.surface) {
-    case SurfaceClass::kMotorwayRoad:
-    case SurfaceClass::kPrimaryRoad:
-    case SurfaceClass::kSecondaryRoad:
-    case SurfaceClass::kTertiaryRoad:
+bool is_quiet(const MarkingLayout& layout) {
+  switch (layout.surface) {
+    case LandCoverClass::kMotorwayRoad:
+    case LandCoverClass::kPrimaryRoad:
+    case LandCoverClass::kSecondaryRoad:
+    case LandCoverClass::kTertiaryRoad:
       return false;
     default:
       return true;
   }
 }
 
-bool takes_paint(const Pattern& pattern) {
-  switch (map::values_of(pattern.surface).material) {
+bool takes_paint(const MarkingLayout& layout) {
+  switch (map::values_of(layout.surface).material) {
     case materials::Material::kAsphalt:
     case materials::Material::kOldAsphalt:
     case materials::Material::kPaving:
@@ -53,14 +53,15 @@ bool takes_paint(const Pattern& pattern) {
   }
 }
 
-LaneSpan arriving_span(const Pattern& pattern, std::size_t index) {
-  const map::Lane& lane = pattern.lanes[index];
-  const double low_m = lane_sides_m(pattern)[index], high_m = low_m + lane.width_m, middle_m = (low_m + high_m) / 2;
-  if (lane.way == map::LaneWay::kBackward) return {0, 0};
+LaneSpan arriving_span(const MarkingLayout& layout, std::size_t index) {
+  const map::Lane& lane = layout.lanes[index];
+  const double low_m = lane_sides_m(layout)[index], high_m = low_m + lane.width_m, middle_m = (low_m + high_m) / 2;
+  if (lane.way == map::LaneDirection::kBackward) return {0, 0};
   const double pass_m = lane.kind == map::LaneKind::kCycle ? kCyclesPass_m : kCarsPass_m;
-  const bool is_shared = lane.way == map::LaneWay::kBoth && lane.kind != map::LaneKind::kTurn && lane.width_m >= pass_m;
+  const bool is_shared =
+      lane.way == map::LaneDirection::kBoth && lane.kind != map::LaneKind::kTurn && lane.width_m >= pass_m;
   if (!is_shared) return {low_m, high_m};
-  return pattern.side == map::DrivingSide::kRight ? LaneSpan{middle_m, high_m} : LaneSpan{low_m, middle_m};
+  return layout.side == map::DrivingSide::kRight ? LaneSpan{middle_m, high_m} : LaneSpan{low_m, middle_m};
 }
 
 bool is_driven(const map::Lane& lane) {

@@ -8,24 +8,24 @@
 namespace citykiln::roads {
 namespace {
 
-Marks paint_of(const Pattern& pattern) {
+Marks paint_of(const MarkingLayout& layout) {
   Marks marks;
-  if (pattern.stretch == Stretch::kZebra) {
-    add_zebra(pattern, marks);
+  if (layout.stretch == StretchKind::kZebra) {
+    add_zebra(layout, marks);
     return marks;
   }
-  if (pattern.stretch == Stretch::kCrossing) {
-    add_crossing(pattern, marks);
+  if (layout.stretch == StretchKind::kCrossing) {
+    add_crossing(layout, marks);
     return marks;
   }
-  add_tints(pattern, marks);
-  add_hatching(pattern, marks);
-  add_bays(pattern, marks);
-  add_lane_lines(pattern, marks);
-  if (pattern.stretch != Stretch::kEnd) return marks;
-  add_stop_lines(pattern, marks);
-  add_arrows(pattern, marks);
-  add_symbols(pattern, marks);
+  add_tints(layout, marks);
+  add_hatching(layout, marks);
+  add_bays(layout, marks);
+  add_lane_lines(layout, marks);
+  if (layout.stretch != StretchKind::kEnd) return marks;
+  add_stop_lines(layout, marks);
+  add_arrows(layout, marks);
+  add_symbols(layout, marks);
   return marks;
 }
 
@@ -37,24 +37,24 @@ void keep_between(double low_m, double high_m, Marks& marks) {
 
 }  // namespace
 
-Marks marks_of(const Pattern& pattern) {
-  if (!(width_m(pattern) > 0)) return {};
-  if (pattern.stretch == Stretch::kStart)
-    return turned_round(marks_of(turned_round(pattern)), width_m(pattern), length_m(pattern));
+Marks marks_of(const MarkingLayout& layout) {
+  if (!(width_m(layout) > 0)) return {};
+  if (layout.stretch == StretchKind::kStart)
+    return turned_round(marks_of(turned_round(layout)), width_m(layout), length_m(layout));
   Marks marks;
-  if (takes_paint(pattern)) marks = paint_of(pattern);
-  if (length_m(pattern) == kPatternLength_m) add_rails(pattern, marks);
-  keep_between(0, width_m(pattern), marks);
+  if (takes_paint(layout)) marks = paint_of(layout);
+  if (length_m(layout) == kLayoutLength_m) add_rails(layout, marks);
+  keep_between(0, width_m(layout), marks);
   return marks;
 }
 
-bool is_marked(const Pattern& pattern) { return !marks_of(pattern).empty(); }
+bool is_marked(const MarkingLayout& layout) { return !marks_of(layout).empty(); }
 
-materials::Sheet::Texel base_colour_of(const Pattern& pattern) {
-  const bool is_level_crossing = pattern.stretch == Stretch::kLevelCrossing;
+materials::TextureImage::Texel base_colour_of(const MarkingLayout& layout) {
+  const bool is_level_crossing = layout.stretch == StretchKind::kLevelCrossing;
   const materials::Material material =
-      is_level_crossing ? materials::Material::kAsphalt : map::values_of(pattern.surface).material;
-  materials::Sheet::Texel colour{};
+      is_level_crossing ? materials::Material::kAsphalt : map::values_of(layout.surface).material;
+  materials::TextureImage::Texel colour{};
   for (std::size_t i = 0; i < colour.size(); ++i)
     colour[i] = materials::srgb_of_linear(materials::values_of(material).base_colour[i]);
   return colour;

@@ -18,7 +18,7 @@
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
-#include "compiler/roads/markings/pattern.h"
+#include "compiler/roads/markings/marking_layout.h"
 
 namespace citykiln::roads {
 
@@ -28,12 +28,12 @@ namespace citykiln::roads {
 /// pattern turned round has the marks turned round. Where the side is the other and lanes and their turns are mirrored,
 /// so are the marks, but for letters and bicycles. What repeats does so over the pattern's ends. Total: lanes of no
 /// width, or kinds that make no sense in a strip, are bare. O(marks), at most some hundred.
-Marks marks_of(const Pattern& pattern);
+Marks marks_of(const MarkingLayout& layout);
 
 /// Whether anything is painted: if not, the strip is plain material and needs no column.
-bool is_marked(const Pattern& pattern);
+bool is_marked(const MarkingLayout& layout);
 
 /// What lies under the marks: the material of the strip's surface, and asphalt between the rails of a level crossing.
-materials::Sheet::Texel base_colour_of(const Pattern& pattern);
+materials::TextureImage::Texel base_colour_of(const MarkingLayout& layout);
 
 }  // namespace citykiln::roads

@@ -98,10 +98,10 @@ void add_arrow(const Drawing& arrow, LaneSpan lane, Marks& marks) {
 
 }  // namespace
 
-void add_arrows(const Pattern& pattern, Marks& marks) {
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    const LaneSpan lane = arriving_span(pattern, i);
-    const Drawing arrow = arrow_of(pattern.lanes[i].turns, pattern.side);
+void add_arrows(const MarkingLayout& layout, Marks& marks) {
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    const LaneSpan lane = arriving_span(layout, i);
+    const Drawing arrow = arrow_of(layout.lanes[i].turns, layout.side);
     if (lane.low_m < lane.high_m && !arrow.empty()) add_arrow(arrow, lane, marks);
   }
 }

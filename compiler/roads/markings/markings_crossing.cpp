@@ -7,9 +7,9 @@
 
 namespace citykiln::roads {
 
-void add_zebra(const Pattern& pattern, Marks& marks) {
+void add_zebra(const MarkingLayout& layout, Marks& marks) {
   constexpr double kBar_m = 0.5, kPeriod_m = 1;
-  const double across_m = width_m(pattern), bar_m = std::min(kBar_m, across_m);
+  const double across_m = width_m(layout), bar_m = std::min(kBar_m, across_m);
   const double count = 1 + std::floor((across_m - bar_m) / kPeriod_m);
   const double first_m = (across_m - bar_m - (count - 1) * kPeriod_m) / 2;
   for (double i = 0; i < count; ++i) {
@@ -18,11 +18,11 @@ void add_zebra(const Pattern& pattern, Marks& marks) {
   }
 }
 
-void add_crossing(const Pattern& pattern, Marks& marks) {
-  constexpr Rhythm kDashes = {0.5, 0.7};
-  const double line_m = measures_of(pattern).narrow_m;
-  add_dashes_across(0, width_m(pattern), 0, line_m, kDashes, marks);
-  add_dashes_across(0, width_m(pattern), kCrossingLength_m - line_m, kCrossingLength_m, kDashes, marks);
+void add_crossing(const MarkingLayout& layout, Marks& marks) {
+  constexpr DashPattern kDashes = {0.5, 0.7};
+  const double line_m = measures_of(layout).narrow_m;
+  add_dashes_across(0, width_m(layout), 0, line_m, kDashes, marks);
+  add_dashes_across(0, width_m(layout), kCrossingLength_m - line_m, kCrossingLength_m, kDashes, marks);
 }
 
 }  // namespace citykiln::roads

@@ -11,17 +11,17 @@ namespace citykiln::roads {
 namespace {
 
 using map::Lane;
+using map::LaneDirection;
 using map::LaneKind;
-using map::LaneWay;
 
 constexpr double kEdgeLineInset_m = 0.25;  // from the edge of the asphalt to the line's middle
 constexpr double kNarrowCycleLane_m = 1.25;
-constexpr Rhythm kCloseBroken = {1, 2};  // RMS: narrow cycle lanes that lorries may use
-constexpr Rhythm kTwoWayTrack = {1, 4};
+constexpr DashPattern kCloseBroken = {1, 2};  // RMS: narrow cycle lanes that lorries may use
+constexpr DashPattern kTwoWayTrack = {1, 4};
 
 struct Line {
   double width_m = 0;  // 0: none
-  Rhythm rhythm = kUnbroken;
+  DashPattern rhythm = kUnbroken;
   bool is_double = false;
 };
 
@@ -36,15 +36,15 @@ struct Rules {
 constexpr std::uint16_t kMerging = map::kTurnMergeToLeft | map::kTurnMergeToRight;
 constexpr std::uint16_t kAhead = map::kTurnThrough | kMerging;
 
-Rules rules_of(const Pattern& pattern) {
-  Rules rules{measures_of(pattern), pattern.control != Control::kNone, false, is_quiet(pattern)};
+Rules rules_of(const MarkingLayout& layout) {
+  Rules rules{measures_of(layout), layout.control != Control::kNone, false, is_quiet(layout)};
   int forward = 0, backward = 0;
-  for (const Lane& lane : pattern.lanes) {
-    forward += is_driven(lane) && lane.way == LaneWay::kForward;
-    backward += is_driven(lane) && lane.way == LaneWay::kBackward;
-    rules.is_sorted |= lane.turns != 0 && lane.way != LaneWay::kBackward;
+  for (const Lane& lane : layout.lanes) {
+    forward += is_driven(lane) && lane.way == LaneDirection::kForward;
+    backward += is_driven(lane) && lane.way == LaneDirection::kBackward;
+    rules.is_sorted |= lane.turns != 0 && lane.way != LaneDirection::kBackward;
   }
-  rules.is_sorted &= pattern.stretch == Stretch::kEnd;
+  rules.is_sorted &= layout.stretch == StretchKind::kEnd;
   rules.has_double_centre = forward >= 2 && backward >= 2;
   return rules;
 }
@@ -67,40 +67,40 @@ Line cycle_line(const Lane& a, const Lane& b, const Rules& rules) {
   return {rules.measures.broad_m, kUnbroken};
 }
 
-Line same_way_line(const Lane& a, const Lane& b, const Pattern& pattern, const Rules& rules) {
+Line same_way_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   const LineMeasures& measures = rules.measures;
   if (a.kind != b.kind && is_any(LaneKind::kBus, a, b)) return {measures.broad_m, kUnbroken};
-  const bool is_motorway = pattern.surface == map::SurfaceClass::kMotorwayRoad;
+  const bool is_motorway = layout.surface == map::LandCoverClass::kMotorwayRoad;
   if (merges(a, b) || (is_motorway && leaves(a, b))) return {measures.broad_m, measures.broad_broken};
-  const bool is_sorted = rules.is_sorted && a.way == LaneWay::kForward;
+  const bool is_sorted = rules.is_sorted && a.way == LaneDirection::kForward;
   if (!measures.has_lane_lines && !is_sorted) return {};
   return {measures.narrow_m, is_sorted ? kUnbroken : measures.broken};
 }
 
-Line driven_line(const Lane& a, const Lane& b, const Pattern& pattern, const Rules& rules) {
-  if (a.way == b.way) return same_way_line(a, b, pattern, rules);
+Line driven_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
+  if (a.way == b.way) return same_way_line(a, b, layout, rules);
   if (!rules.measures.has_lane_lines) return {};
-  const bool is_either_way = a.way == LaneWay::kBoth || b.way == LaneWay::kBoth;
+  const bool is_either_way = a.way == LaneDirection::kBoth || b.way == LaneDirection::kBoth;
   if (rules.has_double_centre && !is_either_way) return {rules.measures.narrow_m, kUnbroken, true};
   return {rules.measures.narrow_m, rules.is_sorted ? kUnbroken : rules.measures.broken};
 }
 
-Line shoulder_line(const Lane& a, const Lane& b, const Pattern& pattern, const Rules& rules) {
+Line shoulder_line(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   if (!rules.measures.has_lane_lines || a.kind == b.kind) return {};
   const double width_m = a.kind == LaneKind::kShoulder ? a.width_m : b.width_m;
   constexpr double kEmergencyLane_m = 2;
-  const bool is_broad = pattern.surface == map::SurfaceClass::kMotorwayRoad && width_m >= kEmergencyLane_m;
+  const bool is_broad = layout.surface == map::LandCoverClass::kMotorwayRoad && width_m >= kEmergencyLane_m;
   return {is_broad ? rules.measures.broad_m : rules.measures.narrow_m, kUnbroken};
 }
 
-Line line_between(const Lane& a, const Lane& b, const Pattern& pattern, const Rules& rules) {
+Line line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, const Rules& rules) {
   for (const LaneKind bare :
        {LaneKind::kSidewalk, LaneKind::kFoot, LaneKind::kRail, LaneKind::kParking, LaneKind::kVerge})
     if (is_any(bare, a, b)) return {};
   if (is_any(LaneKind::kBuffer, a, b)) return a.kind == b.kind ? Line{} : Line{rules.measures.narrow_m, kUnbroken};
-  if (is_any(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, pattern, rules);
+  if (is_any(LaneKind::kShoulder, a, b)) return shoulder_line(a, b, layout, rules);
   if (is_any(LaneKind::kCycle, a, b)) return cycle_line(a, b, rules);
-  return driven_line(a, b, pattern, rules);
+  return driven_line(a, b, layout, rules);
 }
 
 void add(const Line& line, double u_m, Marks& marks) {
@@ -111,65 +111,65 @@ void add(const Line& line, double u_m, Marks& marks) {
   add_line(u_m + line.width_m, line.width_m, line.rhythm, marks);
 }
 
-void add_edge_lines(const Pattern& pattern, const LineMeasures& measures, Marks& marks) {
-  const bool is_motorway = pattern.surface == map::SurfaceClass::kMotorwayRoad;
+void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, Marks& marks) {
+  const bool is_motorway = layout.surface == map::LandCoverClass::kMotorwayRoad;
   const auto has_line = [&](const Lane& lane, bool has_kerb) {
     return measures.has_edge_lines && is_driven(lane) && (is_motorway || !has_kerb) && lane.width_m > 1;
   };
-  if (has_line(pattern.lanes.front(), pattern.has_kerb_left))
+  if (has_line(layout.lanes.front(), layout.has_kerb_left))
     add_line(kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
-  if (has_line(pattern.lanes.back(), pattern.has_kerb_right))
-    add_line(width_m(pattern) - kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
+  if (has_line(layout.lanes.back(), layout.has_kerb_right))
+    add_line(width_m(layout) - kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
 }
 
 // Two-way cycle tracks are one lane.
-void add_track_centres(const Pattern& pattern, double line_m, Marks& marks) {
+void add_track_centres(const MarkingLayout& layout, double line_m, Marks& marks) {
   constexpr double kTwoWayTrack_m = 2;
-  const std::vector<double> sides_m = lane_sides_m(pattern);
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    const Lane& lane = pattern.lanes[i];
-    if (lane.kind == LaneKind::kCycle && lane.way == LaneWay::kBoth && lane.width_m >= kTwoWayTrack_m)
+  const std::vector<double> sides_m = lane_sides_m(layout);
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    const Lane& lane = layout.lanes[i];
+    if (lane.kind == LaneKind::kCycle && lane.way == LaneDirection::kBoth && lane.width_m >= kTwoWayTrack_m)
       add_line((sides_m[i] + sides_m[i + 1]) / 2, line_m, kTwoWayTrack, marks);
   }
 }
 
 }  // namespace
 
-void add_lane_lines(const Pattern& pattern, Marks& marks) {
-  const Rules rules = rules_of(pattern);
-  const std::vector<double> sides_m = lane_sides_m(pattern);
-  add_edge_lines(pattern, rules.measures, marks);
-  for (std::size_t i = 0; i + 1 < pattern.lanes.size(); ++i)
-    add(line_between(pattern.lanes[i], pattern.lanes[i + 1], pattern, rules), sides_m[i + 1], marks);
-  add_track_centres(pattern, rules.measures.narrow_m, marks);
+void add_lane_lines(const MarkingLayout& layout, Marks& marks) {
+  const Rules rules = rules_of(layout);
+  const std::vector<double> sides_m = lane_sides_m(layout);
+  add_edge_lines(layout, rules.measures, marks);
+  for (std::size_t i = 0; i + 1 < layout.lanes.size(); ++i)
+    add(line_between(layout.lanes[i], layout.lanes[i + 1], layout, rules), sides_m[i + 1], marks);
+  add_track_centres(layout, rules.measures.narrow_m, marks);
 }
 
-void add_tints(const Pattern& pattern, Marks& marks) {
-  const bool has_cars = std::any_of(pattern.lanes.begin(), pattern.lanes.end(), is_driven);
-  const std::vector<double> sides_m = lane_sides_m(pattern);
+void add_tints(const MarkingLayout& layout, Marks& marks) {
+  const bool has_cars = std::any_of(layout.lanes.begin(), layout.lanes.end(), is_driven);
+  const std::vector<double> sides_m = lane_sides_m(layout);
   // asphalt with a quarter of red stone in it
-  const materials::Sheet::Texel base = base_colour_of(pattern);
-  const materials::Sheet::Texel tint = {static_cast<std::uint8_t>(std::min(255, base[0] + 26)), base[1],
-                                        static_cast<std::uint8_t>(std::max(0, base[2] - 8))};
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i)
-    if (has_cars && pattern.lanes[i].kind == LaneKind::kCycle && !pattern.lanes[i].is_raised)
-      marks.push_back({rectangle({sides_m[i], 0}, {sides_m[i + 1], kPatternLength_m}), tint});
+  const materials::TextureImage::Texel base = base_colour_of(layout);
+  const materials::TextureImage::Texel tint = {static_cast<std::uint8_t>(std::min(255, base[0] + 26)), base[1],
+                                               static_cast<std::uint8_t>(std::max(0, base[2] - 8))};
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i)
+    if (has_cars && layout.lanes[i].kind == LaneKind::kCycle && !layout.lanes[i].is_raised)
+      marks.push_back({rectangle({sides_m[i], 0}, {sides_m[i + 1], kLayoutLength_m}), tint});
 }
 
-void add_hatching(const Pattern& pattern, Marks& marks) {
+void add_hatching(const MarkingLayout& layout, Marks& marks) {
   struct Hatch {
     double stripe_m, period_m;
   };
   constexpr Hatch kNarrow = {0.25, 1}, kWide = {0.5, 1.5};
   constexpr double kLeastHatched_m = 0.4, kWide_m = 1;
-  const std::vector<double> sides_m = lane_sides_m(pattern);
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    const Lane& lane = pattern.lanes[i];
+  const std::vector<double> sides_m = lane_sides_m(layout);
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    const Lane& lane = layout.lanes[i];
     if (lane.kind != LaneKind::kBuffer || lane.is_raised || lane.width_m < kLeastHatched_m) continue;
     const Hatch hatch = lane.width_m < kWide_m ? kNarrow : kWide;
     // stripes lean back towards the traffic beside them: the same seen from either end
-    const double rise_m = pattern.side == map::DrivingSide::kRight ? -lane.width_m : lane.width_m;
-    for (double v_m = 0; v_m < kPatternLength_m; v_m += hatch.period_m) {
+    const double rise_m = layout.side == map::DrivingSide::kRight ? -lane.width_m : lane.width_m;
+    for (double v_m = 0; v_m < kLayoutLength_m; v_m += hatch.period_m) {
       const double low_m = v_m + (hatch.period_m - hatch.stripe_m - rise_m) / 2, high_m = low_m + hatch.stripe_m;
       const double left_m = sides_m[i], right_m = sides_m[i + 1];
       marks.push_back(

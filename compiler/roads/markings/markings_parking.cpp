@@ -7,7 +7,7 @@ namespace citykiln::roads {
 namespace {
 
 using map::Lane;
-using map::LaneWay;
+using map::LaneDirection;
 
 // A car needs 5.5, 2.9 and 2.4 m of kerb (RAST 06); periods divide the pattern.
 struct Bays {
@@ -26,13 +26,13 @@ Bays bays_of(const Lane& lane, map::DrivingSide side) {
 }
 
 // Cars along the kerb of a quiet street stand where they like, unless they have a strip of their own.
-bool has_bays(const Pattern& pattern, const Lane& lane) {
+bool has_bays(const MarkingLayout& layout, const Lane& lane) {
   if (lane.kind != map::LaneKind::kParking) return false;
-  return !is_along(lane) || !is_quiet(pattern) || pattern.surface == map::SurfaceClass::kParking;
+  return !is_along(lane) || !is_quiet(layout) || layout.surface == map::LandCoverClass::kParking;
 }
 
 void add_bays_of(double left_m, double right_m, const Bays& bays, double line_m, Marks& marks) {
-  for (double v_m = 0; v_m < kPatternLength_m - bays.period_m / 2; v_m += bays.period_m) {
+  for (double v_m = 0; v_m < kLayoutLength_m - bays.period_m / 2; v_m += bays.period_m) {
     const double low_m = v_m - (line_m + bays.rise_m) / 2, high_m = low_m + line_m;
     marks.push_back(
         {{{left_m, low_m}, {right_m, low_m + bays.rise_m}, {right_m, high_m + bays.rise_m}, {left_m, high_m}}, kWhite});
@@ -42,27 +42,27 @@ void add_bays_of(double left_m, double right_m, const Bays& bays, double line_m,
 // On the side of the traffic, where it is known which that is.
 void add_bays_edge(const Lane& lane, double left_m, double right_m, map::DrivingSide side, double line_m,
                    Marks& marks) {
-  if (lane.way == LaneWay::kBoth) return;
-  const bool is_left = (lane.way == LaneWay::kForward) == (side == map::DrivingSide::kRight);
+  if (lane.way == LaneDirection::kBoth) return;
+  const bool is_left = (lane.way == LaneDirection::kForward) == (side == map::DrivingSide::kRight);
   add_line(is_left ? left_m + line_m / 2 : right_m - line_m / 2, line_m, kUnbroken, marks);
 }
 
 }  // namespace
 
-void add_bays(const Pattern& pattern, Marks& marks) {
+void add_bays(const MarkingLayout& layout, Marks& marks) {
   constexpr double kLastBayEnds_m = 6;  // StVO § 12: no parking within 5 m of a junction
-  const double line_m = measures_of(pattern).narrow_m;
-  const std::vector<double> sides_m = lane_sides_m(pattern);
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    const Lane& lane = pattern.lanes[i];
-    if (!has_bays(pattern, lane)) continue;
-    const Bays bays = bays_of(lane, pattern.side);
+  const double line_m = measures_of(layout).narrow_m;
+  const std::vector<double> sides_m = lane_sides_m(layout);
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    const Lane& lane = layout.lanes[i];
+    if (!has_bays(layout, lane)) continue;
+    const Bays bays = bays_of(lane, layout.side);
     add_bays_of(sides_m[i], sides_m[i + 1], bays, line_m, marks);
-    add_bays_edge(lane, sides_m[i], sides_m[i + 1], pattern.side, line_m, marks);
-    if (pattern.stretch != Stretch::kEnd) continue;
+    add_bays_edge(lane, sides_m[i], sides_m[i + 1], layout.side, line_m, marks);
+    if (layout.stretch != StretchKind::kEnd) continue;
     const double rise_m = bays.rise_m < 0 ? -bays.rise_m : bays.rise_m;
-    const Vec2 low = {sides_m[i], kLastBayEnds_m + (line_m + rise_m) / 2}, high = {sides_m[i + 1], kPatternLength_m};
-    marks.push_back({rectangle(low, high), base_colour_of(pattern)});
+    const Vec2 low = {sides_m[i], kLastBayEnds_m + (line_m + rise_m) / 2}, high = {sides_m[i + 1], kLayoutLength_m};
+    marks.push_back({rectangle(low, high), base_colour_of(layout)});
   }
 }
 

@@ -3,25 +3,25 @@
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
-#include "compiler/roads/markings/pattern.h"
+#include "compiler/roads/markings/marking_layout.h"
 
 namespace citykiln::roads {
 
 /// Cycle lanes beside cars, in a muted red.
-void add_tints(const Pattern& pattern, Marks& marks);
+void add_tints(const MarkingLayout& layout, Marks& marks);
 /// Between neighbouring lanes, along edges, and in two-way cycle tracks.
-void add_lane_lines(const Pattern& pattern, Marks& marks);
-void add_hatching(const Pattern& pattern, Marks& marks);
+void add_lane_lines(const MarkingLayout& layout, Marks& marks);
+void add_hatching(const MarkingLayout& layout, Marks& marks);
 /// Parking; none within 6 m of a junction.
-void add_bays(const Pattern& pattern, Marks& marks);
+void add_bays(const MarkingLayout& layout, Marks& marks);
 /// A stop line, or the broken line of who gives way, across the lanes that arrive.
-void add_stop_lines(const Pattern& pattern, Marks& marks);
+void add_stop_lines(const MarkingLayout& layout, Marks& marks);
 /// Of turn:lanes.
-void add_arrows(const Pattern& pattern, Marks& marks);
+void add_arrows(const MarkingLayout& layout, Marks& marks);
 /// Bicycles and BUS.
-void add_symbols(const Pattern& pattern, Marks& marks);
-void add_zebra(const Pattern& pattern, Marks& marks);
-void add_crossing(const Pattern& pattern, Marks& marks);
-void add_rails(const Pattern& pattern, Marks& marks);
+void add_symbols(const MarkingLayout& layout, Marks& marks);
+void add_zebra(const MarkingLayout& layout, Marks& marks);
+void add_crossing(const MarkingLayout& layout, Marks& marks);
+void add_rails(const MarkingLayout& layout, Marks& marks);
 
 }  // namespace citykiln::roads

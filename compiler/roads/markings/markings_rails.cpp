@@ -8,17 +8,17 @@
 namespace citykiln::roads {
 namespace {
 
-using Texel = materials::Sheet::Texel;
+using Texel = materials::TextureImage::Texel;
 
 constexpr Texel kSteel = {152, 147, 142}, kRust = {88, 66, 53}, kSleeper = {141, 136, 127}, kGroove = {38, 36, 35};
 
 void add_band(double left_m, double right_m, Texel colour, Marks& marks) {
-  marks.push_back({rectangle({left_m, 0}, {right_m, kPatternLength_m}), colour});
+  marks.push_back({rectangle({left_m, 0}, {right_m, kLayoutLength_m}), colour});
 }
 
 void add_sleepers(double middle_m, double half_length_m, Marks& marks) {
   constexpr int kCount = 20;
-  constexpr double kSleeper_m = 0.26, kPeriod_m = kPatternLength_m / kCount;
+  constexpr double kSleeper_m = 0.26, kPeriod_m = kLayoutLength_m / kCount;
   for (int i = 0; i < kCount; ++i) {
     const double v_m = (i + 0.5) * kPeriod_m;
     marks.push_back(
@@ -45,16 +45,16 @@ void add_grooved_rail(double inner_m, double side, Marks& marks) {
 
 }  // namespace
 
-void add_rails(const Pattern& pattern, Marks& marks) {
+void add_rails(const MarkingLayout& layout, Marks& marks) {
   constexpr double kLeastGauge_m = 0.3, kSleeperBeyondRail_m = 0.58;
-  const bool is_on_ballast = map::values_of(pattern.surface).material == materials::Material::kBallast &&
-                             pattern.stretch != Stretch::kLevelCrossing;
-  const std::vector<double> sides_m = lane_sides_m(pattern);
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    if (pattern.lanes[i].kind != map::LaneKind::kRail) continue;
-    const double middle_m = (sides_m[i] + sides_m[i + 1]) / 2, half_lane_m = pattern.lanes[i].width_m / 2;
+  const bool is_on_ballast = map::values_of(layout.surface).material == materials::Material::kBallast &&
+                             layout.stretch != StretchKind::kLevelCrossing;
+  const std::vector<double> sides_m = lane_sides_m(layout);
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    if (layout.lanes[i].kind != map::LaneKind::kRail) continue;
+    const double middle_m = (sides_m[i] + sides_m[i + 1]) / 2, half_lane_m = layout.lanes[i].width_m / 2;
     // rails and what holds them stay in their lane
-    const double half_gauge_m = std::min(std::max(pattern.gauge_m, kLeastGauge_m) / 2, half_lane_m * 0.75);
+    const double half_gauge_m = std::min(std::max(layout.gauge_m, kLeastGauge_m) / 2, half_lane_m * 0.75);
     if (is_on_ballast) add_sleepers(middle_m, std::min(half_gauge_m + kSleeperBeyondRail_m, half_lane_m), marks);
     for (const double side : {-1.0, 1.0})
       (is_on_ballast ? add_rail : add_grooved_rail)(middle_m + side * half_gauge_m, side, marks);

@@ -115,23 +115,23 @@ bool has_symbol(const map::Lane& lane) {
 }
 
 // For who comes to the end of the pattern, before any arrow.
-void add_arriving_symbols(const Pattern& pattern, double foot_m, Marks& marks) {
-  for (std::size_t i = 0; i < pattern.lanes.size(); ++i) {
-    const LaneSpan lane = arriving_span(pattern, i);
-    if (!has_symbol(pattern.lanes[i]) || !(lane.low_m < lane.high_m)) continue;
-    add_symbol(pattern.lanes[i].kind == map::LaneKind::kBus ? bus() : bicycle(), lane, foot_m, marks);
+void add_arriving_symbols(const MarkingLayout& layout, double foot_m, Marks& marks) {
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    const LaneSpan lane = arriving_span(layout, i);
+    if (!has_symbol(layout.lanes[i]) || !(lane.low_m < lane.high_m)) continue;
+    add_symbol(layout.lanes[i].kind == map::LaneKind::kBus ? bus() : bicycle(), lane, foot_m, marks);
   }
 }
 
 }  // namespace
 
-void add_symbols(const Pattern& pattern, Marks& marks) {
+void add_symbols(const MarkingLayout& layout, Marks& marks) {
   constexpr double kArrivingFoot_m = 1, kLeavingFoot_m = 2.5;
-  add_arriving_symbols(pattern, kArrivingFoot_m, marks);
+  add_arriving_symbols(layout, kArrivingFoot_m, marks);
   // and for who leaves the junction
   Marks leaving;
-  add_arriving_symbols(turned_round(pattern), kLeavingFoot_m, leaving);
-  for (Mark& mark : turned_round(leaving, width_m(pattern), kPatternLength_m)) marks.push_back(std::move(mark));
+  add_arriving_symbols(turned_round(layout), kLeavingFoot_m, leaving);
+  for (Mark& mark : turned_round(leaving, width_m(layout), kLayoutLength_m)) marks.push_back(std::move(mark));
 }
 
 }  // namespace citykiln::roads

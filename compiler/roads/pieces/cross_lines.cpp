@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/roads/width_limits/squeeze.h"
+#include "compiler/roads/width_limits/narrowed_section.h"
 
 namespace citykiln::roads {
 namespace {
@@ -39,7 +39,7 @@ Lean lean_of(Vec2 out, Vec2 along, Reaches reaches) {
 // A road while it is cut.
 struct Cutting {
   const Road& road;
-  const Ends& ends;
+  const StripEnds& ends;
   Reaches reaches;
   double tile_m;
   std::vector<double> along{};
@@ -95,12 +95,12 @@ void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis
 }
 
 // Lines across a segment between its ends, not within the reach of those: borders first, for all tiles know them.
-std::vector<double> lines_within(const Cutting& cutting, std::span<const StretchRun> stretches, std::size_t segment) {
+std::vector<double> lines_within(const Cutting& cutting, std::span<const RoadStretch> stretches, std::size_t segment) {
   std::vector<double> wanted, lines;
   add_borders(cutting, segment, &Vec2::x, wanted);
   add_borders(cutting, segment, &Vec2::y, wanted);
   std::sort(wanted.begin(), wanted.end());
-  for (const StretchRun& run : stretches) wanted.push_back(run.from_m);
+  for (const RoadStretch& run : stretches) wanted.push_back(run.from_m);
   wanted.insert(wanted.end(), cutting.edge_bends.begin(), cutting.edge_bends.end());
   const Vec2 direction = cutting.direction(segment);
   const double from = cutting.along[segment] + kLeastSide_m +
@@ -116,8 +116,8 @@ std::vector<double> lines_within(const Cutting& cutting, std::span<const Stretch
 }
 
 // The stretch that a distance lies in.
-std::uint32_t stretch_at(std::span<const StretchRun> stretches, double along_m) {
-  const auto after = std::ranges::upper_bound(stretches, along_m, {}, &StretchRun::from_m);
+std::uint32_t stretch_at(std::span<const RoadStretch> stretches, double along_m) {
+  const auto after = std::ranges::upper_bound(stretches, along_m, {}, &RoadStretch::from_m);
   return after == stretches.begin() ? 0 : static_cast<std::uint32_t>(after - stretches.begin()) - 1;
 }
 
@@ -127,7 +127,7 @@ CrossLine line_between(const Cutting& cutting, std::size_t segment, double along
   return {a + (b - a) * share, left_of(cutting.direction(segment)), along_m};
 }
 
-void slice_segment(const Cutting& cutting, std::span<const StretchRun> stretches, std::size_t segment,
+void slice_segment(const Cutting& cutting, std::span<const RoadStretch> stretches, std::size_t segment,
                    std::vector<Slice>& slices) {
   CrossLine start = cutting.line_at(segment, segment);
   const auto push = [&](const CrossLine& end) {
@@ -141,7 +141,7 @@ void slice_segment(const Cutting& cutting, std::span<const StretchRun> stretches
 
 }  // namespace
 
-Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
+Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
                  double right_m, double tile_m) {
   Cutting cutting{road, ends, {left_m, right_m}, tile_m, distances_along(road), bends_of_edges(road)};
   cutting.find_outs();

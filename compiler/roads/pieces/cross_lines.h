@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 #include "compiler/roads/pieces/stretches.h"
 
 namespace citykiln::roads {
@@ -40,7 +40,7 @@ struct Slices {
 ///                         leaves it, are lines too: what changes beyond them moves no edge on the border.
 /// Guarantees: lines of one slice do not cross within that; neighbours share their line unless the bend is open.
 /// A stretch that would end within a bend ends at its vertex instead. O(points + stretches).
-Slices slices_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double left_m,
+Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double left_m,
                  double right_m, double tile_m);
 
 }  // namespace citykiln::roads

@@ -23,7 +23,7 @@ struct Side {
 
 bool may_bound(const Road& road) {
   return family_of(road.surface) == Family::kStreet &&
-         map::values_of(road.surface).priority >= map::values_of(map::SurfaceClass::kResidentialRoad).priority;
+         map::values_of(road.surface).priority >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
 }
 
 std::vector<Side> sides_of(std::span<const Road> roads) {
@@ -76,7 +76,7 @@ std::vector<const Side*> face_from(std::span<const Side> sides, const Side& firs
 }
 
 // Nothing where the face is no island.
-std::vector<Island> island_in(std::span<const Road> roads, const std::vector<const Side*>& face) {
+std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vector<const Side*>& face) {
   Ring ring;
   bool is_roundabout = true;
   ObjectId id = face.empty() ? ObjectId{} : roads[face.front()->road].id;
@@ -88,17 +88,17 @@ std::vector<Island> island_in(std::span<const Road> roads, const std::vector<con
   const double area = ring.size() < 3 ? 0 : signed_area_m2(ring);
   if (area <= 0 || (!is_roundabout && area > kLargest_m2) || !is_simple(ring)) return {};
   const bool is_planted = is_roundabout && area > kLargestPaved_m2;
-  return {{id, is_planted ? map::SurfaceClass::kVerge : map::SurfaceClass::kIsland, std::move(ring)}};
+  return {{id, is_planted ? map::LandCoverClass::kVerge : map::LandCoverClass::kIsland, std::move(ring)}};
 }
 
 }  // namespace
 
-std::vector<Island> islands_of(std::span<const Road> roads) {
+std::vector<TrafficIsland> islands_of(std::span<const Road> roads) {
   const std::vector<Side> sides = sides_of(roads);
-  std::vector<Island> islands;
+  std::vector<TrafficIsland> islands;
   for (const Side& side : sides)
-    for (Island& island : island_in(roads, face_from(sides, side))) islands.push_back(std::move(island));
-  std::ranges::sort(islands, {}, [](const Island& i) { return std::tie(i.id, i.surface, i.ring); });
+    for (TrafficIsland& island : island_in(roads, face_from(sides, side))) islands.push_back(std::move(island));
+  std::ranges::sort(islands, {}, [](const TrafficIsland& i) { return std::tie(i.id, i.surface, i.ring); });
   return islands;
 }
 

@@ -14,9 +14,9 @@
 
 namespace citykiln::roads {
 
-struct Island {
+struct TrafficIsland {
   ObjectId id;  ///< Of the lowest street about it.
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   Ring ring;  ///< Counter-clockwise, of vertices of axes.
 };
 
@@ -27,6 +27,6 @@ inline constexpr double kWidestIsland_m = 48;
 /// axis, within roundabouts any that kWidestIsland_m lets be. Those within larger roundabouts are planted. Each face
 /// once, sorted by id. Where streets cross without meeting, faces are not what one sees: those are left out if their
 /// ring crosses itself. Total. O(n log n).
-std::vector<Island> islands_of(std::span<const Road> roads);
+std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

@@ -5,21 +5,21 @@
 namespace citykiln::roads {
 namespace {
 
+using map::LandCoverClass;
 using map::LaneKind;
-using map::SurfaceClass;
 
-SurfaceClass surface_of(const Road& road, const map::Lane& lane) {
-  if (!lane.is_raised) return lane.kind == LaneKind::kParking ? SurfaceClass::kParkingLane : road.surface;
+LandCoverClass surface_of(const Road& road, const map::Lane& lane) {
+  if (!lane.is_raised) return lane.kind == LaneKind::kParking ? LandCoverClass::kParkingLane : road.surface;
   switch (lane.kind) {
     case LaneKind::kCycle:
-      return SurfaceClass::kCycleTrack;
+      return LandCoverClass::kCycleTrack;
     case LaneKind::kParking:
-      return SurfaceClass::kParkingLane;
+      return LandCoverClass::kParkingLane;
     case LaneKind::kVerge:
-      return SurfaceClass::kVerge;
+      return LandCoverClass::kVerge;
     default:
       // a raised buffer too: no tag tells of planted ones, and what is laid across the carriageway goes over it
-      return SurfaceClass::kPavement;
+      return LandCoverClass::kPavement;
   }
 }
 
@@ -28,7 +28,7 @@ std::vector<LaneStrip> runs_of(const Road& road) {
   std::vector<LaneStrip> strips;
   double edge_m = left_m(road) + raised_left_m(road);
   for (const map::Lane& lane : road.section.lanes) {
-    const SurfaceClass surface = surface_of(road, lane);
+    const LandCoverClass surface = surface_of(road, lane);
     const bool goes_on =
         !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
     if (!goes_on) strips.push_back({surface, {}, edge_m, edge_m});
@@ -51,12 +51,12 @@ std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
     const bool kerb_right = raised && i + 1 < runs.size() && !is_raised(runs[i + 1]);
     run.has_kerb_left = !raised && i > 0 && is_raised(runs[i - 1]);
     run.has_kerb_right = !raised && i + 1 < runs.size() && is_raised(runs[i + 1]);
-    if (kerb_left) strips.push_back({SurfaceClass::kKerb, {}, run.left_m, run.left_m - kKerb_m});
+    if (kerb_left) strips.push_back({LandCoverClass::kKerb, {}, run.left_m, run.left_m - kKerb_m});
     strips.push_back(run);
     if (kerb_left) strips.back().left_m -= kKerb_m;
     if (!kerb_right) continue;
     strips.back().right_m += kKerb_m;
-    strips.push_back({SurfaceClass::kKerb, {}, run.right_m + kKerb_m, run.right_m});
+    strips.push_back({LandCoverClass::kKerb, {}, run.right_m + kKerb_m, run.right_m});
   }
   return strips;
 }

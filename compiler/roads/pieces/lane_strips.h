@@ -14,7 +14,7 @@ namespace citykiln::roads {
 inline constexpr double kKerb_m = 0.15625;
 
 struct LaneStrip {
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   std::vector<map::Lane> lanes;    ///< Left to right; none of a kerb.
   double left_m = 0, right_m = 0;  ///< Its edges from the axis, to the left positive: left_m > right_m.
   bool has_kerb_left = false, has_kerb_right = false;

@@ -5,12 +5,12 @@
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/pieces/cross_lines.h"
-#include "compiler/roads/width_limits/squeeze.h"
+#include "compiler/roads/width_limits/narrowed_section.h"
 
 namespace citykiln::roads {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 Vec2 point_on(const CrossLine& line, double offset_m) { return snapped(line.at + line.out * offset_m); }
 
@@ -20,7 +20,7 @@ struct StripEdges {
 };
 
 // Where a line across the segment meets the strip's edges.
-FrameEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
+PieceEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
   const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
   return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
 }
@@ -30,25 +30,25 @@ Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
           point_on(slice.start, start.left_m)};
 }
 
-bool is_crossing(Stretch stretch) { return stretch == Stretch::kZebra || stretch == Stretch::kCrossing; }
+bool is_crossing(StretchKind stretch) { return stretch == StretchKind::kZebra || stretch == StretchKind::kCrossing; }
 
 // What a stretch makes of a strip: crossings lead over everything between the kerbs, and to them nobody walks on grass.
-SurfaceClass surface_of(const Road& road, const LaneStrip& strip, Stretch stretch) {
-  if (stretch == Stretch::kLevelCrossing) return SurfaceClass::kLevelCrossing;
-  if (is_crossing(stretch) && strip.surface == SurfaceClass::kVerge) return SurfaceClass::kPavement;
-  return is_crossing(stretch) && strip.surface == road.surface ? SurfaceClass::kCrossing : strip.surface;
+LandCoverClass surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
+  if (stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
+  if (is_crossing(stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
+  return is_crossing(stretch) && strip.surface == road.surface ? LandCoverClass::kCrossing : strip.surface;
 }
 
-Pattern pattern_of(const Road& road, const LaneStrip& strip, const StretchRun& run) {
-  Pattern pattern{strip.surface, strip.lanes, run.stretch, run.control, road.side};
-  pattern.has_kerb_left = strip.has_kerb_left, pattern.has_kerb_right = strip.has_kerb_right;
-  return pattern;
+MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const RoadStretch& run) {
+  MarkingLayout layout{strip.surface, strip.lanes, run.stretch, run.control, road.side};
+  layout.has_kerb_left = strip.has_kerb_left, layout.has_kerb_right = strip.has_kerb_right;
+  return layout;
 }
 
 // All strips' edges where a building lets the road be no wider.
 std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips, double along_m) {
   std::vector<StripEdges> edges;
-  if (road.narrowing.is_empty()) {
+  if (road.width_limits.is_empty()) {
     for (const LaneStrip& strip : strips) edges.push_back({strip.left_m, strip.right_m});
     return edges;
   }
@@ -60,21 +60,21 @@ std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>&
 // A road while its pieces are made.
 struct Making {
   const Road& road;
-  std::span<const StretchRun> stretches;
+  std::span<const RoadStretch> stretches;
   std::vector<LaneStrip> strips;
   RoadPieces made{};
-  std::vector<std::uint32_t> patterns{};  // one a strip and stretch
+  std::vector<std::uint32_t> layouts{};  // one a strip and stretch
 
   void find_patterns() {
     for (const LaneStrip& strip : strips)
-      for (const StretchRun& run : stretches) {
-        patterns.push_back(kNoPattern);
-        Pattern pattern = pattern_of(road, strip, run);
+      for (const RoadStretch& run : stretches) {
+        layouts.push_back(kNoMarkingLayout);
+        MarkingLayout layout = marking_layout_of(road, strip, run);
         // crossings are painted between the kerbs
         const bool is_beside = strip.lanes.empty() || (is_crossing(run.stretch) && strip.lanes.front().is_raised);
-        if (is_beside || !is_marked(pattern)) continue;
-        patterns.back() = static_cast<std::uint32_t>(made.patterns.size());
-        made.patterns.push_back(std::move(pattern));
+        if (is_beside || !is_marked(layout)) continue;
+        layouts.back() = static_cast<std::uint32_t>(made.layouts.size());
+        made.layouts.push_back(std::move(layout));
       }
   }
 
@@ -84,11 +84,11 @@ struct Making {
     if (signed_area_m2(ring) < 0) std::ranges::reverse(ring);
     if (signed_area_m2(ring) == 0) return;
     const auto number = static_cast<std::uint32_t>(strip * stretches.size() + slice.stretch);
-    const StretchRun& run = stretches[slice.stretch];
+    const RoadStretch& run = stretches[slice.stretch];
     const LaneStrip& whole = strips[strip];
-    const Frame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
-                      end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
-    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, patterns[number], number});
+    const PieceFrame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
+                           end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
+    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, layouts[number], number});
   }
 };
 
@@ -118,22 +118,22 @@ void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& maki
 }
 
 // How far along its piece a place is, from 0 to 1, if the strip's edges there are known.
-double passed_at(const Frame& frame, StripEdges edges, Vec2 off) {
+double passed_at(const PieceFrame& frame, StripEdges edges, Vec2 off) {
   const double width = edges.left_m - edges.right_m, offset = dot(off, left_of(frame.along));
   const double share = width > 0 ? (edges.left_m - offset) / width : 0;
-  const auto across = [&](const FrameEnd& e) { return e.left_along_m + (e.right_along_m - e.left_along_m) * share; };
+  const auto across = [&](const PieceEnd& e) { return e.left_along_m + (e.right_along_m - e.left_along_m) * share; };
   const double start = across(frame.start), end = across(frame.end);
   return end > start ? std::clamp((dot(off, frame.along) - start) / (end - start), 0.0, 1.0) : 0;
 }
 
-StripEdges edges_between(const Frame& frame, double passed) {
+StripEdges edges_between(const PieceFrame& frame, double passed) {
   return {frame.start.left_m + (frame.end.left_m - frame.start.left_m) * passed,
           frame.start.right_m + (frame.end.right_m - frame.start.right_m) * passed};
 }
 
 }  // namespace
 
-Vec2 uv_at(const Frame& frame, Vec2 p) {
+Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
   const Vec2 off = p - frame.at;
   // where the edges lie depends on how far along one is, and that, at a leaning end, on how far across
   double passed = 0;
@@ -144,7 +144,7 @@ Vec2 uv_at(const Frame& frame, Vec2 p) {
   return {width > 0 ? u * (frame.width_m / width) : 0, frame.start.v_m + passed * (frame.end.v_m - frame.start.v_m)};
 }
 
-RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
+RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
                      double tolerance_m) {
   Making making{road, stretches, strips_of(road, tolerance_m)};
   if (making.strips.empty() || stretches.empty()) return {};

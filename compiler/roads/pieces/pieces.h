@@ -10,43 +10,43 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/roads/expand.h"
+#include "compiler/roads/generate.h"
 #include "compiler/roads/pieces/lane_strips.h"
 #include "compiler/roads/pieces/stretches.h"
 
 namespace citykiln::roads {
 
 /// One end of a piece: a line across its strip.
-struct FrameEnd {
+struct PieceEnd {
   double left_m = 0, right_m = 0;              ///< The strip's edges from the axis, to the left positive.
-  double left_along_m = 0, right_along_m = 0;  ///< Where the line meets them, along the axis from Frame::at.
+  double left_along_m = 0, right_along_m = 0;  ///< Where the line meets them, along the axis from PieceFrame::at.
   double v_m = 0;
 };
 
 /// Where a piece lies in its strip.
-struct Frame {
+struct PieceFrame {
   Vec2 at, along;      ///< A point of the axis, and the axis' unit direction there.
   double width_m = 0;  ///< Of the strip, where no building narrows it: u at its right edge.
-  FrameEnd start, end;
+  PieceEnd start, end;
 };
 
 /// Metres across from the strip's left edge, and along its pattern; where the strip is narrowed u is stretched. Along
 /// the start and the end of a piece v is constant.
-Vec2 uv_at(const Frame& frame, Vec2 p);
+Vec2 uv_at(const PieceFrame& frame, Vec2 p);
 
-inline constexpr std::uint32_t kNoPattern = 0xffffffffu;
+inline constexpr std::uint32_t kNoMarkingLayout = 0xffffffffu;
 
 struct Piece {
-  map::SurfaceClass surface{};
+  map::LandCoverClass surface{};
   Ring ring;  ///< Counter-clockwise, snapped.
-  Frame frame;
-  std::uint32_t pattern = kNoPattern;  ///< One of those of RoadPieces.
-  std::uint32_t run = 0;               ///< The same for neighbours along one strip and stretch.
+  PieceFrame frame;
+  std::uint32_t layout = kNoMarkingLayout;  ///< One of those of RoadPieces.
+  std::uint32_t run = 0;                    ///< The same for neighbours along one strip and stretch.
 };
 
 struct RoadPieces {
-  std::vector<Piece> pieces;      ///< Along the road, from left to right; what lies over what is for others to say.
-  std::vector<Pattern> patterns;  ///< Of strips that are marked.
+  std::vector<Piece> pieces;  ///< Along the road, from left to right; what lies over what is for others to say.
+  std::vector<MarkingLayout> layouts;  ///< Of strips that are marked.
 };
 
 /// All of a road from its left edge to its right one.
@@ -54,7 +54,7 @@ struct RoadPieces {
 /// Guarantees: pieces cover what stroke_carriageway() and stroke_pavements() cover, and the verges outside of it, but
 /// for snapping and for the inside of bends too sharp for a mitre; neighbours share their corners exactly; no case
 /// fails: where a mitre does not fit, both segments end square and a joint fills the wedge. O(points · strips).
-RoadPieces pieces_of(const Road& road, const Ends& ends, std::span<const StretchRun> stretches, double tile_m,
+RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
                      double tolerance_m);
 
 }  // namespace citykiln::roads

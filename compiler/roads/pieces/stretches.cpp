@@ -17,19 +17,19 @@ constexpr double kNearJunction_m = 6;
 // Half of a road over rails, with what is paved beside it.
 constexpr double kHalfLevelCrossing_m = 4.5;
 
-std::optional<Stretch> crossing_of(TrackPointKind kind) {
-  if (kind == TrackPointKind::kZebra) return Stretch::kZebra;
-  if (kind == TrackPointKind::kCrossing) return Stretch::kCrossing;
+std::optional<StretchKind> crossing_of(TrackPointKind kind) {
+  if (kind == TrackPointKind::kZebra) return StretchKind::kZebra;
+  if (kind == TrackPointKind::kCrossing) return StretchKind::kCrossing;
   return std::nullopt;
 }
 
 // A road while it is cut. Distances are along the way.
 struct Course {
   const Road& road;
-  std::span<const Gap> gaps;
+  std::span<const JunctionInterval> intervals;
   double tile_m;
   std::vector<double> along;
-  std::vector<StretchRun> special{};
+  std::vector<RoadStretch> special{};
   std::vector<bool> is_used{};  // by a junction's approach, one a track point
 
   double first() const { return along.front(); }
@@ -53,14 +53,14 @@ Box2 box_between(const Course& course, double from_m, double to_m) {
 // Whether all tiles that a run touches know what it depends on.
 bool is_agreed(const Course& course, double run_from_m, double run_to_m, double known_from_m, double known_to_m) {
   // cells look a metre beyond themselves
-  const Box2 run = box_between(course, run_from_m, run_to_m).widened(breadth_m(course.road) + 1);
+  const Box2 run = box_between(course, run_from_m, run_to_m).widened(max_offset_m(course.road) + 1);
   const Box2 needed = box_between(course, known_from_m, known_to_m);
   const auto number = [&](double v) { return std::floor(v / course.tile_m); };
   if (number(run.min.x) == number(run.max.x) && number(run.min.y) == number(run.max.y)) return true;
   for (double x = number(run.min.x); x <= number(run.max.x); ++x)
     for (double y = number(run.min.y); y <= number(run.max.y); ++y) {
       const Vec2 corner{x * course.tile_m, y * course.tile_m};
-      const Box2 known = Box2{corner, corner + Vec2{course.tile_m, course.tile_m}}.widened(kKnown_m);
+      const Box2 known = Box2{corner, corner + Vec2{course.tile_m, course.tile_m}}.widened(kJunctionHalo_m);
       if (!known.contains(needed.min) || !known.contains(needed.max)) return false;
     }
   return true;
@@ -80,10 +80,10 @@ std::optional<std::size_t> crossing_near(const Course& course, double at_m, doub
 // How far an arm has for itself: half the way to the next junction, up to where the width changes, or to the road's
 // end.
 double room_m(const Course& course, std::size_t gap, int step) {
-  const double at = course.gaps[gap].at_m;
-  const bool is_last = step > 0 ? gap + 1 == course.gaps.size() : gap == 0;
+  const double at = course.intervals[gap].at_m;
+  const bool is_last = step > 0 ? gap + 1 == course.intervals.size() : gap == 0;
   if (is_last) return step > 0 ? course.last() - at : at - course.first();
-  const Gap& next = course.gaps[step > 0 ? gap + 1 : gap - 1];
+  const JunctionInterval& next = course.intervals[step > 0 ? gap + 1 : gap - 1];
   const double there = std::abs(next.at_m - at);
   return next.is_change ? there - (step > 0 ? next.before_m : next.after_m) : there / 2;
 }
@@ -93,17 +93,17 @@ struct Approach {
   double mouth_m, crossing_m, line_m, end_m;
 };
 
-void add_run(Course& course, double at_m, int step, double from_m, double to_m, StretchRun run) {
+void add_run(Course& course, double at_m, int step, double from_m, double to_m, RoadStretch run) {
   run.from_m = step > 0 ? at_m + from_m : at_m - to_m;
   run.to_m = step > 0 ? at_m + to_m : at_m - from_m;
-  if (run.stretch == Stretch::kStart || run.stretch == Stretch::kZebra || run.stretch == Stretch::kCrossing)
+  if (run.stretch == StretchKind::kStart || run.stretch == StretchKind::kZebra || run.stretch == StretchKind::kCrossing)
     run.zero_m = run.from_m;
-  if (run.stretch == Stretch::kEnd) run.zero_m = run.to_m - kPatternLength_m;
+  if (run.stretch == StretchKind::kEnd) run.zero_m = run.to_m - kLayoutLength_m;
   course.special.push_back(run);
 }
 
 void add_approach(Course& course, std::size_t g, int step) {
-  const Gap& gap = course.gaps[g];
+  const JunctionInterval& gap = course.intervals[g];
   const double mouth = step > 0 ? gap.after_m : gap.before_m, room = room_m(course, g, step);
   if (mouth <= 0 || gap.is_change) return;
   Approach approach{mouth, mouth, mouth, 0};
@@ -112,10 +112,10 @@ void add_approach(Course& course, std::size_t g, int step) {
     approach.crossing_m = mouth + kBehindCrossing_m;
     approach.line_m = approach.crossing_m + kCrossingLength_m + kBeforeCrossing_m;
   }
-  approach.end_m = std::min(room, approach.line_m + kPatternLength_m);
+  approach.end_m = std::min(room, approach.line_m + kLayoutLength_m);
   if (approach.end_m < approach.line_m + kLeastApproach_m) return;
   // the next junction may halve what is wanted
-  const double needed = 2 * (approach.line_m + kPatternLength_m);
+  const double needed = 2 * (approach.line_m + kLayoutLength_m);
   const auto along = [&](double out_m) { return gap.at_m + step * out_m; };
   const auto [run_from, run_to] = std::minmax({along(approach.mouth_m), along(approach.end_m)});
   const auto [known_from, known_to] = std::minmax({along(0), along(needed)});
@@ -126,22 +126,22 @@ void add_approach(Course& course, std::size_t g, int step) {
             {0, 0, *crossing_of(course.road.points[*crossing].kind)});
   }
   add_run(course, gap.at_m, step, approach.line_m, approach.end_m,
-          {0, 0, step > 0 ? Stretch::kStart : Stretch::kEnd, step > 0 ? gap.after : gap.before});
+          {0, 0, step > 0 ? StretchKind::kStart : StretchKind::kEnd, step > 0 ? gap.after : gap.before});
 }
 
-bool overlaps(const StretchRun& a, const StretchRun& b) { return a.from_m < b.to_m && b.from_m < a.to_m; }
+bool overlaps(const RoadStretch& a, const RoadStretch& b) { return a.from_m < b.to_m && b.from_m < a.to_m; }
 
 // Crossings away from junctions, and rails under roads.
 void add_midway(Course& course) {
   for (std::size_t i = 0; i < course.road.points.size(); ++i) {
     const map::TrackPoint& point = course.road.points[i];
     const bool is_street = family_of(course.road.surface) == Family::kStreet;
-    const bool is_rail = map::values_of(course.road.surface).group == map::SurfaceGroup::kRail;
+    const bool is_rail = map::values_of(course.road.surface).group == map::LandCoverGroup::kRail;
     const bool is_level = is_rail && point.kind == TrackPointKind::kLevelCrossing;
     const auto crossing = crossing_of(point.kind);
     if (course.is_used[i] || (!crossing && !is_level) || (crossing && !is_street)) continue;
     const double half = is_level ? kHalfLevelCrossing_m : kCrossingLength_m / 2, at = course.along[point.vertex];
-    StretchRun run{at - half, at + half, is_level ? Stretch::kLevelCrossing : *crossing};
+    RoadStretch run{at - half, at + half, is_level ? StretchKind::kLevelCrossing : *crossing};
     run.zero_m = run.from_m;
     if (is_level) run.from_m = std::max(run.from_m, course.first()), run.to_m = std::min(run.to_m, course.last());
     const bool fits = run.from_m >= course.first() && run.to_m <= course.last();
@@ -153,22 +153,22 @@ void add_midway(Course& course) {
 
 }  // namespace
 
-std::vector<StretchRun> stretches_of(const Road& road, std::span<const Gap> gaps, double tile_m) {
-  Course course{road, gaps, tile_m, distances_along(road)};
+std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m) {
+  Course course{road, intervals, tile_m, distances_along(road)};
   course.is_used.assign(road.points.size(), false);
-  for (std::size_t g = 0; g < gaps.size(); ++g) {
+  for (std::size_t g = 0; g < intervals.size(); ++g) {
     add_approach(course, g, -1);
     add_approach(course, g, 1);
   }
   add_midway(course);
-  std::ranges::sort(course.special, {}, &StretchRun::from_m);
-  std::vector<StretchRun> runs;
+  std::ranges::sort(course.special, {}, &RoadStretch::from_m);
+  std::vector<RoadStretch> runs;
   double at = course.first();
   const auto go_along = [&](double to_m) {
     if (to_m > at) runs.push_back({at, to_m});
     at = std::max(at, to_m);
   };
-  for (const StretchRun& run : course.special) {
+  for (const RoadStretch& run : course.special) {
     // a junction may reach over another's approach
     if (run.from_m < at || run.to_m > course.last()) continue;
     go_along(run.from_m);

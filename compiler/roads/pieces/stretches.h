@@ -9,12 +9,12 @@
 
 #include "compiler/geometry/box.h"
 #include "compiler/roads/junctions/junction.h"
-#include "compiler/roads/markings/pattern.h"
+#include "compiler/roads/markings/marking_layout.h"
 
 namespace citykiln::roads {
 
 /// Where a junction lies on a road. Distances along the way, from its own beginning.
-struct Gap {
+struct JunctionInterval {
   double at_m = 0;                   ///< Of the junction's place.
   double before_m = 0, after_m = 0;  ///< How far the junction reaches from there.
   Control before{}, after{};         ///< What drivers meet who come along the road; who come against it.
@@ -22,12 +22,13 @@ struct Gap {
 };
 
 /// The junctions of streets on each road, sorted along it. O(n log n).
-std::vector<std::vector<Gap>> gaps_of(std::span<const Road> roads, std::span<const Junction> junctions);
+std::vector<std::vector<JunctionInterval>> junction_intervals_of(std::span<const Road> roads,
+                                                                 std::span<const Junction> junctions);
 
 /// A part of a road with one pattern.
-struct StretchRun {
+struct RoadStretch {
   double from_m = 0, to_m = 0;  ///< Along the way.
-  Stretch stretch = Stretch::kAlong;
+  StretchKind stretch = StretchKind::kAlong;
   Control control = Control::kNone;
   double zero_m = 0;  ///< Where the pattern's v is 0.
 };
@@ -36,11 +37,12 @@ struct StretchRun {
 ///
 /// An arm's approach (a crossing near the junction, 4 m; what is painted before the stop line, 12 m or what is left of
 /// half the way to the next junction) needs 3 m.
-/// @param tile_m  Of the plane's grid of tiles. Tiles know junctions within kKnown_m of them: an approach that touches
+/// @param tile_m  Of the plane's grid of tiles. Tiles know junctions within kJunctionHalo_m of them: an approach that
+/// touches
 ///                several tiles is left out unless each of them knows all that it depends on, so that they agree.
-std::vector<StretchRun> stretches_of(const Road& road, std::span<const Gap> gaps, double tile_m);
+std::vector<RoadStretch> stretches_of(const Road& road, std::span<const JunctionInterval> intervals, double tile_m);
 
 /// How far beyond a tile all junctions are known.
-inline constexpr double kKnown_m = 32;
+inline constexpr double kJunctionHalo_m = 32;
 
 }  // namespace citykiln::roads

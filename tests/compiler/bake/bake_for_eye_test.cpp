@@ -107,11 +107,11 @@ TEST(BakeForEye, StatesAPixelErrorThatIsNotOverWhatWasAskedFor) {
   const Baked baked;
   double largest_px = 0;
   for (const BakedTile& part : baked.parts) {
-    ASSERT_TRUE(part.seen_from);
-    EXPECT_EQ(part.seen_from->eye, near_the_corner().eye);
-    EXPECT_LE(part.seen_from->pixel_error, near_the_corner().pixel_error);
+    ASSERT_TRUE(part.viewpoint);
+    EXPECT_EQ(part.viewpoint->eye, near_the_corner().eye);
+    EXPECT_LE(part.viewpoint->pixel_error, near_the_corner().pixel_error);
     EXPECT_LE(part.error_m, part.tolerance_m);
-    largest_px = std::max(largest_px, part.seen_from->pixel_error);
+    largest_px = std::max(largest_px, part.viewpoint->pixel_error);
   }
   EXPECT_GT(largest_px, 0) << "low houses are dropped, which is an error";
 }

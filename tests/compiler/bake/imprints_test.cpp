@@ -38,18 +38,18 @@ std::vector<BakedTile> baked(const scene::Scene& scene, const std::vector<double
 }
 
 // The tile's faces that the atlas colours.
-const Primitive* imprinted(const BakedTile& tile) {
+const Primitive* textured_faces(const BakedTile& tile) {
   for (const Primitive& p : tile.primitives)
-    if (p.coloured == materials::Coloured::kByAtlas) return &p;
+    if (p.colour_source == materials::ColourSource::kByAtlas) return &p;
   return nullptr;
 }
 
 TEST(Imprints, FacadesLieOnTheTilesAtlas) {
   for (const BakedTile& tile : baked(with_blocks(5), {0.5, 2.5})) {
-    const materials::Sheet& colour = tile.imprints.colour;
+    const materials::TextureImage& colour = tile.facade_atlas.colour;
     ASSERT_FALSE(colour.texels.empty());
     EXPECT_EQ(colour.texel_m, tile.tolerance_m);
-    const Primitive* facades = imprinted(tile);
+    const Primitive* facades = textured_faces(tile);
     ASSERT_NE(facades, nullptr);
     for (const Float2& uv : facades->uvs) {
       EXPECT_TRUE(uv[0] > 0 && uv[0] < colour.columns * colour.texel_m);
@@ -60,16 +60,16 @@ TEST(Imprints, FacadesLieOnTheTilesAtlas) {
 
 TEST(Imprints, ShineByNight) {
   scene::Scene scene = with_blocks(2);
-  EXPECT_TRUE(baked(scene, {0.5}).front().imprints.emission.texels.empty());
+  EXPECT_TRUE(baked(scene, {0.5}).front().facade_atlas.emission.texels.empty());
   scene.header.sky.to_sun = {0, -0.96, -0.28};
-  const imprint::Atlas atlas = baked(scene, {0.5}).front().imprints;
+  const impostor::Atlas atlas = baked(scene, {0.5}).front().facade_atlas;
   EXPECT_EQ(atlas.emission.texels.size(), atlas.colour.texels.size());
 }
 
 TEST(Imprints, FineLevelsHaveNone) {
   const BakedTile tile = std::move(baked(with_blocks(2), {0.1}).front());
-  EXPECT_EQ(tile.imprints, imprint::Atlas{});
-  EXPECT_EQ(imprinted(tile), nullptr);
+  EXPECT_EQ(tile.facade_atlas, impostor::Atlas{});
+  EXPECT_EQ(textured_faces(tile), nullptr);
 }
 
 TEST(Imprints, EveryHouseIsThereThoughAllOfItIsPictures) {

@@ -7,13 +7,13 @@
 namespace citykiln::bake {
 namespace {
 
-using materials::Coloured;
-using materials::DressedMesh;
+using materials::ColourSource;
 using materials::Material;
+using materials::MaterialMesh;
 
 /// Two triangles that share an edge: a square of 2 m, flat unless normals are asked for.
-DressedMesh square(Material material, bool is_smooth = true) {
-  DressedMesh dressed;
+MaterialMesh square(Material material, bool is_smooth = true) {
+  MaterialMesh dressed;
   dressed.mesh.positions = {{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}};
   if (is_smooth) dressed.mesh.normals.assign(4, {0, 0, 1});
   dressed.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -21,36 +21,37 @@ DressedMesh square(Material material, bool is_smooth = true) {
   return dressed;
 }
 
-DressedMesh laid_out(Material material, Coloured coloured) {
-  DressedMesh dressed = square(material);
+MaterialMesh laid_out(Material material, ColourSource colour_source) {
+  MaterialMesh dressed = square(material);
   dressed.uvs = {{0, 100}, {2, 100}, {2, 102}, {0, 102}};
-  dressed.coloured = coloured;
+  dressed.colour_source = colour_source;
   return dressed;
 }
 
-std::vector<Primitive> merged(const std::vector<DressedMesh>& meshes) {
-  Merged all;
-  for (const DressedMesh& mesh : meshes) merge(all, mesh, {}, 0);
+std::vector<Primitive> merged(const std::vector<MaterialMesh>& meshes) {
+  PrimitiveMap all;
+  for (const MaterialMesh& mesh : meshes) merge(all, mesh, {}, 0);
   return primitives_of(std::move(all));
 }
 
 TEST(Merge, OnePrimitiveAKeySortedByKey) {
-  const auto primitives = merged({laid_out(Material::kAsphalt, Coloured::kBySheet), square(Material::kBark),
-                                  laid_out(Material::kAsphalt, Coloured::kByMaterial), square(Material::kAsphalt),
-                                  laid_out(Material::kAsphalt, Coloured::kBySheet), square(Material::kGrass)});
-  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, Coloured::kByMaterial},
-                                              {Material::kAsphalt, false, Coloured::kByMaterial},
-                                              {Material::kAsphalt, true, Coloured::kByMaterial},
-                                              {Material::kAsphalt, true, Coloured::kBySheet},
-                                              {Material::kBark, false, Coloured::kByMaterial}};
+  const auto primitives =
+      merged({laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas), square(Material::kBark),
+              laid_out(Material::kAsphalt, ColourSource::kByMaterial), square(Material::kAsphalt),
+              laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas), square(Material::kGrass)});
+  const std::vector<PrimitiveKey> expected = {{Material::kGrass, false, ColourSource::kByMaterial},
+                                              {Material::kAsphalt, false, ColourSource::kByMaterial},
+                                              {Material::kAsphalt, true, ColourSource::kByMaterial},
+                                              {Material::kAsphalt, true, ColourSource::kByMarkingAtlas},
+                                              {Material::kBark, false, ColourSource::kByMaterial}};
   ASSERT_EQ(primitives.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(key_of(primitives[i]), expected[i]) << i;
   EXPECT_EQ(primitives[3].positions.size(), 8u);
 }
 
 TEST(Merge, EachVertexHasTheUvOfItsPosition) {
-  const auto primitives = merged(
-      {laid_out(Material::kAsphalt, Coloured::kByMaterial), laid_out(Material::kAsphalt, Coloured::kByMaterial)});
+  const auto primitives = merged({laid_out(Material::kAsphalt, ColourSource::kByMaterial),
+                                  laid_out(Material::kAsphalt, ColourSource::kByMaterial)});
   ASSERT_EQ(primitives.size(), 1u);
   ASSERT_EQ(primitives[0].uvs.size(), primitives[0].positions.size());
   for (std::size_t v = 0; v < primitives[0].uvs.size(); ++v) {
@@ -60,7 +61,7 @@ TEST(Merge, EachVertexHasTheUvOfItsPosition) {
 }
 
 TEST(Merge, EachVertexHasTheTintOfItsPosition) {
-  DressedMesh dressed = square(Material::kGrass);
+  MaterialMesh dressed = square(Material::kGrass);
   dressed.tints = {{1, 0, 0, 255}, {2, 0, 0, 255}, {3, 0, 0, 255}, {4, 0, 0, 255}};
   const auto primitives = merged({dressed});
   for (std::size_t v = 0; v < 4; ++v) {
@@ -72,35 +73,37 @@ TEST(Merge, EachVertexHasTheTintOfItsPosition) {
 
 TEST(TexturesShown, AreThoseOfMaterialsWithPlacesOnThem) {
   BakedTile tile;
-  tile.primitives =
-      merged({laid_out(Material::kAsphalt, Coloured::kBySheet), laid_out(Material::kGrass, Coloured::kByMaterial),
-              square(Material::kMeadow), laid_out(Material::kRock, Coloured::kByMaterial)});
+  tile.primitives = merged({laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas),
+                            laid_out(Material::kGrass, ColourSource::kByMaterial), square(Material::kMeadow),
+                            laid_out(Material::kRock, ColourSource::kByMaterial)});
   // two shared meshes with one bark
   for (const char* name : {"pine_0", "spruce_0"})
-    tile.instanced.push_back({name, merged({laid_out(Material::kPlatedBark, Coloured::kByMaterial)}), {}, {}, {}, {}});
-  const auto textures = textures_shown(tile, 0.1, materials::TextureShelf(1));
+    tile.instanced.push_back(
+        {name, merged({laid_out(Material::kPlatedBark, ColourSource::kByMaterial)}), {}, {}, {}, {}});
+  const auto textures = textures_shown(tile, 0.1, materials::TextureCache(1));
   ASSERT_EQ(textures.size(), 3u);
   EXPECT_EQ(textures[0].material, Material::kGrass);
   EXPECT_EQ(textures[1].material, Material::kRock);
   EXPECT_EQ(textures[2].material, Material::kPlatedBark);
-  EXPECT_TRUE(textures_shown(tile, 2.5, materials::TextureShelf(1)).empty());
+  EXPECT_TRUE(textures_shown(tile, 2.5, materials::TextureCache(1)).empty());
 }
 
 TEST(Merge, MeshesWithoutUvsGetNone) {
-  for (const Primitive& p : merged({square(Material::kGrass), laid_out(Material::kAsphalt, Coloured::kBySheet)}))
-    EXPECT_EQ(p.uvs.size(), p.coloured == Coloured::kBySheet ? p.positions.size() : 0);
+  for (const Primitive& p :
+       merged({square(Material::kGrass), laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas)}))
+    EXPECT_EQ(p.uvs.size(), p.colour_source == ColourSource::kByMarkingAtlas ? p.positions.size() : 0);
 }
 
 TEST(Merge, SharesVerticesOfOneNormal) {
   EXPECT_EQ(merged({square(Material::kGrass, true)})[0].positions.size(), 4u);
-  DressedMesh folded = square(Material::kGrass, false);
+  MaterialMesh folded = square(Material::kGrass, false);
   folded.mesh.positions[3].z = 6;
   EXPECT_EQ(merged({folded})[0].positions.size(), 6u);
 }
 
 /// Two squares side by side, as rules make walls of pieces: each with corners of its own.
-DressedMesh side_by_side() {
-  DressedMesh dressed = square(Material::kPlaster, false);
+MaterialMesh side_by_side() {
+  MaterialMesh dressed = square(Material::kPlaster, false);
   for (const Vec3& p : square(Material::kPlaster).mesh.positions)
     dressed.mesh.positions.push_back(p + Vec3{2 + 1e-12, 0, 0});
   dressed.mesh.triangles.push_back({4, 5, 6}), dressed.mesh.triangles.push_back({4, 6, 7});
@@ -113,7 +116,7 @@ TEST(Merge, NoTwoVerticesOfAMeshAreAlike) {
 }
 
 TEST(Merge, VerticesOfOtherUvsOrTintsAreNotAlike) {
-  DressedMesh tinted = side_by_side(), placed = side_by_side();
+  MaterialMesh tinted = side_by_side(), placed = side_by_side();
   for (std::uint8_t v = 0; v < 8; ++v) {
     tinted.tints.push_back({v, 0, 0, 255});
     placed.uvs.push_back({v * 0.5, 0});
@@ -123,13 +126,13 @@ TEST(Merge, VerticesOfOtherUvsOrTintsAreNotAlike) {
 }
 
 TEST(Merge, LeavesOutTrianglesThatSinglePrecisionMakesThin) {
-  DressedMesh thin = square(Material::kPlaster, false);
+  MaterialMesh thin = square(Material::kPlaster, false);
   thin.mesh.positions[0] = {2 - 1e-12, 0, 5};
   EXPECT_EQ(merged({thin})[0].triangles.size(), 1u);
 }
 
 TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
-  DressedMesh seam = laid_out(Material::kAsphalt, Coloured::kBySheet);
+  MaterialMesh seam = laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas);
   seam.mesh.positions.push_back(seam.mesh.positions[0]);
   seam.mesh.normals.push_back(seam.mesh.normals[0]);
   seam.uvs.push_back({7, 100});
@@ -140,7 +143,7 @@ TEST(Merge, APlaceWithTwoUvsIsTwoVertices) {
 }
 
 TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
-  DressedMesh far = laid_out(Material::kAsphalt, Coloured::kBySheet);
+  MaterialMesh far = laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas);
   for (Vec2& uv : far.uvs) uv.y = 16383.123456 + uv.y / 1000;
   for (const Primitive& p : merged({far}))
     for (std::size_t v = 0; v < p.uvs.size(); ++v)
@@ -148,7 +151,7 @@ TEST(Merge, UvsAreRoundedByHalfAMillimetreAtMost) {
 }
 
 TEST(Merge, LeavesOutTrianglesWithoutArea) {
-  DressedMesh thin = laid_out(Material::kAsphalt, Coloured::kBySheet);
+  MaterialMesh thin = laid_out(Material::kAsphalt, ColourSource::kByMarkingAtlas);
   thin.mesh.triangles = {{0, 1, 1}};
   EXPECT_TRUE(merged({thin}).empty());
 }

@@ -6,7 +6,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/map/locate.h"
-#include "compiler/scene/ground_cover.h"
+#include "compiler/scene/land_cover.h"
 
 namespace citykiln::bake {
 namespace {
@@ -45,10 +45,10 @@ Bounds somewhere(const Draw& draw, std::uint32_t i) {
   return {Box2{at, at}.widened(draw.between(0, 200, 4 * i + 3)), low_m, low_m + 20};
 }
 
-std::vector<SeenCell> all_cells(const scene::Scene& scene, const ViewLevels& levels) {
-  std::vector<SeenCell> all;
+std::vector<ViewCell> all_cells(const scene::Scene& scene, const ViewLevels& levels) {
+  std::vector<ViewCell> all;
   for (const scene::Chunk& chunk : scene.chunks)
-    for (const SeenCell& cell : cells_of(levels, scene::box_of(scene.header, chunk.tile))) all.push_back(cell);
+    for (const ViewCell& cell : cells_of(levels, scene::box_of(scene.header, chunk.tile))) all.push_back(cell);
   return all;
 }
 
@@ -82,16 +82,16 @@ TEST(ViewLevels, EachThingIsInOnePart) {
 TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
   for (const double pixel_error : {0.25, 1.0, 8.0}) {
     const scene::Scene scene = made_scene();
-    const std::vector<SeenCell> cells = all_cells(scene, levels_for(scene, made_view(pixel_error)));
+    const std::vector<ViewCell> cells = all_cells(scene, levels_for(scene, made_view(pixel_error)));
     int sides = 0;
-    for (const SeenCell& a : cells)
-      for (const SeenCell& b : cells) {
+    for (const ViewCell& a : cells)
+      for (const ViewCell& b : cells) {
         const CellLevel &own = a.level, &other = b.level;
         if (own.cell.max.x != other.cell.min.x || own.cell.min.y != other.cell.min.y) continue;
         ++sides;
         EXPECT_EQ(own.sides_m.east_m, other.sides_m.west_m);
         EXPECT_EQ(own.sides_m.east_m, std::min(own.tolerance_m, other.tolerance_m));
-        const bool are_alike = (own.tolerance_m < scene::kPlainRoads_m) == (other.tolerance_m < scene::kPlainRoads_m);
+        const bool are_alike = (own.tolerance_m < scene::kRoadDetail_m) == (other.tolerance_m < scene::kRoadDetail_m);
         EXPECT_EQ(a.skirt.max.x != own.cell.max.x, are_alike) << "a skirt hangs where roads look different, only there";
         EXPECT_EQ(b.skirt.min.x != other.cell.min.x, are_alike);
       }
@@ -105,7 +105,7 @@ TEST(ViewLevels, ZonesHoldEveryCellOnce) {
   for (const scene::Chunk& chunk : scene.chunks) {
     const Box2 tile = scene::box_of(scene.header, chunk.tile);
     double area_m2 = 0;
-    for (const SeenZone& zone : zones_of(levels, tile)) area_m2 += map::kCell_m * map::kCell_m * zone.cells.size();
+    for (const ViewZone& zone : zones_of(levels, tile)) area_m2 += map::kCell_m * map::kCell_m * zone.cells.size();
     EXPECT_EQ(area_m2, tile.width() * tile.height());
   }
 }

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "compiler/buildings/expand.h"
+#include "compiler/buildings/generate.h"
 #include "compiler/buildings/style.h"
 #include "compiler/geometry/snap.h"
 #include "tests/compiler/buildings/nearest_triangle.h"
@@ -37,14 +37,14 @@ struct Level {
 
 Level level_of(const Building& building, const Rulebook& rulebook, double tolerance_m) {
   Report report;
-  const Expanded expanded = expand(building, rulebook, {1}, tolerance_m, report);
+  const GeneratedBuilding expanded = generate(building, rulebook, {1}, tolerance_m, report);
   Level level{{}, expanded.error_m};
-  const auto add = [&](const materials::DressedMesh& dressed) {
+  const auto add = [&](const materials::MaterialMesh& dressed) {
     const auto& p = dressed.mesh.positions;
     for (const auto& [a, b, c] : dressed.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
   };
   for (const auto& dressed : expanded.meshes) add(dressed);
-  for (const auto& imprinted : expanded.imprinted) add(imprinted.mesh);
+  for (const auto& textured_faces : expanded.textured_faces) add(textured_faces.mesh);
   return level;
 }
 
@@ -100,7 +100,7 @@ void measure(const Building& building, const Rulebook& rulebook, std::span<Row> 
     const double stated_m = level.error_m + finest.error_m;
     EXPECT_LE(level.error_m, kLadder_m[k]) << to_string(building.id.osm);
     EXPECT_LE(measured, stated_m + kQuantum_m)
-        << to_string(building.id.osm) << " " << rules_of(building.style) << " at " << kLadder_m[k] << " m";
+        << to_string(building.id.osm) << " " << rule_file_of(building.style) << " at " << kLadder_m[k] << " m";
     rows[k].triangles += level.triangles.size(), rows[k].dropped += level.triangles.empty();
     rows[k].stated_m = std::max(rows[k].stated_m, level.error_m);
     rows[k].measured_m = std::max(rows[k].measured_m, measured);
@@ -122,7 +122,7 @@ TEST(CertifiedErrorReal, IsNeverLessThanWhatIsMeasured) {
     if (!std::filesystem::exists(data_file(extract))) GTEST_SKIP() << "absent: " << extract;
     const std::vector<Building> buildings = buildings_in(extract);
     const std::vector<Style> styles = styles_of(buildings);
-    const Rulebook rulebook = rulebook_of(styles, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(styles, shipped_rules());
     for (std::size_t i = 0; i < from_each && i < buildings.size(); ++i, ++measured)
       measure(alone(buildings[i * buildings.size() / from_each]), rulebook, rows);
     for (const Building& building : buildings)

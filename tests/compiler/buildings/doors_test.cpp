@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/buildings/expand.h"
+#include "compiler/buildings/generate.h"
 #include "compiler/buildings/style.h"
 #include "tests/compiler/buildings/made_footprint.h"
 
@@ -13,7 +13,7 @@ namespace citykiln::buildings {
 namespace {
 
 using map::PointKind;
-using materials::DressedMesh;
+using materials::MaterialMesh;
 
 map::PointFeature point(double x, double y, PointKind kind = PointKind::kEntrance) {
   map::PointFeature feature;
@@ -24,7 +24,7 @@ map::PointFeature point(double x, double y, PointKind kind = PointKind::kEntranc
 const Polygon kHouse{{{0, 0}, {16, 0}, {16, 12}, {0, 12}}, {}};
 
 std::vector<std::uint16_t> doors(const std::vector<map::PointFeature>& points) {
-  return doors_of(kHouse, index_doors(points));
+  return mapped_doors_by_edge(kHouse, index_doors(points));
 }
 
 Building building_with(const std::vector<std::uint16_t>& doors, Style style = Style::kPlain) {
@@ -57,20 +57,20 @@ TEST(Doors, AreAtNumbersWhereNoEntranceIs) {
 
 TEST(Doors, AreWhereTheyAreToldToAPartOfTheWall) {
   for (double x = 0; x <= 16; x += 0.25) {
-    const std::vector<Vec2> places = places_of_doors(building_with(doors({point(x, 0)})));
+    const std::vector<Vec2> places = door_positions(building_with(doors({point(x, 0)})));
     ASSERT_EQ(places.size(), 1u);
-    EXPECT_NEAR(places[0].x, std::clamp(x, kDoorFromCorner_m, 16 - kDoorFromCorner_m), 0.5 + 1e-9);
+    EXPECT_NEAR(places[0].x, std::clamp(x, kMinDoorToCorner_m, 16 - kMinDoorToCorner_m), 0.5 + 1e-9);
     EXPECT_EQ(places[0].y, 0);
   }
 }
 
 // A wall's door leaf lies in a niche of its own: no window's sill is below it.
 TEST(Doors, AreMadeThereByRules) {
-  const Rulebook rulebook = rulebook_of(std::vector{Style::kOldTownHouse}, shipped_rules());
+  const Rulebook rulebook = parse_rulebook(std::vector{Style::kOldTownHouse}, shipped_rules());
   const auto lowest_niche = [&](double from_m, double to_m, const std::vector<std::uint16_t>& told) {
     Report report;
     double low_m = 9;
-    for (const auto& dressed : expand(building_with(told, Style::kOldTownHouse), rulebook, {1}, 0.01, report).meshes)
+    for (const auto& dressed : generate(building_with(told, Style::kOldTownHouse), rulebook, {1}, 0.01, report).meshes)
       for (const Vec3 p : dressed.mesh.positions)
         if (p.y > 0.15 && p.y < 0.3 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
     return low_m;
@@ -83,9 +83,9 @@ TEST(Doors, AreMadeThereByRules) {
 }
 
 // How low, between two places along the south wall, what lies behind it begins: a door's niche does at its foot.
-double lowest_niche_m(const std::vector<DressedMesh>& meshes, double from_m, double to_m) {
+double lowest_niche_m(const std::vector<MaterialMesh>& meshes, double from_m, double to_m) {
   double low_m = 9;
-  for (const DressedMesh& dressed : meshes)
+  for (const MaterialMesh& dressed : meshes)
     for (const Vec3 p : dressed.mesh.positions)
       if (p.y > 0.15 && p.y < 1.5 && p.x > from_m && p.x < to_m) low_m = std::min(low_m, p.z);
   return low_m;
@@ -96,21 +96,21 @@ TEST(Doors, AreMadeByEveryStyleThatHasDoors) {
   for (const Style style :
        {Style::kOldTownHouse, Style::kCourtyardBlock, Style::kRowHouse, Style::kVilla, Style::kPanelBlock,
         Style::kOfficeSlab, Style::kShop, Style::kWarehouse, Style::kChurch, Style::kBarn, Style::kCastle}) {
-    const Rulebook rulebook = rulebook_of(std::vector{style}, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(std::vector{style}, shipped_rules());
     const auto expanded = [&](const std::vector<std::uint16_t>& told) {
       Building building = building_with(told, style);
       building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
       building.top_m = 9, building.levels = 3;
       Report report;
-      return expand(building, rulebook, {1}, 0.01, report).meshes;
+      return generate(building, rulebook, {1}, 0.01, report).meshes;
     };
     // a church stands on a plinth
     constexpr double kFoot_m = 0.7;
     const auto left = expanded({1u << 4, 0, 0, 0}), right = expanded({1u << 11, 0, 0, 0});
-    EXPECT_LT(lowest_niche_m(left, 5.4, 11.4), kFoot_m) << rules_of(style);
-    EXPECT_GT(lowest_niche_m(right, 7.4, 9.4), 0.1) << rules_of(style);
-    EXPECT_LT(lowest_niche_m(right, 18.6, 24.6), kFoot_m) << rules_of(style);
-    EXPECT_GT(lowest_niche_m(left, 20.6, 22.6), 0.1) << rules_of(style);
+    EXPECT_LT(lowest_niche_m(left, 5.4, 11.4), kFoot_m) << rule_file_of(style);
+    EXPECT_GT(lowest_niche_m(right, 7.4, 9.4), 0.1) << rule_file_of(style);
+    EXPECT_LT(lowest_niche_m(right, 18.6, 24.6), kFoot_m) << rule_file_of(style);
+    EXPECT_GT(lowest_niche_m(left, 20.6, 22.6), 0.1) << rule_file_of(style);
   }
 }
 
@@ -122,14 +122,14 @@ TEST(Doors, AreNotMadeInTheAir) {
     building.footprint = {{{0, 0}, {30, 0}, {30, 14}, {0, 14}}, {}};
     building.top_m = 9, building.levels = 3, building.has_shop = true;
     building.fronts[0].faces_street = true;
-    const Rulebook rulebook = rulebook_of(std::vector{style}, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(std::vector{style}, shipped_rules());
     if (rulebook.empty()) continue;
     const auto lowest_m = [&](bool stands_on_ground) {
       building.stands_on_ground = stands_on_ground;
       Report report;
-      return lowest_niche_m(expand(building, rulebook, {1}, 0.01, report).meshes, 1, 29);
+      return lowest_niche_m(generate(building, rulebook, {1}, 0.01, report).meshes, 1, 29);
     };
-    EXPECT_GT(lowest_m(false), 0.35) << rules_of(style);
+    EXPECT_GT(lowest_m(false), 0.35) << rule_file_of(style);
   }
 }
 

@@ -22,7 +22,7 @@ TEST(PartyWalls, AreWhereWallsRunTogether) {
   EXPECT_EQ(shared[0][0].from_m, 4);
   EXPECT_EQ(shared[0][0].to_m, 10);
   EXPECT_EQ(shared[0][0].neighbour, 1u);
-  EXPECT_TRUE(shared[0][0].is_one_plane);
+  EXPECT_TRUE(shared[0][0].is_coplanar);
   EXPECT_EQ(shared[1].size(), 2u);
   EXPECT_EQ(shared[2].size(), 1u);
   EXPECT_TRUE(shared[3].empty());
@@ -39,7 +39,7 @@ TEST(PartyWalls, AreAsLongFromBothSides) {
 TEST(PartyWalls, OfAHandsBreadthApartAreNotOnePlane) {
   const auto shared = shared_walls(std::vector{rectangle(1, {0, 0}, 8, 10, 9), rectangle(2, {8.047, 0}, 8, 10, 9)});
   ASSERT_EQ(shared[0].size(), 1u);
-  EXPECT_FALSE(shared[0][0].is_one_plane);
+  EXPECT_FALSE(shared[0][0].is_coplanar);
 }
 
 TEST(PartyWalls, AreNotWhereRingsOnlyTouchOrLieOverEachOther) {

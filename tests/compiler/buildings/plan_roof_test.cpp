@@ -20,7 +20,7 @@ map::Footprint of_class(BuildingClass building, double width_m, double depth_m, 
 
 map::Footprint told(Form form, double roof_m) {
   map::Footprint f = of_class(BuildingClass::kHouse, 12, 9, 8);
-  f.is_roof_told = true;
+  f.has_roof_shape = true;
   f.roof.form = form, f.roof.height_m = roof_m;
   return f;
 }

@@ -38,7 +38,7 @@ map::Features features_of(std::vector<map::Footprint> footprints) {
 
 TEST(Plan, CountsHeightsFromTheLowestCorner) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({block(1, 0, 0, 8, 12)}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_EQ(b[0].top_m, 112);
   EXPECT_LT(b[0].bottom_m, 100);
@@ -49,10 +49,10 @@ TEST(Plan, LetsDownWhatNothingHoldsUp) {
   Report report;
   map::Footprint hovering = block(1, 0, 0, 20, 18);
   hovering.min_height_m = 9;
-  const auto b = plan(features_of({hovering}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({hovering}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 1u);
   EXPECT_TRUE(b[0].stands_on_ground);
-  EXPECT_EQ(report.counts()[Code::kNotHeldUp], 1u);
+  EXPECT_EQ(report.counts()[Code::kUnsupportedBuilding], 1u);
 }
 
 TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
@@ -60,7 +60,7 @@ TEST(Plan, CountsPartsFromTheirOutlinesLowestCorner) {
   map::Footprint outline = block(1, 0, 0, 40, 12), part = block(2, 30, 0, 10, 30), far = block(3, 60, 0, 10, 30);
   outline.has_parts = true;
   part.is_part = far.is_part = true;
-  const auto b = plan(features_of({outline, part, far}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({outline, part, far}), ground::GradedTerrain(slope()), report);
   ASSERT_EQ(b.size(), 2u);
   EXPECT_EQ(b[0].top_m, 130);
   EXPECT_EQ(b[1].top_m, 145);
@@ -74,7 +74,7 @@ TEST(Plan, BelongsToTheSmallestOutlineAround) {
   map::Footprint part = block(9, 42, 2, 4, 20);
   part.is_part = true;
   const auto b =
-      plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), ground::Carving(slope()), report);
+      plan(features_of({block(1, 0, 0, 60, 5), block(2, 40, 0, 10, 5), part}), ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[2].top_m, 130);
 }
 
@@ -83,14 +83,14 @@ TEST(Plan, LiftsPartsByTheirMinHeight) {
   map::Footprint part = block(2, 0, 0, 10, 30);
   part.is_part = true;
   part.min_height_m = 12;
-  const auto b = plan(features_of({block(1, 0, 0, 10, 12), part}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({block(1, 0, 0, 10, 12), part}), ground::GradedTerrain(slope()), report);
   EXPECT_FALSE(b[1].stands_on_ground);
   EXPECT_EQ(b[1].bottom_m, 112);
 }
 
 TEST(Plan, RaisesWhatTheSlopeWouldBury) {
   Report report;
-  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({block(1, 0, 0, 40, 5)}), ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[0].top_m, 112);
   ASSERT_EQ(report.diagnoses().size(), 1u);
   EXPECT_EQ(report.diagnoses()[0].code, Code::kHeightRaised);
@@ -101,10 +101,10 @@ TEST(Plan, IgnoresAMinHeightAboveTheHeight) {
   Report report;
   map::Footprint f = block(1, 0, 0, 8, 12);
   f.min_height_m = 15;
-  const auto b = plan(features_of({f}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({f}), ground::GradedTerrain(slope()), report);
   EXPECT_TRUE(b[0].stands_on_ground);
   EXPECT_LT(b[0].bottom_m, b[0].top_m);
-  EXPECT_EQ(report.counts()[Code::kUpsideDown], 1u);
+  EXPECT_EQ(report.counts()[Code::kMinHeightNotBelowHeight], 1u);
 }
 
 TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
@@ -114,14 +114,15 @@ TEST(Plan, DoesNotDependOnTheOrderOfFootprints) {
     footprints.back().is_part = i % 3 == 0;
   }
   Report one, two;
-  const auto a = plan(features_of(footprints), ground::Carving(slope()), one);
+  const auto a = plan(features_of(footprints), ground::GradedTerrain(slope()), one);
   std::reverse(footprints.begin(), footprints.end());
-  EXPECT_EQ(a, plan(features_of(footprints), ground::Carving(slope()), two));
+  EXPECT_EQ(a, plan(features_of(footprints), ground::GradedTerrain(slope()), two));
 }
 
 TEST(Plan, PutsHeightsOnTheGrid) {
   Report report;
-  for (const Building& b : plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::Carving(slope()), report)) {
+  for (const Building& b :
+       plan(features_of({block(1, 0.3, 0.7, 8, 12.34567)}), ground::GradedTerrain(slope()), report)) {
     EXPECT_EQ(b.top_m, snapped(b.top_m));
     EXPECT_EQ(b.bottom_m, snapped(b.bottom_m));
   }
@@ -131,7 +132,7 @@ TEST(Plan, DropsWhatHasNoRing) {
   Report report;
   map::Footprint f = block(1, 0, 0, 8, 12);
   f.polygon.outer.resize(2);
-  EXPECT_TRUE(plan(features_of({f}), ground::Carving(slope()), report).empty());
+  EXPECT_TRUE(plan(features_of({f}), ground::GradedTerrain(slope()), report).empty());
   EXPECT_TRUE(report.balances());
 }
 
@@ -143,7 +144,7 @@ TEST(Dress, ClothesByClassAndSize) {
   tower.building_class = static_cast<std::uint8_t>(map::BuildingClass::kOffice);
   hall.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHall);
   house.building_class = static_cast<std::uint8_t>(map::BuildingClass::kHouse);
-  const auto b = plan(features_of({church, tower, hall, house}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({church, tower, hall, house}), ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[0].roof, Material::kSlate);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
   EXPECT_EQ(b[1].roof, Material::kFlatRoof);
@@ -158,7 +159,7 @@ TEST(Dress, TakesALighterMaterialForABrightColour) {
   f.wall_colour = map::Srgb{250, 245, 230};
   glass.wall_material = Material::kGlassFacade;
   glass.wall_colour = map::Srgb{200, 220, 255};
-  const auto b = plan(features_of({f, glass}), ground::Carving(slope()), report);
+  const auto b = plan(features_of({f, glass}), ground::GradedTerrain(slope()), report);
   EXPECT_EQ(b[0].wall, Material::kPaint);
   EXPECT_EQ(b[1].wall, Material::kGlassFacade);
 }

@@ -22,7 +22,7 @@ inline std::vector<Building> buildings_in(const std::string& name) {
   const map::Plane plane(map::default_origin(box));
   const map::Features features = map::locate(*osm, plane, box, {}, report);
   map::Heightfield level{{-64, -64}, {64, 64}, 3, 3, std::vector<std::int32_t>(9), 0};
-  return plan(features, ground::Carving(std::move(level)), report);
+  return plan(features, ground::GradedTerrain(std::move(level)), report);
 }
 
 }  // namespace citykiln::buildings

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "compiler/buildings/dress_terminals.h"
+#include "compiler/buildings/terminal_meshes.h"
 #include "grammars/derivation/form_roofs.h"
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 #include "tests/grammars/made_mass.h"
 #include "tests/grammars/rule_files.h"
 
@@ -50,13 +50,13 @@ struct ShippedStyles : testing::TestWithParam<Style> {
   Derivation derive_on(const MadeMass& made, double levels, std::map<std::string, Value> attributes = {},
                        double tolerance_m = 0) const {
     roofs::Form became{};
-    const Shape mass = mass_of(made, &became);
+    const Shape mass = mass_model_of(made, &became);
     DeriveOptions options;
     options.attributes = std::move(attributes);
     options.attributes["height"] = made.height_m, options.attributes["levels"] = levels;
     options.attributes["roof"] = std::string(name_of(became));
     // as the compiler derives
-    options.tolerance_m = tolerance_m, options.keep_looks = tolerance_m < 0.5, options.ahead = true;
+    options.tolerance_m = tolerance_m, options.keep_appearances = tolerance_m < 0.5, options.ahead = true;
     options.roofs = form_roofs(0.02);
     return derive(*program, mass, options);
   }
@@ -73,7 +73,7 @@ MadeMass made_of(const Style& style) {
 
 std::size_t triangles_of(const Derivation& derivation) {
   std::size_t sum = 0;
-  for (const auto& dressed : meshes_of(derivation, {})) sum += dressed.mesh.triangles.size();
+  for (const auto& dressed : terminal_meshes(derivation, {})) sum += dressed.mesh.triangles.size();
   return sum;
 }
 
@@ -102,7 +102,7 @@ TEST_P(ShippedStyles, HaveNoTroubleOnAnyMass) {
       const Derivation derivation = derive_on(made, std::max(1.0, height_m / 3), {{"shop", shop = !shop}});
       EXPECT_FALSE(derivation.terminals.empty());
       EXPECT_TRUE(derivation.limits.empty()) << roof << " " << height_m;
-      for (const Trouble& trouble : derivation.troubles) ADD_FAILURE() << trouble_line(*program, trouble);
+      for (const Warning& warning : derivation.warnings) ADD_FAILURE() << warning_line(*program, warning);
     }
 }
 
@@ -120,7 +120,7 @@ TEST_P(ShippedStyles, StandOutAsFarAsTheyMay) {
     MadeMass made = made_of(GetParam());
     made.id = StableId{id};
     double top_m = 0;
-    for (const Face& face : mass_of(made).faces) each_vertex(face, [&](Vec3 p) { top_m = std::max(top_m, p.z); });
+    for (const Face& face : mass_model_of(made).faces) each_vertex(face, [&](Vec3 p) { top_m = std::max(top_m, p.z); });
     double out_m = 0, up_m = 0;
     for (const Terminal& terminal : derive_on(made, GetParam().levels, {{"shop", true}}).terminals)
       for (const Face& face : terminal.faces)
@@ -230,7 +230,7 @@ double stands_back_m(const Program& program, double height_m, bool attached) {
     DeriveOptions options;
     options.attributes = {{"height", height_m}, {"levels", height_m / 3.6}, {"attached", attached}};
     double top_low_x = 26;
-    for (const Terminal& terminal : derive(program, mass_of(made), options).terminals)
+    for (const Terminal& terminal : derive(program, mass_model_of(made), options).terminals)
       for (const Face& face : terminal.faces)
         each_vertex(face, [&](Vec3 p) {
           if (p.z > height_m) top_low_x = std::min(top_low_x, p.x);

@@ -1,11 +1,11 @@
-// The plain solids of buildings, as another tool's rules see them: what mass_of() makes before neighbours hide walls
-// and before rules work on it, with a floor, so that it closes.
+// The plain solids of buildings, as another tool's rules see them: what mass_model_of() makes before neighbours hide
+// walls and before rules work on it, with a floor, so that it closes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
 
-#include "compiler/buildings/mass.h"
+#include "compiler/buildings/mass_model.h"
 #include "tests/compiler/buildings/real_buildings.h"
 #include "tests/compiler/buildings/val3dity_rules.h"
 #include "tests/grammars/roofs/footprints.h"
@@ -25,7 +25,7 @@ Building alone(Building building) {
 }
 
 std::vector<Face> solid_of(const Building& building, double tolerance_m, Report& report) {
-  const Mass mass = mass_of(building, tolerance_m, report);
+  const MassModel mass = mass_model_of(building, tolerance_m, report);
   std::vector<Face> faces = shape_of(building, mass).faces;
   faces.insert(faces.end(), mass.foundation.begin(), mass.foundation.end());
   return faces;

@@ -7,7 +7,7 @@
 namespace citykiln::buildings {
 namespace {
 
-map::Track street(Polyline axis, map::SurfaceClass surface = map::SurfaceClass::kResidentialRoad) {
+map::Track street(Polyline axis, map::LandCoverClass surface = map::LandCoverClass::kResidentialRoad) {
   map::Track track;
   track.axis = std::move(axis);
   track.surface = surface;
@@ -47,7 +47,7 @@ TEST(StreetSides, AreNotCornersCutOff) {
 TEST(StreetSides, AreAsFarFromWideStreets) {
   map::Track wide = street({{-50, -18}, {50, -18}});
   EXPECT_EQ(sides({wide}), std::vector<bool>(4));
-  wide.section.lanes = {{map::LaneKind::kDriving, map::LaneWay::kBoth, 12}};
+  wide.section.lanes = {{map::LaneKind::kDriving, map::LaneDirection::kBoth, 12}};
   EXPECT_EQ(sides({wide}), (std::vector{true, false, false, false}));
 }
 

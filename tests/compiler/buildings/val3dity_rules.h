@@ -174,7 +174,7 @@ using Insides =
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Insides>,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+using LandCoverPolygon = CGAL::Surface_mesh<Kernel::Point_3>;
 
 struct Shell {
   std::vector<Vec3> positions;
@@ -286,11 +286,11 @@ inline std::size_t pieces_of(const Shell& shell) {
 
 /// Only what is a manifold can be asked whether it cuts itself.
 inline void check_surface(const Shell& shell, Codes& codes) {
-  Surface surface;
+  LandCoverPolygon surface;
   for (const Vec3 p : shell.positions) surface.add_vertex({p.x, p.y, p.z});
   for (const auto& [a, b, c] : shell.triangles)
-    if (surface.add_face(Surface::Vertex_index(a), Surface::Vertex_index(b), Surface::Vertex_index(c)) ==
-        Surface::null_face()) {
+    if (surface.add_face(LandCoverPolygon::Vertex_index(a), LandCoverPolygon::Vertex_index(b),
+                         LandCoverPolygon::Vertex_index(c)) == LandCoverPolygon::null_face()) {
       codes.insert(303);
       return;
     }

@@ -10,7 +10,7 @@ map::Features one_of_each() {
   map::Track track;
   track.id = {{OsmType::kWay, 7}, 0};
   track.axis = {{0, 0}, {100, 0}};
-  track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 5.5}}, 2.75};
+  track.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 5.5}}, 2.75};
   features.tracks.push_back(track);
   map::Footprint building;
   building.id = {{OsmType::kRelation, 8}, 1};
@@ -52,9 +52,9 @@ TEST(GeoJson, JunctionsAreNamedAfterTheirMainRoad) {
     track.id = {{OsmType::kWay, y < 0 ? 1 : 2}, 0};
     track.axis = {{y, 0}, {0, 0}, {0, y}};
     track.node_ids = {1, 2, 3};
-    track.surface = map::SurfaceClass::kResidentialRoad;
+    track.surface = map::LandCoverClass::kResidentialRoad;
     const double width_m = y < 0 ? 8 : 6;
-    track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, width_m}}, width_m / 2};
+    track.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, width_m}}, width_m / 2};
   }
   const Result<Layer> layer = layer_of(features, "junctions");
   ASSERT_TRUE(layer);
@@ -70,8 +70,8 @@ TEST(GeoJson, JunctionsSayTheirLayer) {
     const double y = way % 2 == 0 ? 50 : -50;
     track.axis = {{y, 0}, {0, 0}, {0, y}};
     track.node_ids = {1, way > 2 ? 7 : 2, 3};
-    track.surface = map::SurfaceClass::kResidentialRoad;
-    track.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
+    track.surface = map::LandCoverClass::kResidentialRoad;
+    track.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
     track.passage = way > 2 ? map::Passage::kBridge : map::Passage::kGround;
     track.layer = way > 2 ? 2 : 0;
   }

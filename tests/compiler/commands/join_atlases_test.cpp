@@ -7,8 +7,8 @@
 namespace citykiln::commands {
 namespace {
 
-using imprint::Atlas;
-using materials::Sheet;
+using impostor::Atlas;
+using materials::TextureImage;
 
 Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std::uint32_t rows) {
   const Draw draw(seed, StableId{}, "atlas");
@@ -30,7 +30,7 @@ JoinedAtlases joined(const std::vector<Atlas>& atlases) {
 }
 
 // The texel at a place in metres.
-Sheet::Texel at(const Sheet& sheet, Vec2 uv) {
+TextureImage::Texel at(const TextureImage& sheet, Vec2 uv) {
   const auto column = static_cast<std::size_t>(uv.x / sheet.texel_m),
              row = static_cast<std::size_t>(uv.y / sheet.texel_m);
   return sheet.texels.at(row * sheet.columns + column);
@@ -41,13 +41,14 @@ void expect_all_there(const std::vector<Atlas>& atlases) {
   ASSERT_EQ(all.places.size(), atlases.size());
   for (std::size_t i = 0; i < atlases.size(); ++i)
     for (std::size_t t = 0; t < atlases[i].colour.texels.size(); ++t) {
-      const Sheet& own = atlases[i].colour;
+      const TextureImage& own = atlases[i].colour;
       const Vec2 uv = Vec2{t % own.columns + 0.5, t / own.columns + 0.5} * own.texel_m;
       const Vec2 there = all.places[i].at_m + uv * all.places[i].scale;
       EXPECT_EQ(at(all.atlas.colour, there), own.texels[t]);
       EXPECT_EQ(at(all.atlas.surface, there), atlases[i].surface.texels[t]);
       const bool leans = !atlases[i].normal.texels.empty();
-      EXPECT_EQ(at(all.atlas.normal, there), leans ? atlases[i].normal.texels[t] : (Sheet::Texel{128, 128, 255}));
+      EXPECT_EQ(at(all.atlas.normal, there),
+                leans ? atlases[i].normal.texels[t] : (TextureImage::Texel{128, 128, 255}));
     }
 }
 
@@ -64,15 +65,16 @@ TEST(JoinAtlases, HighOnesStandSideBySide) {
 TEST(JoinAtlases, WhatIsTooMuchIsHalved) {
   std::vector<Atlas> atlases;
   for (int i = 0; i < 5; ++i) {
-    const Sheet grey{0.5, 4096, 4096, std::vector<Sheet::Texel>(4096 * 4096, Sheet::Texel{60, 60, 60})};
+    const TextureImage grey{0.5, 4096, 4096,
+                            std::vector<TextureImage::Texel>(4096 * 4096, TextureImage::Texel{60, 60, 60})};
     atlases.push_back({grey, grey, {}, {}});
   }
   const JoinedAtlases all = joined(atlases);
-  EXPECT_LE(all.atlas.colour.texels.size(), materials::kMostTexels);
+  EXPECT_LE(all.atlas.colour.texels.size(), materials::kMaxImageTexels);
   EXPECT_EQ(all.atlas.colour.texel_m, 1);
   // a place is as many metres from the atlas's corner as it was
   EXPECT_EQ(all.places[4].scale, 1);
-  EXPECT_EQ(at(all.atlas.colour, all.places[4].at_m + Vec2{2047, 2047}), (Sheet::Texel{60, 60, 60}));
+  EXPECT_EQ(at(all.atlas.colour, all.places[4].at_m + Vec2{2047, 2047}), (TextureImage::Texel{60, 60, 60}));
 }
 
 TEST(JoinAtlases, OfNoneIsNone) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }

@@ -11,30 +11,30 @@
 namespace citykiln::commands {
 namespace {
 
-using materials::Sheet;
+using materials::TextureImage;
 
-Sheet made(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed, double texel_m = 0.25) {
+TextureImage made(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed, double texel_m = 0.25) {
   std::mt19937 dice(seed);
-  Sheet sheet{texel_m, columns, rows, {}};
+  TextureImage sheet{texel_m, columns, rows, {}};
   for (std::uint32_t i = 0; i < columns * rows; ++i)
     sheet.texels.push_back({static_cast<std::uint8_t>(dice()), static_cast<std::uint8_t>(dice()), 1});
   return sheet;
 }
 
-Result<JoinedSheets> joined(const std::vector<Sheet>& sheets) {
-  std::vector<const Sheet*> pointers;
-  for (const Sheet& sheet : sheets) pointers.push_back(&sheet);
+Result<JoinedSheets> joined(const std::vector<TextureImage>& sheets) {
+  std::vector<const TextureImage*> pointers;
+  for (const TextureImage& sheet : sheets) pointers.push_back(&sheet);
   return join_sheets(pointers);
 }
 
 // As it is drawn: the edge goes on across, all repeats along.
-Sheet::Texel texel(const Sheet& sheet, std::int64_t column, std::uint32_t row) {
+TextureImage::Texel texel(const TextureImage& sheet, std::int64_t column, std::uint32_t row) {
   column = std::clamp<std::int64_t>(column, 0, sheet.columns - 1);
   return sheet.texels[row % sheet.rows * sheet.columns + static_cast<std::size_t>(column)];
 }
 
 TEST(JoinSheets, EverySheetIsShownAtItsOffsetAndAGutterAround) {
-  const std::vector<Sheet> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
+  const std::vector<TextureImage> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
   const auto all = joined(sheets);
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet.rows, 12u);
@@ -61,11 +61,11 @@ TEST(JoinSheets, TilesWithoutOneTakeNoRoom) {
   const auto all = joined({{}, made(20, 6, 1), {}});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
-  EXPECT_EQ(joined({{}, {}})->sheet, Sheet{});
+  EXPECT_EQ(joined({{}, {}})->sheet, TextureImage{});
 }
 
 // Of the part of a sheet, the mean in linear light.
-double mean_of(const Sheet& sheet, std::uint32_t first, std::uint32_t count) {
+double mean_of(const TextureImage& sheet, std::uint32_t first, std::uint32_t count) {
   double sum = 0;
   for (std::uint32_t row = 0; row < sheet.rows; ++row)
     for (std::uint32_t c = first; c < first + count; ++c)
@@ -74,7 +74,7 @@ double mean_of(const Sheet& sheet, std::uint32_t first, std::uint32_t count) {
 }
 
 TEST(JoinSheets, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
-  const Sheet fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
+  const TextureImage fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
   const auto all = joined({fine, coarse});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet.texel_m, 0.5);
@@ -87,7 +87,7 @@ TEST(JoinSheets, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
 TEST(JoinSheets, MoreThanGraphicsCardsTakeAreDrawnCoarser) {
   EXPECT_EQ(joined({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
   EXPECT_EQ(joined({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
-  EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kWidestSheet_px);
+  EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kMaxImageSide_px);
 }
 
 TEST(JoinSheets, SheetsOfDifferentLengthsThatAreTooManyAreRefused) {

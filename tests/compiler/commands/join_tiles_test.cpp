@@ -56,7 +56,7 @@ TEST(JoinTiles, KeepsWhoseEverythingIs) {
 TEST(JoinTiles, TellsShapesApartByWhatTheyAreCutOutBy) {
   std::vector tiles = {tile_at({0, 0, 0}, way(5), 0), tile_at({1024, 0, 0}, way(3), 0),
                        tile_at({2048, 0, 0}, way(4), 0)};
-  const materials::Sheet sheet{0.5, 1, 1, {{1, 2, 3}}};
+  const materials::TextureImage sheet{0.5, 1, 1, {{1, 2, 3}}};
   for (bake::BakedTile& tile : tiles) tile.instanced[0].cutout.colour = sheet;
   tiles[1].instanced[0].cutout.opacity = {0};
   const Result<bake::BakedTile> joined = join_tiles(tiles);
@@ -90,10 +90,10 @@ TEST(JoinTiles, SharesMeshesThatAreTheSame) {
 /// With a road on a sheet of one colour, and one that is not on it.
 bake::BakedTile marked_at(Vec3 origin, std::uint8_t grey) {
   bake::BakedTile tile = tile_at(origin, way(5), 0);
-  for (const auto coloured : {materials::Coloured::kByMaterial, materials::Coloured::kBySheet}) {
+  for (const auto colour_source : {materials::ColourSource::kByMaterial, materials::ColourSource::kByMarkingAtlas}) {
     tile.primitives.push_back(tile.primitives[0]);
     tile.primitives.back().uvs = {{0, 7}, {0.5f, 7}, {1, 9}};
-    tile.primitives.back().coloured = coloured;
+    tile.primitives.back().colour_source = colour_source;
   }
   tile.instanced[0].primitives.push_back(tile.primitives.back());
   tile.instanced[0].primitives.back().features.clear();
@@ -133,11 +133,11 @@ TEST(JoinTiles, KeepsPrimitivesSortedOneAKey) {
 TEST(JoinTiles, OfPartsForAnEyeStatesTheFinestToleranceAndTheLargestPixelError) {
   std::vector parts = {tile_at({0, 0, 0}, way(5), 0.1), tile_at({0, 0, 0}, way(3), 0.2)};
   parts[1].tolerance_m = 0.05;
-  for (bake::BakedTile& part : parts) part.seen_from = bake::SeenFrom{{1, 2, 3}, 900, part.error_m * 4};
+  for (bake::BakedTile& part : parts) part.viewpoint = bake::SeenFrom{{1, 2, 3}, 900, part.error_m * 4};
   const Result<bake::BakedTile> joined = join_tiles(parts);
   ASSERT_TRUE(joined);
   EXPECT_EQ(joined->tolerance_m, 0.05);
-  EXPECT_EQ(joined->seen_from, parts[1].seen_from);
+  EXPECT_EQ(joined->viewpoint, parts[1].viewpoint);
 }
 
 TEST(JoinTiles, RefusesWhatFloat32CannotHold) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "compiler/bake/baked.h"
-#include "compiler/map/surface_class.h"
+#include "compiler/bake/baked_tile.h"
+#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::commands {
 
@@ -13,7 +13,7 @@ inline constexpr OsmId kGroundFeature{OsmType::kWay, 1};
 
 /// 64 m wide from the plane's origin, about the tile's origin (0, 0, 10).
 /// @param corners_m  Heights of the south-western, -eastern, north-eastern and -western corner above the origin's.
-inline bake::BakedTile made_ground(map::SurfaceClass surface, std::array<float, 4> corners_m) {
+inline bake::BakedTile made_ground(map::LandCoverClass surface, std::array<float, 4> corners_m) {
   bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kGroundFeature}, {}, {}};
   bake::Primitive ground;
   ground.material = map::values_of(surface).material;

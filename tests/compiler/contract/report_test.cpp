@@ -10,7 +10,7 @@ TEST(Report, AnAccountBalancesOnlyWhenNothingIsLostUnseen) {
   Account& account = report.account("map", "track");
   account.in = 3, account.split = 1, account.out = 2, account.merged = 1;
   EXPECT_FALSE(report.balances());
-  report.drop(account, Code::kNoThickness, {OsmType::kWay, 5});
+  report.drop(account, Code::kNoLength, {OsmType::kWay, 5});
   EXPECT_TRUE(report.balances());
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/ground/expand.h"
+#include "compiler/ground/generate.h"
 #include "compiler/ground/plan.h"
 #include "tests/compiler/roads/made_road.h"
 
@@ -22,7 +22,7 @@ map::Heightfield flat_field() {
 
 // From west to east through the cell; 3 m wide.
 roads::Road path(Profile profile) {
-  roads::Road road = roads::made_road(1, {{-64, 64}, {192, 64}}, 3, map::SurfaceClass::kFootPath);
+  roads::Road road = roads::made_road(1, {{-64, 64}, {192, 64}}, 3, map::LandCoverClass::kFootPath);
   road.profile = std::move(profile);
   return road;
 }
@@ -41,13 +41,14 @@ roads::Road low_bridge() {
 double largest_gap_m(const roads::Road& road) {
   const std::vector surfaces{surface_of(road, {})};
   const std::vector roads{road}, decks{low_bridge()};
-  const Carving carving = carve(flat_field(), {roads, {}, surfaces, kCell.widened(kCarve_m), true, decks});
+  const GradedTerrain graded =
+      grade_terrain(flat_field(), {roads, {}, surfaces, kCell.widened(kGrading_m), true, decks});
   Report report;
-  const GroundMesh ground = expand_cell(surfaces, carving, kCell, 0.1, report);
+  const GroundMesh ground = generate_cell(surfaces, graded, kCell, 0.1, report);
   double largest_m = -1;
-  for (std::uint32_t f = 0; f < ground.first_upright; ++f)
+  for (std::uint32_t f = 0; f < ground.first_vertical; ++f)
     for (const std::uint32_t v : ground.mesh.triangles[f]) {
-      if (ground.face_surface[f] == kNoSurface) continue;
+      if (ground.face_cover[f] == kNoLandCover) continue;
       const Vec3 p = ground.mesh.positions[v];
       largest_m = std::max(largest_m, std::abs(p.z - knot_at(road.profile, p.x + 64).z_m));
     }
@@ -66,7 +67,7 @@ TEST(HeightLayer, PathsWithoutProfilesLieOnTheLand) {
 }
 
 TEST(HeightLayer, TrimmedPathsStayOnTheirProfiles) {
-  const Surface whole = surface_of(path(down_and_up()), {});
+  const LandCoverPolygon whole = surface_of(path(down_and_up()), {});
   EXPECT_EQ(layer_of(trimmed_to(whole, kCell)), HeightLayer::kCarriageway);
 }
 

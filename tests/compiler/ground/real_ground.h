@@ -14,7 +14,7 @@ namespace citykiln::ground {
 struct RealGround {
   map::Features features;
   map::Heightfield heights;
-  std::vector<Surface> surfaces;
+  std::vector<LandCoverPolygon> surfaces;
   std::vector<roads::Strip> streams;
   std::vector<Polyline> covered;  ///< Culverts and aqueducts.
 };

@@ -11,11 +11,11 @@
 namespace citykiln::ground {
 
 /// Lobed rings of 60 corners with noise, of all sizes, in and about the cell -128 … 0, 0 … 128.
-inline std::vector<Surface> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
-  constexpr map::SurfaceClass kClasses[] = {map::SurfaceClass::kMeadow, map::SurfaceClass::kForest,
-                                            map::SurfaceClass::kLake, map::SurfaceClass::kResidentialRoad,
-                                            map::SurfaceClass::kBuilding};
-  std::vector<Surface> surfaces;
+inline std::vector<LandCoverPolygon> wavy_surfaces(std::uint64_t seed, int count, double noise_m) {
+  constexpr map::LandCoverClass kClasses[] = {map::LandCoverClass::kMeadow, map::LandCoverClass::kForest,
+                                              map::LandCoverClass::kLake, map::LandCoverClass::kResidentialRoad,
+                                              map::LandCoverClass::kBuilding};
+  std::vector<LandCoverPolygon> surfaces;
   const Draw draw(seed, StableId{20}, "surfaces");
   std::uint32_t next = 0;
   for (int s = 0; s < count; ++s) {

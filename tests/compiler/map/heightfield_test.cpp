@@ -108,7 +108,7 @@ TEST(Heightfield, TheRectangleHoldsThePoint) {
     // beside the lines too
     if (i % 4 == 1) p.x = std::nextafter(field.vertex(static_cast<int>(i % 39) + 1, 0).x, -1e9);
     if (i % 4 == 2) p.x = field.vertex(static_cast<int>(i % 40), 0).x;
-    const InRectangle in = rectangle_at(field, p);
+    const CellPosition in = cell_at(field, p);
     const Vec2 low = field.vertex(in.i, in.j), high = field.vertex(in.i + 1, in.j + 1);
     ASSERT_TRUE((Box2{low, high}).contains(p));
     ASSERT_GE(in.i, 0);

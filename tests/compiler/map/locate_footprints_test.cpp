@@ -79,7 +79,7 @@ TEST(LocateFootprints, RoofsAreReadAsSimple3DBuildingsHasThem) {
   using roofs::Form;
   const Footprint f = footprint_of(
       "building=house roof:shape=half-hipped roof:height=3.5 roof:angle=40 roof:direction=SW roof:orientation=across");
-  EXPECT_TRUE(f.is_roof_told);
+  EXPECT_TRUE(f.has_roof_shape);
   EXPECT_EQ(f.roof.form, Form::kHalfHipped);
   EXPECT_EQ(f.roof.height_m, 3.5);
   EXPECT_EQ(f.roof.angle_deg, 40);
@@ -88,7 +88,7 @@ TEST(LocateFootprints, RoofsAreReadAsSimple3DBuildingsHasThem) {
   EXPECT_NEAR(f.roof.direction->x, -std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(f.roof.direction->y, -std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(footprint_of("building=yes roof:levels=2").roof.height_m, 6.2, 1e-9);
-  EXPECT_FALSE(footprint_of("building=yes roof:shape=many").is_roof_told);
+  EXPECT_FALSE(footprint_of("building=yes roof:shape=many").has_roof_shape);
   EXPECT_TRUE(footprint_of("building=yes height=9").has_roof_in_height);
   EXPECT_FALSE(footprint_of("building=yes building:levels=2").has_roof_in_height);
 }

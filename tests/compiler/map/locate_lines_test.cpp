@@ -47,7 +47,7 @@ TEST(LocateLines, PointsAreReadWhereTheRegionIs) {
                                         report);
   ASSERT_EQ(features.points.size(), 4u);
   EXPECT_EQ(features.points[0].height_m, 11);
-  EXPECT_EQ(features.points[0].growth.leaves, LeafType::kNeedle);
+  EXPECT_EQ(features.points[0].plant_tags.leaves, LeafType::kNeedle);
   EXPECT_EQ(features.points[1].kind, PointKind::kStreetLamp);
   EXPECT_EQ(features.points[3].height_m, 0);
   EXPECT_EQ(report.account("map", "point").dropped.at(Code::kOutsideBounds), 1u);

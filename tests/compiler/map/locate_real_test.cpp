@@ -43,7 +43,7 @@ struct Located {
   bool is_sea(LonLat place) const {
     const Vec2 p = plane.forward(place);
     for (const AreaFeature& area : features.areas)
-      if (area.surface == SurfaceClass::kSea && contains(area.polygon, p)) return true;
+      if (area.surface == LandCoverClass::kSea && contains(area.polygon, p)) return true;
     return false;
   }
   // Of the region, by 100 × 100 places.
@@ -221,7 +221,7 @@ TEST(LocateReal, ChicagosBoxIsThatOfItsBuildings) {
   const Vec2 lake = chicago.plane.forward({-87.6065, 41.8800});
   bool is_lake = false;
   for (const AreaFeature& area : chicago.features.areas)
-    is_lake = is_lake || (values_of(area.surface).group == SurfaceGroup::kWater && contains(area.polygon, lake));
+    is_lake = is_lake || (values_of(area.surface).group == LandCoverGroup::kWater && contains(area.polygon, lake));
   EXPECT_TRUE(is_lake);
 }
 

@@ -14,32 +14,32 @@ Track track_of(const std::string& tags) {
 TEST(LocateTracks, TagsDecideClassAndWidth) {
   const struct {
     const char* tags;
-    SurfaceClass surface;
+    LandCoverClass surface;
     double width_m;
   } cases[] = {
-      {"highway=motorway oneway=yes lanes=3", SurfaceClass::kMotorwayRoad, 11.25},
-      {"highway=motorway oneway=yes", SurfaceClass::kMotorwayRoad, 7.5},
-      {"highway=trunk_link oneway=yes", SurfaceClass::kMotorwayRoad, 4.5},
-      {"highway=primary", SurfaceClass::kPrimaryRoad, 7},
-      {"highway=primary width=8.5", SurfaceClass::kPrimaryRoad, 8.5},
-      {"highway=secondary lanes=4", SurfaceClass::kSecondaryRoad, 13},
-      {"highway=tertiary", SurfaceClass::kTertiaryRoad, 6},
-      {"highway=residential", SurfaceClass::kResidentialRoad, 5.5},
-      {"highway=residential oneway=yes", SurfaceClass::kResidentialRoad, 3.5},
-      {"highway=residential oneway=yes lanes=2 width:lanes=3|", SurfaceClass::kResidentialRoad, 5.75},
-      {"highway=living_street", SurfaceClass::kPedestrianStreet, 5},
-      {"highway=service", SurfaceClass::kServiceRoad, 3.5},
-      {"highway=service surface=gravel", SurfaceClass::kUnpavedRoad, 3.5},
-      {"highway=track", SurfaceClass::kFarmTrack, 2.75},
-      {"highway=track surface=asphalt", SurfaceClass::kServiceRoad, 2.75},
-      {"highway=cycleway", SurfaceClass::kCyclePath, 2.5},
-      {"highway=footway", SurfaceClass::kPavedFootPath, 2},
-      {"highway=footway surface=gravel", SurfaceClass::kFootPath, 2},
-      {"highway=path", SurfaceClass::kFootPath, 1.25},
-      {"highway=steps width=64", SurfaceClass::kSteps, 64},  // Helsinki cathedral, w33085003
-      {"railway=rail", SurfaceClass::kRailway, 4},
-      {"railway=tram", SurfaceClass::kTram, 3},
-      {"aeroway=runway width=45", SurfaceClass::kRunway, 45},
+      {"highway=motorway oneway=yes lanes=3", LandCoverClass::kMotorwayRoad, 11.25},
+      {"highway=motorway oneway=yes", LandCoverClass::kMotorwayRoad, 7.5},
+      {"highway=trunk_link oneway=yes", LandCoverClass::kMotorwayRoad, 4.5},
+      {"highway=primary", LandCoverClass::kPrimaryRoad, 7},
+      {"highway=primary width=8.5", LandCoverClass::kPrimaryRoad, 8.5},
+      {"highway=secondary lanes=4", LandCoverClass::kSecondaryRoad, 13},
+      {"highway=tertiary", LandCoverClass::kTertiaryRoad, 6},
+      {"highway=residential", LandCoverClass::kResidentialRoad, 5.5},
+      {"highway=residential oneway=yes", LandCoverClass::kResidentialRoad, 3.5},
+      {"highway=residential oneway=yes lanes=2 width:lanes=3|", LandCoverClass::kResidentialRoad, 5.75},
+      {"highway=living_street", LandCoverClass::kPedestrianStreet, 5},
+      {"highway=service", LandCoverClass::kServiceRoad, 3.5},
+      {"highway=service surface=gravel", LandCoverClass::kUnpavedRoad, 3.5},
+      {"highway=track", LandCoverClass::kFarmTrack, 2.75},
+      {"highway=track surface=asphalt", LandCoverClass::kServiceRoad, 2.75},
+      {"highway=cycleway", LandCoverClass::kCyclePath, 2.5},
+      {"highway=footway", LandCoverClass::kPavedFootPath, 2},
+      {"highway=footway surface=gravel", LandCoverClass::kFootPath, 2},
+      {"highway=path", LandCoverClass::kFootPath, 1.25},
+      {"highway=steps width=64", LandCoverClass::kSteps, 64},  // Helsinki cathedral, w33085003
+      {"railway=rail", LandCoverClass::kRailway, 4},
+      {"railway=tram", LandCoverClass::kTram, 3},
+      {"aeroway=runway width=45", LandCoverClass::kRunway, 45},
   };
   for (const auto& c : cases) {
     const Track track = track_of(c.tags);
@@ -140,7 +140,7 @@ TEST(LocateTracks, WhatIsDroppedIsCounted) {
   EXPECT_EQ(account.in, 4u);
   EXPECT_EQ(account.dropped.at(Code::kUnknownKind), 1u);
   EXPECT_EQ(account.dropped.at(Code::kOutsideBounds), 1u);
-  EXPECT_EQ(account.dropped.at(Code::kNoThickness), 1u);
+  EXPECT_EQ(account.dropped.at(Code::kNoLength), 1u);
   EXPECT_TRUE(report.balances());
 }
 

@@ -7,21 +7,21 @@
 namespace citykiln::materials {
 namespace {
 
-constexpr Sheet::Texel kBlack = {0, 0, 0}, kGrey = {75, 75, 77}, kWhite = {255, 255, 255}, kRed = {200, 0, 0};
+constexpr TextureImage::Texel kBlack = {0, 0, 0}, kGrey = {75, 75, 77}, kWhite = {255, 255, 255}, kRed = {200, 0, 0};
 
-Sheet::Texel at(const Sheet& sheet, std::size_t column, std::size_t row) {
+TextureImage::Texel at(const TextureImage& sheet, std::size_t column, std::size_t row) {
   return sheet.texels[row * sheet.columns + column];
 }
 
 TEST(Paint, MixesInLinearLight) {
-  Sheet sheet = blank_sheet(1, 1, 1, kBlack);
+  TextureImage sheet = blank_image(1, 1, 1, kBlack);
   paint(sheet, {0, 1}, {{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, kWhite);
   // half of the light of white is sRGB 188
-  EXPECT_EQ(at(sheet, 0, 0), (Sheet::Texel{188, 188, 188}));
+  EXPECT_EQ(at(sheet, 0, 0), (TextureImage::Texel{188, 188, 188}));
 }
 
 TEST(Paint, LinesThinnerThanATexelBecomeFaintNotLost) {
-  Sheet sheet = blank_sheet(1, 4, 1, kGrey);
+  TextureImage sheet = blank_image(1, 4, 1, kGrey);
   paint(sheet, {0, 4}, {{1.4, 0}, {1.45, 0}, {1.45, 1}, {1.4, 1}}, kWhite);
   EXPECT_GT(at(sheet, 1, 0)[0], kGrey[0]);
   EXPECT_LT(at(sheet, 1, 0)[0], 130);
@@ -29,28 +29,28 @@ TEST(Paint, LinesThinnerThanATexelBecomeFaintNotLost) {
 
 TEST(Paint, LaterLiesOverEarlier) {
   const Ring all = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  Sheet sheet = blank_sheet(1, 2, 2, kBlack);
+  TextureImage sheet = blank_image(1, 2, 2, kBlack);
   paint(sheet, {0, 2}, all, kWhite);
   paint(sheet, {0, 2}, all, kRed);
-  for (const Sheet::Texel& texel : sheet.texels) EXPECT_EQ(texel, kRed);
+  for (const TextureImage::Texel& texel : sheet.texels) EXPECT_EQ(texel, kRed);
 }
 
 TEST(Paint, StopsAtItsColumns) {
-  Sheet sheet = blank_sheet(1, 6, 2, kGrey);
+  TextureImage sheet = blank_image(1, 6, 2, kGrey);
   paint(sheet, {2, 4}, {{-1, 0}, {9, 0}, {9, 2}, {-1, 2}}, kWhite);
   for (std::size_t column = 0; column < 6; ++column)
     EXPECT_EQ(at(sheet, column, 1), column == 2 || column == 3 ? kWhite : kGrey) << column;
 }
 
 TEST(Paint, BeyondTheSheetIsCut) {
-  Sheet sheet = blank_sheet(1, 2, 2, kGrey);
+  TextureImage sheet = blank_image(1, 2, 2, kGrey);
   paint(sheet, {0, 9}, {{1, 0}, {9, 0}, {9, 1}, {1, 1}}, kWhite);
   EXPECT_EQ(at(sheet, 0, 0), kGrey);
   EXPECT_EQ(at(sheet, 1, 0), kWhite);
 }
 
 TEST(Paint, WhatLeavesAtTheEndComesInAtTheStart) {
-  Sheet over = blank_sheet(0.5, 4, 24, kGrey), under = over;
+  TextureImage over = blank_image(0.5, 4, 24, kGrey), under = over;
   paint(over, {0, 4}, {{0.2, 11.3}, {1.7, 11.6}, {1.1, 13.1}}, kWhite);
   paint(under, {0, 4}, {{0.2, -0.7}, {1.7, -0.4}, {1.1, 1.1}}, kWhite);
   EXPECT_EQ(over, under);

@@ -22,24 +22,24 @@ std::vector<Texture> all_textures(double tolerance_m, std::uint64_t seed = 1) {
 
 std::string name_of(const Texture& texture) { return std::string(values_of(texture.material).name); }
 
-std::array<double, 3> mean_of(const Sheet& sheet) {
+std::array<double, 3> mean_of(const TextureImage& sheet) {
   std::array<double, 3> mean{};
-  for (const Sheet::Texel& texel : sheet.texels)
+  for (const TextureImage::Texel& texel : sheet.texels)
     for (std::size_t c = 0; c < 3; ++c) mean[c] += linear_of_srgb(texel[c]) / static_cast<double>(sheet.texels.size());
   return mean;
 }
 
 // The mean difference between rows or columns that are neighbours, by the place between them; the last is that of the
 // last with the first.
-std::vector<double> differences(const Sheet& sheet, bool across) {
+std::vector<double> differences(const TextureImage& sheet, bool across) {
   std::vector<double> all;
   const std::uint32_t side = sheet.columns;
   for (std::uint32_t i = 0; i < side; ++i) {
     double sum = 0;
     for (std::uint32_t k = 0; k < side; ++k) {
       const std::uint32_t next = (i + 1) % side;
-      const Sheet::Texel& a = across ? sheet.texels[k * side + i] : sheet.texels[i * side + k];
-      const Sheet::Texel& b = across ? sheet.texels[k * side + next] : sheet.texels[next * side + k];
+      const TextureImage::Texel& a = across ? sheet.texels[k * side + i] : sheet.texels[i * side + k];
+      const TextureImage::Texel& b = across ? sheet.texels[k * side + next] : sheet.texels[next * side + k];
       for (std::size_t c = 0; c < 3; ++c) sum += std::abs(a[c] - b[c]);
     }
     all.push_back(sum);
@@ -49,7 +49,7 @@ std::vector<double> differences(const Sheet& sheet, bool across) {
 
 TEST(Texture, RepeatsWithoutASeam) {
   for (const Texture& texture : all_textures(0.02))
-    for (const Sheet* sheet : {&texture.colour, &texture.normal})
+    for (const TextureImage* sheet : {&texture.colour, &texture.normal})
       for (const bool across : {false, true}) {
         if (sheet->texels.empty()) continue;
         const std::vector<double> steps = differences(*sheet, across);
@@ -82,9 +82,9 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
   for (const double tolerance_m : kTolerances_m)
     for (const Texture& texture : all_textures(tolerance_m)) {
       EXPECT_EQ(std::fmod(kTexturePeriod_m, side_m(texture)), 0) << name_of(texture);
-      for (const Sheet* sheet : {&texture.colour, &texture.normal}) {
+      for (const TextureImage* sheet : {&texture.colour, &texture.normal}) {
         if (sheet->texels.empty()) continue;
-        EXPECT_GE(sheet->texel_m, is_bark(texture.material) ? tolerance_m / kBarkFiner : tolerance_m)
+        EXPECT_GE(sheet->texel_m, is_bark(texture.material) ? tolerance_m / kBarkTexelsPerTolerance : tolerance_m)
             << name_of(texture);
         EXPECT_EQ(sheet->columns, sheet->rows);
         EXPECT_EQ(sheet->texels.size(), std::size_t{sheet->columns} * sheet->rows);
@@ -94,14 +94,14 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
 }
 
 TEST(Texture, IsNotThereWhereRoadsAreOneSurface) {
-  for (const double tolerance_m : {kPlainGround_m, 0.5, 2.5, 12.5}) EXPECT_TRUE(all_textures(tolerance_m).empty());
+  for (const double tolerance_m : {kUntextured_m, 0.5, 2.5, 12.5}) EXPECT_TRUE(all_textures(tolerance_m).empty());
 }
 
 TEST(Texture, HasFewColoursAndNormalsSoThatAPaletteHoldsThem) {
   for (const Texture& texture : all_textures(0.02)) {
-    const std::set<Sheet::Texel> colours(texture.colour.texels.begin(), texture.colour.texels.end());
+    const std::set<TextureImage::Texel> colours(texture.colour.texels.begin(), texture.colour.texels.end());
     EXPECT_LE(colours.size(), 16u) << name_of(texture);
-    const std::set<Sheet::Texel> normals(texture.normal.texels.begin(), texture.normal.texels.end());
+    const std::set<TextureImage::Texel> normals(texture.normal.texels.begin(), texture.normal.texels.end());
     const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
     EXPECT_LE(normals.size(), is_water ? 10000u : 225u) << name_of(texture);
   }
@@ -113,7 +113,7 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
     if (texture.normal.texels.empty()) continue;
     ++shaped;
     double u = 0, v = 0;
-    for (const Sheet::Texel& texel : texture.normal.texels) {
+    for (const TextureImage::Texel& texel : texture.normal.texels) {
       const double n[] = {texel[0] / 127.5 - 1, texel[1] / 127.5 - 1, texel[2] / 127.5 - 1};
       EXPECT_GT(n[2], 0.3);
       EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 0.02);

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "compiler/plants/habit.h"
-#include "compiler/plants/placing/contour.h"
+#include "compiler/plants/placing/row_heading.h"
+#include "compiler/plants/plant_size.h"
 
 namespace citykiln::plants {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 map::Heightfield sloping(Vec2 grade) {
   map::Heightfield field{{-512, -512}, {16, 16}, 65, 65, {}, 0};
@@ -22,13 +22,13 @@ map::Heightfield sloping(Vec2 grade) {
 
 ObjectId way(std::int64_t id) { return {{OsmType::kWay, id}, 0}; }
 
-map::AreaFeature area(std::int64_t id, SurfaceClass surface, const map::Growth& growth = {}) {
+map::AreaFeature area(std::int64_t id, LandCoverClass surface, const map::PlantTags& growth = {}) {
   return {way(id), {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}, {}}, surface, 20000, growth};
 }
 
 Plants planned(const map::Features& features, Report& report, const map::Heightfield& terrain = sloping({}),
                std::span<const roads::Road> roads = {}) {
-  std::vector<ground::Surface> surfaces;
+  std::vector<ground::LandCoverPolygon> surfaces;
   for (const map::AreaFeature& a : features.areas) surfaces.push_back({a.id, a.surface, 20000, {a.polygon.outer}});
   return plan(features, surfaces, roads, terrain, report);
 }
@@ -36,10 +36,10 @@ Plants planned(const map::Features& features, Report& report, const map::Heightf
 TEST(Plan, KeepsEveryTreeWithWhatItTells) {
   using map::PlantKind;
   map::Features features;
-  const auto tree = [&](std::int64_t id, double height_m, const map::Growth& growth) {
+  const auto tree = [&](std::int64_t id, double height_m, const map::PlantTags& growth) {
     features.points.push_back({{{OsmType::kNode, id}, 0}, {1.0 * id, 2}, map::PointKind::kTree, height_m, growth});
   };
-  tree(1, 0, {PlantKind::kUntold, map::LeafType::kNeedle});
+  tree(1, 0, {PlantKind::kUnknown, map::LeafType::kNeedle});
   tree(2, 0, {PlantKind::kOak, {}, 9});
   tree(3, 7.5, {PlantKind::kLime, {}, 30, 2, 1900});
   tree(4, 0, {});
@@ -49,11 +49,11 @@ TEST(Plan, KeepsEveryTreeWithWhatItTells) {
   Report report;
   const Plants plants = planned(features, report);
   ASSERT_EQ(plants.trees.size(), 6u);
-  EXPECT_EQ(plants.trees[0].stock, stock_of(Mix::kNeedleWood));
-  EXPECT_EQ(plants.trees[1].stock, stock_of(Species::kOak));
+  EXPECT_EQ(plants.trees[0].species_mix, species_mix_of(PlantCommunity::kNeedleWood));
+  EXPECT_EQ(plants.trees[1].species_mix, species_mix_of(Species::kOak));
   EXPECT_EQ(plants.trees[1].height_m, 10);  // crowns of oaks are nine tenths as wide
   EXPECT_EQ(plants.trees[2].height_m, 7.5);
-  EXPECT_EQ(plants.trees[3].stock, stock_of(Mix::kTownTrees));
+  EXPECT_EQ(plants.trees[3].species_mix, species_mix_of(PlantCommunity::kTownTrees));
   EXPECT_EQ(plants.trees[3].height_m, 0);
   EXPECT_NEAR(plants.trees[4].height_m, 17, 2);
   EXPECT_NEAR(plants.trees[5].height_m, 4.5, 1);
@@ -64,10 +64,10 @@ TEST(Plan, KeepsEveryTreeWithWhatItTells) {
 TEST(Plan, NoTreeIsTallerThanItsKind) {
   for (int s = 0; s < static_cast<int>(Species::kCount); ++s) {
     const auto species = static_cast<Species>(s);
-    for (const map::Growth& growth :
-         {map::Growth{{}, {}, 60}, map::Growth{{}, {}, 0, 20}, map::Growth{{}, {}, 0, 0, 900}}) {
-      EXPECT_LE(told_height_m(species, growth), values_of(species).tallest_m);
-      EXPECT_GT(told_height_m(species, growth), 0);
+    for (const map::PlantTags& growth :
+         {map::PlantTags{{}, {}, 60}, map::PlantTags{{}, {}, 0, 20}, map::PlantTags{{}, {}, 0, 0, 900}}) {
+      EXPECT_LE(height_from_tags_m(species, growth), values_of(species).tallest_m);
+      EXPECT_GT(height_from_tags_m(species, growth), 0);
     }
     EXPECT_GT(crown_share(species), 0) << values_of(species).file;
   }
@@ -75,48 +75,50 @@ TEST(Plan, NoTreeIsTallerThanItsKind) {
 
 TEST(Plan, WoodsTakeTheirStockFromLeavesAndGenus) {
   map::Features features;
-  features.areas = {area(1, SurfaceClass::kForest),
-                    area(2, SurfaceClass::kNeedleLeavedForest, {{}, map::LeafType::kNeedle}),
-                    area(3, SurfaceClass::kForest, {map::PlantKind::kPine}), area(4, SurfaceClass::kResidential)};
+  features.areas = {area(1, LandCoverClass::kForest),
+                    area(2, LandCoverClass::kNeedleLeavedForest, {{}, map::LeafType::kNeedle}),
+                    area(3, LandCoverClass::kForest, {map::PlantKind::kPine}), area(4, LandCoverClass::kResidential)};
   Report report;
   const Plants plants = planned(features, report);
   ASSERT_EQ(plants.woods.size(), 3u);
-  EXPECT_EQ(plants.woods[0].stock, stock_of(Mix::kAnyWood));
-  EXPECT_EQ(plants.woods[1].stock, stock_of(Mix::kNeedleWood));
-  EXPECT_EQ(plants.woods[2].stock, stock_of(Species::kPine));
+  EXPECT_EQ(plants.woods[0].species_mix, species_mix_of(PlantCommunity::kAnyWood));
+  EXPECT_EQ(plants.woods[1].species_mix, species_mix_of(PlantCommunity::kNeedleWood));
+  EXPECT_EQ(plants.woods[2].species_mix, species_mix_of(Species::kPine));
 }
 
 TEST(Plan, FieldsGrowWhatTheyTell) {
   using map::PlantKind;
   map::Features features;
-  features.areas = {area(1, SurfaceClass::kFarmland, {PlantKind::kMaize}),
-                    area(2, SurfaceClass::kFarmland),
-                    area(3, SurfaceClass::kOrchard),
-                    area(4, SurfaceClass::kOrchard, {PlantKind::kPalm}),
-                    area(5, SurfaceClass::kVineyard, {PlantKind::kVine}),
-                    area(6, SurfaceClass::kReedbed),
-                    area(7, SurfaceClass::kHedgeArea, {PlantKind::kCypress, map::LeafType::kNeedle})};
+  features.areas = {area(1, LandCoverClass::kFarmland, {PlantKind::kMaize}),
+                    area(2, LandCoverClass::kFarmland),
+                    area(3, LandCoverClass::kOrchard),
+                    area(4, LandCoverClass::kOrchard, {PlantKind::kPalm}),
+                    area(5, LandCoverClass::kVineyard, {PlantKind::kVine}),
+                    area(6, LandCoverClass::kReedbed),
+                    area(7, LandCoverClass::kHedgeArea, {PlantKind::kCypress, map::LeafType::kNeedle})};
   Report report;
   const Plants plants = planned(features, report);
   ASSERT_EQ(plants.plantings.size(), 6u);
-  EXPECT_EQ(plants.plantings[0].stock, stock_of(Species::kMaize));
-  EXPECT_EQ(plants.plantings[1].stock, stock_of(Species::kApple));
-  EXPECT_EQ(plants.plantings[2].stock, stock_of(Species::kPalm));
-  EXPECT_EQ(plants.plantings[3].stock, stock_of(Species::kVine));
-  EXPECT_EQ(plants.plantings[4].stock, stock_of(Species::kReed));
-  EXPECT_EQ(plants.plantings[5].stock, stock_of(Species::kHedge));
-  for (const Planting& planting : plants.plantings) EXPECT_GE(planting.plant_m, kLeastPlant_m);
+  EXPECT_EQ(plants.plantings[0].species_mix, species_mix_of(Species::kMaize));
+  EXPECT_EQ(plants.plantings[1].species_mix, species_mix_of(Species::kApple));
+  EXPECT_EQ(plants.plantings[2].species_mix, species_mix_of(Species::kPalm));
+  EXPECT_EQ(plants.plantings[3].species_mix, species_mix_of(Species::kVine));
+  EXPECT_EQ(plants.plantings[4].species_mix, species_mix_of(Species::kReed));
+  EXPECT_EQ(plants.plantings[5].species_mix, species_mix_of(Species::kHedge));
+  for (const Planting& planting : plants.plantings) EXPECT_GE(planting.plant_spacing_m, kLeastPlantSpacing_m);
 }
 
 TEST(HeadingOfRows, IsSquareToTheSlope) {
-  const ground::Surface field{way(1), SurfaceClass::kVineyard, 20000, {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}}};
+  const ground::LandCoverPolygon field{
+      way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {200, 0}, {200, 100}, {0, 100}}}};
   for (const Vec2 grade : {Vec2{0.2, 0}, Vec2{0, 0.3}, Vec2{0.1, 0.1}, Vec2{-0.05, 0.2}})
-    EXPECT_LT(std::abs(dot(along_rows(heading_of_rows(field, sloping(grade))), unit(grade))), 0.01);
+    EXPECT_LT(std::abs(dot(row_direction(row_heading(field, sloping(grade))), unit(grade))), 0.01);
 }
 
 TEST(HeadingOfRows, FollowsTheLongestBorderOfLevelFields) {
-  const ground::Surface field{way(1), SurfaceClass::kVineyard, 20000, {{{0, 0}, {160, 120}, {100, 200}, {-60, 80}}}};
-  EXPECT_NEAR(std::abs(dot(along_rows(heading_of_rows(field, sloping({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
+  const ground::LandCoverPolygon field{
+      way(1), LandCoverClass::kVineyard, 20000, {{{0, 0}, {160, 120}, {100, 200}, {-60, 80}}}};
+  EXPECT_NEAR(std::abs(dot(row_direction(row_heading(field, sloping({0.01, 0}))), Vec2{0.8, 0.6})), 1, 0.001);
 }
 
 TEST(Plan, StreetsLinedWithTreesHaveRowsBehindTheirKerbs) {
@@ -134,7 +136,7 @@ TEST(Plan, StreetsLinedWithTreesHaveRowsBehindTheirKerbs) {
   ASSERT_EQ(plants.rows.size(), 3u);
   EXPECT_EQ(plants.rows[0].axis, (Polyline{{0, 4}, {100, 4}}));
   EXPECT_EQ(plants.rows[1].axis, (Polyline{{0, -4}, {100, -4}}));
-  EXPECT_EQ(plants.rows[2].stock, stock_of(Species::kPoplar));
+  EXPECT_EQ(plants.rows[2].species_mix, species_mix_of(Species::kPoplar));
   EXPECT_EQ(plants.rows[2].height_m, 12);
   EXPECT_TRUE(report.balances());
 }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Month kJanuary{1}, kMay{5}, kOctober{10};
 
-Grown grown_in(Month month, Species species, std::uint8_t variant = 0) {
-  return Nursery({}, month).grown({species, variant});
+GrownPlant grown_in(Month month, Species species, std::uint8_t variant = 0) {
+  return GrownPlantCache({}, month).grown({species, variant});
 }
 
 PrototypeMesh mesh_in(Month month, Species species, double share) {
@@ -27,9 +27,9 @@ double height_of(const PrototypeMesh& plant) {
   return high;
 }
 
-double shown(const imprint::Cutout& cutout) {
+double shown(const impostor::Cutout& cutout) {
   return static_cast<double>(
-      std::ranges::count_if(cutout.opacity, [](std::uint8_t o) { return o >= imprint::kCutoff; }));
+      std::ranges::count_if(cutout.opacity, [](std::uint8_t o) { return o >= impostor::kAlphaCutoff; }));
 }
 
 TEST(Season, IsHalfAYearOnInTheSouthAndNoneBetweenTheTropics) {
@@ -44,20 +44,20 @@ TEST(Season, IsHalfAYearOnInTheSouthAndNoneBetweenTheTropics) {
 TEST(Season, ChangesNothingInMidsummer) {
   for (int s = 0; s < static_cast<int>(Species::kCount); ++s)
     for (std::uint8_t variant = 0; variant < kVariants; ++variant) {
-      const Phase phase = phase_of({static_cast<Species>(s), variant}, kMidsummer);
-      EXPECT_EQ(phase.leafage, 1);
-      EXPECT_EQ(phase.stature, 1);
-      EXPECT_EQ(phase.young, 0);
-      EXPECT_EQ(phase.turned, 0);
+      const SeasonState state = season_state_of({static_cast<Species>(s), variant}, kMidsummer);
+      EXPECT_EQ(state.leaf_share, 1);
+      EXPECT_EQ(state.height_share, 1);
+      EXPECT_EQ(state.young, 0);
+      EXPECT_EQ(state.turned, 0);
     }
 }
 
 TEST(Season, LeavesEvergreensAsTheyAre) {
   for (const Species species : {Species::kFir, Species::kPine, Species::kSpruce, Species::kCypress, Species::kPalm}) {
-    const Look summer = look_of({species, 0}), winter = look_of({species, 0}, kJanuary);
+    const Appearance summer = appearance_of({species, 0}), winter = appearance_of({species, 0}, kJanuary);
     EXPECT_EQ(winter.leaf, summer.leaf);
     EXPECT_EQ(winter.leaf_material, summer.leaf_material);
-    EXPECT_EQ(winter.leafage, 1);
+    EXPECT_EQ(winter.leaf_share, 1);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Season, LeavesBareTreesNoLeaves) {
 }
 
 TEST(Season, HasNoFruitWithoutAllLeaves) {
-  const auto fruit = [](const Grown& grown) {
+  const auto fruit = [](const GrownPlant& grown) {
     return std::ranges::count_if(grown.foliage.cards,
                                  [&](const Card& card) { return is_fruit(grown.foliage.sprays[card.spray]); });
   };
@@ -85,14 +85,14 @@ TEST(Season, HasNoFruitWithoutAllLeaves) {
 
 TEST(Season, TurnsKindsTheirOwnWayAndVariantsOneAfterTheOther) {
   const auto redness = [](Species species, std::uint8_t variant, Month month) {
-    const materials::Tint leaf = look_of({species, variant}, month).leaf;
+    const materials::Tint leaf = appearance_of({species, variant}, month).leaf;
     return static_cast<double>(leaf[0]) / leaf[1];
   };
   for (const Species species : {Species::kMaple, Species::kOak, Species::kBirch, Species::kBeech})
     EXPECT_GT(redness(species, 1, kOctober), 1.5 * redness(species, 1, kMidsummer));
   EXPECT_GT(redness(Species::kMaple, 1, kOctober), 2 * redness(Species::kBirch, 1, kOctober));
   EXPECT_GT(redness(Species::kMaple, 1, kOctober), redness(Species::kMaple, 0, kOctober));
-  EXPECT_GT(look_of({Species::kBeech, 0}, kMay).leaf[1], look_of({Species::kBeech, 0}).leaf[1]);
+  EXPECT_GT(appearance_of({Species::kBeech, 0}, kMay).leaf[1], appearance_of({Species::kBeech, 0}).leaf[1]);
 }
 
 // a crop's height is the month's, its error with it, and where nothing stands nothing strays
@@ -100,7 +100,7 @@ TEST(Season, SowsAndReaps) {
   EXPECT_NEAR(height_of(mesh_in(kMidsummer, Species::kWheat, 0.01)), 1, 0.05);
   EXPECT_NEAR(height_of(mesh_in(kJanuary, Species::kWheat, 0.01)), 0.15, 0.02);
   EXPECT_NEAR(height_of(mesh_in(Month{9}, Species::kWheat, 0.01)), 0.2, 0.02);
-  EXPECT_NE(look_of({Species::kWheat, 0}, kMay).bark, look_of({Species::kWheat, 0}).bark);
+  EXPECT_NE(appearance_of({Species::kWheat, 0}, kMay).bark, appearance_of({Species::kWheat, 0}).bark);
   EXPECT_LE(mesh_in(kJanuary, Species::kWheat, 0.01).error_per_m, 0.025);
   EXPECT_EQ(mesh_in(kJanuary, Species::kWheat, 0.2).error_per_m, 0.15);
   const PrototypeMesh none = mesh_in(kJanuary, Species::kMaize, 0.01);
@@ -109,11 +109,11 @@ TEST(Season, SowsAndReaps) {
 }
 
 TEST(Sprays, ShowTwigsWhereLeavesAreNot) {
-  const auto share = [](double leafage) {
-    const imprint::Picture picture = picture_of_spray("oak_leaf", materials::Material::kBroadLeaf, leafage);
+  const auto share = [](double leaf_share) {
+    const impostor::Picture picture = picture_of_spray("oak_leaf", materials::Material::kBroadLeaf, leaf_share);
     std::uint64_t sum = 0;
-    for (const imprint::Texel& texel : picture.texels) sum += texel.shown;
-    return static_cast<double>(sum) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
+    for (const impostor::Texel& texel : picture.texels) sum += texel.shown;
+    return static_cast<double>(sum) / (static_cast<double>(picture.texels.size()) * impostor::kSamplesPerTexel);
   };
   EXPECT_GT(share(0), 0.05);
   EXPECT_LT(share(0), 0.15);

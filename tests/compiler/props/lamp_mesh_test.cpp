@@ -6,7 +6,7 @@
 
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/snap.h"
-#include "compiler/props/expand.h"
+#include "compiler/props/generate.h"
 
 namespace citykiln::props {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kDetails[] = {0.001, 0.016, 0.5};
 
 using Corners = std::array<Vec3, 3>;
 
-std::vector<Corners> triangles_of(const Expanded& lamp) {
+std::vector<Corners> triangles_of(const GeneratedProp& lamp) {
   std::vector<Corners> all;
   for (const auto& dressed : lamp.meshes)
     for (const auto& [a, b, c] : dressed.mesh.triangles)
@@ -65,7 +65,7 @@ TEST(LampMesh, DeviatesByNoMoreThanItsError) {
   for (const LampKind kind : kAll) {
     const auto full = triangles_of(lamp_mesh(kind, 1, kDetails[0]));
     for (const double tolerance : {kDetails[1], kDetails[2]}) {
-      const Expanded cut = lamp_mesh(kind, 1, tolerance);
+      const GeneratedProp cut = lamp_mesh(kind, 1, tolerance);
       EXPECT_GT(cut.error_m, 0);
       EXPECT_LE(cut.error_m, tolerance);
       EXPECT_TRUE(is_within(cut.error_m, full, triangles_of(cut)));
@@ -90,7 +90,7 @@ TEST(LampMesh, KeepsWithinEachLevelOfTheLadder) {
   for (const LampKind kind : kAll)
     for (const double height_m : {4.0, 6.0, 8.0, 10.0, 12.0})
       for (const double tolerance : kDefaultLadder_m) {
-        const Expanded lamp = lamp_mesh(kind, height_m, tolerance);
+        const GeneratedProp lamp = lamp_mesh(kind, height_m, tolerance);
         EXPECT_LE(lamp.error_m, tolerance);
         EXPECT_EQ(lamp.meshes.empty(), height_m <= tolerance);
         EXPECT_TRUE(!lamp.meshes.empty() || lamp.error_m == height_m);

@@ -11,17 +11,17 @@
 namespace citykiln::props {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 using roads::Road;
 
 const Box2 kEverywhere{{-4096, -4096}, {4096, 4096}};
 
 map::Lane lane(map::LaneKind kind, double width_m) {
-  return {kind, map::LaneWay::kBoth, width_m, 0, kind == map::LaneKind::kSidewalk};
+  return {kind, map::LaneDirection::kBoth, width_m, 0, kind == map::LaneKind::kSidewalk};
 }
 
 // A lit road with pavements that wide (0: none), its axis in the middle of the carriageway.
-Road road_on(Polyline axis, SurfaceClass surface, double width_m, double left_pavement_m = 0,
+Road road_on(Polyline axis, LandCoverClass surface, double width_m, double left_pavement_m = 0,
              double right_pavement_m = 0) {
   Road road;
   road.id = {{OsmType::kWay, 7}, 0};
@@ -35,31 +35,32 @@ Road road_on(Polyline axis, SurfaceClass surface, double width_m, double left_pa
   return road;
 }
 
-Road street(Polyline axis) { return road_on(std::move(axis), SurfaceClass::kResidentialRoad, 6); }
+Road street(Polyline axis) { return road_on(std::move(axis), LandCoverClass::kResidentialRoad, 6); }
 
 // Winds, with pieces of odd lengths.
 Road winding() {
   Polyline axis;
   for (int i = 0; i < 160; ++i) axis.push_back(snapped(Vec2{i * 7.3, 40.0 * ((i * 37) % 11) / 11 + i * 2.1}));
-  Road road = road_on(axis, SurfaceClass::kSecondaryRoad, 12);
-  road.passed_m = 101.25;
+  Road road = road_on(axis, LandCoverClass::kSecondaryRoad, 12);
+  road.start_along_m = 101.25;
   return road;
 }
 
-ground::Surface square(SurfaceClass surface, Vec2 middle, double half_m) {
+ground::LandCoverPolygon square(LandCoverClass surface, Vec2 middle, double half_m) {
   const Box2 box = Box2{middle, middle}.widened(half_m);
   return {{{OsmType::kWay, 90}, 0}, surface, 0, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
 }
 
-std::vector<StreetLamp> on(std::vector<Road> roads, std::vector<ground::Surface> surfaces = {},
+std::vector<StreetLamp> on(std::vector<Road> roads, std::vector<ground::LandCoverPolygon> surfaces = {},
                            std::vector<Lamp> mapped = {}) {
   const Box2 box{{-512, -512}, {512, 512}};
-  return lamps_of_streets(roads, mapped, ground::map_surfaces(surfaces, box), box);
+  return lamps_of_streets(roads, mapped, ground::index_land_cover(surfaces, box), box);
 }
 
 TEST(LampsAlong, StandHalfASpacingFromTheStartThenOneASpacing) {
-  for (const auto surface : {SurfaceClass::kMotorwayRoad, SurfaceClass::kPrimaryRoad, SurfaceClass::kSecondaryRoad,
-                             SurfaceClass::kTertiaryRoad, SurfaceClass::kResidentialRoad, SurfaceClass::kFootPath}) {
+  for (const auto surface :
+       {LandCoverClass::kMotorwayRoad, LandCoverClass::kPrimaryRoad, LandCoverClass::kSecondaryRoad,
+        LandCoverClass::kTertiaryRoad, LandCoverClass::kResidentialRoad, LandCoverClass::kFootPath}) {
     const double spacing_m = lighting_of(surface).spacing_m;
     const auto lamps = lamps_along(road_on({{0, 0}, {90, 0}, {401, 0}}, surface, 8), kEverywhere);
     ASSERT_EQ(lamps.size(), static_cast<std::size_t>(401 / spacing_m + 0.5));
@@ -68,9 +69,9 @@ TEST(LampsAlong, StandHalfASpacingFromTheStartThenOneASpacing) {
 }
 
 TEST(LampsAlong, StandCloserAndLowerTheQuieterTheStreet) {
-  const SurfaceClass louder_first[] = {SurfaceClass::kMotorwayRoad,    SurfaceClass::kPrimaryRoad,
-                                       SurfaceClass::kSecondaryRoad,   SurfaceClass::kTertiaryRoad,
-                                       SurfaceClass::kResidentialRoad, SurfaceClass::kPavedFootPath};
+  const LandCoverClass louder_first[] = {LandCoverClass::kMotorwayRoad,    LandCoverClass::kPrimaryRoad,
+                                         LandCoverClass::kSecondaryRoad,   LandCoverClass::kTertiaryRoad,
+                                         LandCoverClass::kResidentialRoad, LandCoverClass::kPavedFootPath};
   for (std::size_t i = 1; i < std::size(louder_first); ++i) {
     const Lighting loud = lighting_of(louder_first[i - 1]), quiet = lighting_of(louder_first[i]);
     EXPECT_GT(loud.spacing_m, quiet.spacing_m);
@@ -84,12 +85,12 @@ TEST(LampsAlong, LightOnlyWhatIsToldToBeLitAndIsNoRailOrRunway) {
   Road dark = street({{0, 0}, {400, 0}});
   dark.is_lit = false;
   EXPECT_TRUE(lamps_along(dark, kEverywhere).empty());
-  for (const auto surface : {SurfaceClass::kTram, SurfaceClass::kRailway, SurfaceClass::kRunway})
+  for (const auto surface : {LandCoverClass::kTram, LandCoverClass::kRailway, LandCoverClass::kRunway})
     EXPECT_TRUE(lamps_along(road_on({{0, 0}, {400, 0}}, surface, 6), kEverywhere).empty());
 }
 
 TEST(LampsAlong, AlternateOnWideCarriageways) {
-  const auto lamps = lamps_along(road_on({{0, 0}, {400, 0}}, SurfaceClass::kPrimaryRoad, 14), kEverywhere);
+  const auto lamps = lamps_along(road_on({{0, 0}, {400, 0}}, LandCoverClass::kPrimaryRoad, 14), kEverywhere);
   for (std::size_t i = 0; i < lamps.size(); ++i) EXPECT_EQ(lamps[i].at.y, i % 2 == 0 ? -7.75 : 7.75);
 }
 
@@ -101,7 +102,7 @@ TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
     return lamps[0].at.y;
   };
   const auto with = [&](double left_m, double right_m) {
-    return road_on(axis, SurfaceClass::kResidentialRoad, 6, left_m, right_m);
+    return road_on(axis, LandCoverClass::kResidentialRoad, 6, left_m, right_m);
   };
   EXPECT_EQ(feet_m(with(0, 0)), -3.75);
   EXPECT_EQ(feet_m(with(2, 0)), 3.5);
@@ -110,7 +111,7 @@ TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
   EXPECT_EQ(feet_m(with(0, 0.5)), -3.25);
   Road cycled = with(0, 2);
   cycled.section.lanes.insert(cycled.section.lanes.begin() + 1,
-                              {map::LaneKind::kCycle, map::LaneWay::kForward, 1.5, 0, true});
+                              {map::LaneKind::kCycle, map::LaneDirection::kForward, 1.5, 0, true});
   EXPECT_EQ(feet_m(cycled), -5);
   cycled.section.lanes.pop_back();
   EXPECT_EQ(feet_m(cycled), -5.25);
@@ -154,7 +155,7 @@ TEST(LampsAlong, AreTheSameOfAWayAndOfItsTrimmedRuns) {
 
 TEST(LampsAlong, CostWhatTheBoxHoldsHoweverLongTheWay) {
   Road endless = street({{-0x1p40, -0x1p39}, {0x1p40, 0x1p39}});
-  endless.passed_m = 0x1p42;
+  endless.start_along_m = 0x1p42;
   EXPECT_LE(lamps_along(endless, Box2{{0, 0}, {1024, 1024}}).size(), 50u);
   EXPECT_TRUE(lamps_along(street({{0, 0}, {0, 0}}), kEverywhere).empty());
 }
@@ -163,11 +164,11 @@ TEST(LampsOfStreets, KeepOffRoadsWaterAndBuildings) {
   const std::vector<Road> roads = {street({{0, 0}, {200, 0}})};
   const Vec2 third = on(roads)[2].at;
   for (const auto surface :
-       {SurfaceClass::kPrimaryRoad, SurfaceClass::kTram, SurfaceClass::kRailway, SurfaceClass::kRiver,
-        SurfaceClass::kSea, SurfaceClass::kBuilding, SurfaceClass::kSteps, SurfaceClass::kCyclePath})
+       {LandCoverClass::kPrimaryRoad, LandCoverClass::kTram, LandCoverClass::kRailway, LandCoverClass::kRiver,
+        LandCoverClass::kSea, LandCoverClass::kBuilding, LandCoverClass::kSteps, LandCoverClass::kCyclePath})
     EXPECT_EQ(on(roads, {square(surface, third, 3)}).size(), 7u);
-  for (const auto surface : {SurfaceClass::kPavement, SurfaceClass::kGrass, SurfaceClass::kSquare,
-                             SurfaceClass::kPavedFootPath, SurfaceClass::kTrafficIsland})
+  for (const auto surface : {LandCoverClass::kPavement, LandCoverClass::kGrass, LandCoverClass::kSquare,
+                             LandCoverClass::kPavedFootPath, LandCoverClass::kTrafficIsland})
     EXPECT_EQ(on(roads, {square(surface, third, 3)}), on(roads));
 }
 
@@ -176,13 +177,13 @@ TEST(LampsOfStreets, GiveWayToMappedOnes) {
   const auto alone = on(roads), beside = on(roads, {}, {{{{OsmType::kNode, 1}, 0}, {150, 5}, 0}});
   EXPECT_LT(beside.size(), alone.size());
   for (const StreetLamp& lamp : alone) {
-    const bool is_near = distance(lamp.at, {150, 5}) < lighting_of(SurfaceClass::kResidentialRoad).spacing_m;
+    const bool is_near = distance(lamp.at, {150, 5}) < lighting_of(LandCoverClass::kResidentialRoad).spacing_m;
     EXPECT_EQ(std::ranges::count(beside, lamp), is_near ? 0 : 1);
   }
 }
 
 TEST(LampsOfStreets, LeavePathsBesideLitStreetsToTheStreet) {
-  const Road path = road_on({{0, 7}, {200, 7}}, SurfaceClass::kPavedFootPath, 2);
+  const Road path = road_on({{0, 7}, {200, 7}}, LandCoverClass::kPavedFootPath, 2);
   Road near = street({{0, 0}, {200, 0}});
   near.id.osm.id = 8;
   const std::size_t along_street = on({near}).size();
@@ -196,8 +197,8 @@ TEST(LampsOfStreets, LeavePathsBesideLitStreetsToTheStreet) {
 }
 
 TEST(MappedLamps, FaceTheNearestStreetThenTheNearestPath) {
-  const Road path = road_on({{0, 6}, {200, 6}}, SurfaceClass::kFootPath, 2);
-  Road primary = road_on({{0, 0}, {200, 0}}, SurfaceClass::kPrimaryRoad, 7);
+  const Road path = road_on({{0, 6}, {200, 6}}, LandCoverClass::kFootPath, 2);
+  Road primary = road_on({{0, 0}, {200, 0}}, LandCoverClass::kPrimaryRoad, 7);
   primary.is_lit = false;
   const std::vector<Road> roads = {path, primary};
   const std::vector<Lamp> lamps = {{{{OsmType::kNode, 1}, 0}, {50, 5}, 0},

@@ -8,10 +8,10 @@
 namespace citykiln::props {
 namespace {
 
-using ground::Surface;
-using map::SurfaceClass;
+using ground::LandCoverPolygon;
+using map::LandCoverClass;
 
-Surface surface(std::int64_t id, SurfaceClass kind, Ring ring) {
+LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
   const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
   return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
 }
@@ -19,21 +19,22 @@ Surface surface(std::int64_t id, SurfaceClass kind, Ring ring) {
 Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 // A carriageway and the pavement beside it, a square, a lawn, gravel, a street for walkers.
-const std::vector<Surface> kSurfaces = {surface(1, SurfaceClass::kResidentialRoad, block(-100, -4, 100, 4)),
-                                        surface(2, SurfaceClass::kPavement, block(-100, 4, 100, 7)),
-                                        surface(3, SurfaceClass::kSquare, block(-100, 40, 0, 90)),
-                                        surface(4, SurfaceClass::kGrass, block(0, 40, 100, 90)),
-                                        surface(5, SurfaceClass::kFootPath, block(-100, -30, 100, -20)),
-                                        surface(6, SurfaceClass::kPedestrianStreet, block(-100, -90, 100, -80))};
+const std::vector<LandCoverPolygon> kSurfaces = {
+    surface(1, LandCoverClass::kResidentialRoad, block(-100, -4, 100, 4)),
+    surface(2, LandCoverClass::kPavement, block(-100, 4, 100, 7)),
+    surface(3, LandCoverClass::kSquare, block(-100, 40, 0, 90)),
+    surface(4, LandCoverClass::kGrass, block(0, 40, 100, 90)),
+    surface(5, LandCoverClass::kFootPath, block(-100, -30, 100, -20)),
+    surface(6, LandCoverClass::kPedestrianStreet, block(-100, -90, 100, -80))};
 
-roads::Road street(Polyline axis, SurfaceClass kind = SurfaceClass::kResidentialRoad) {
+roads::Road street(Polyline axis, LandCoverClass kind = LandCoverClass::kResidentialRoad) {
   roads::Road road;
   road.axis = std::move(axis), road.surface = kind;
   return road;
 }
 
 std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& axis = {{-100, 0}, {100, 0}}) {
-  const ground::SurfaceMap map = map_surfaces(kSurfaces, {{-128, -128}, {128, 128}});
+  const ground::LandCoverIndex map = index_land_cover(kSurfaces, {{-128, -128}, {128, 128}});
   std::vector<Placement> trees;
   for (const Vec2 p : places)
     trees.push_back({at_height(p, 0), 1, 0, 12, {OsmType::kNode, static_cast<std::int64_t>(trees.size() + 1)}});
@@ -41,12 +42,12 @@ std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& ax
 }
 
 // Rises to the east by so much.
-ground::Carving sloping(double slope = 1.0 / 16) {
+ground::GradedTerrain sloping(double slope = 1.0 / 16) {
   map::Heightfield field{{-128, -128}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
     for (int i = 0; i < 17; ++i)
       field.heights.push_back(static_cast<std::int32_t>(16 * i * slope / map::kHeightQuantum_m));
-  return ground::Carving(std::move(field));
+  return ground::GradedTerrain(std::move(field));
 }
 
 TEST(TreePits, AreInPavingAlone) {
@@ -80,9 +81,10 @@ TEST(TreePits, DoNotTouchEachOther) {
 }
 
 TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
-  const ground::Carving ground = sloping();
+  const ground::GradedTerrain ground = sloping();
   const TreePit pit = pits_at({{-50, 60}}, {{-90, 40}, {-20, 110}})[0];
-  const Expanded full = expand(pit, ground, 0.02), soil = expand(pit, ground, 0.1), none = expand(pit, ground, 0.5);
+  const GeneratedProp full = generate(pit, ground, 0.02), soil = generate(pit, ground, 0.1),
+                      none = generate(pit, ground, 0.5);
   EXPECT_EQ(full.error_m, 0);
   EXPECT_TRUE(none.meshes.empty());
   double highest_m = 0, soil_m = 0;
@@ -96,15 +98,15 @@ TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
 
 TEST(TreePits, AreNotMadeWhereTheGroundIsSteepOrBent) {
   const TreePit pit = pits_at({{-50, 60}})[0];
-  EXPECT_TRUE(expand(pit, sloping(0.5), 0.02).meshes.empty());
+  EXPECT_TRUE(generate(pit, sloping(0.5), 0.02).meshes.empty());
   // a ridge under it
   map::Heightfield ridge{{-58, -128}, {8, 16}, 17, 17, std::vector<std::int32_t>(289), 0};
   for (int j = 0; j < 17; ++j) ridge.heights[j * 17 + 1] = static_cast<std::int32_t>(1 / map::kHeightQuantum_m);
-  EXPECT_TRUE(expand(pit, ground::Carving(std::move(ridge)), 0.02).meshes.empty());
+  EXPECT_TRUE(generate(pit, ground::GradedTerrain(std::move(ridge)), 0.02).meshes.empty());
 }
 
 TEST(TreePits, ShowTheirFrontAbove) {
-  const Expanded pit = expand(pits_at({{-50, 60}})[0], sloping(), 0.02);
+  const GeneratedProp pit = generate(pits_at({{-50, 60}})[0], sloping(), 0.02);
   double up_m2 = 0;
   for (const auto& dressed : pit.meshes)
     for (const auto& [a, b, c] : dressed.mesh.triangles) {

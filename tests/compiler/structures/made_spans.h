@@ -5,20 +5,21 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/structures/expand.h"
+#include "compiler/structures/generate.h"
 
 namespace citykiln::structures {
 
 /// A road of two lanes, 6 m from kerb to kerb; with pavements, 2 m each, where asked for.
 inline Span made_span(Polyline axis, Profile profile, bool has_pavements = false) {
+  using map::LaneDirection;
   using map::LaneKind;
-  using map::LaneWay;
   Span span;
   span.id = {{OsmType::kWay, 5}, 0};
   span.axis = std::move(axis), span.profile = std::move(profile);
-  span.surface = map::SurfaceClass::kPrimaryRoad;
-  const map::Lane walk{LaneKind::kSidewalk, LaneWay::kBoth, 2, 0, true};
-  span.section = {{{LaneKind::kDriving, LaneWay::kBackward, 3}, {LaneKind::kDriving, LaneWay::kForward, 3}}, 3};
+  span.surface = map::LandCoverClass::kPrimaryRoad;
+  const map::Lane walk{LaneKind::kSidewalk, LaneDirection::kBoth, 2, 0, true};
+  span.section = {{{LaneKind::kDriving, LaneDirection::kBackward, 3}, {LaneKind::kDriving, LaneDirection::kForward, 3}},
+                  3};
   if (has_pavements) {
     span.section.lanes.insert(span.section.lanes.begin(), walk);
     span.section.lanes.push_back(walk);
@@ -26,14 +27,14 @@ inline Span made_span(Polyline axis, Profile profile, bool has_pavements = false
   return span;
 }
 
-inline std::vector<materials::DressedMesh> all_meshes(const Expanded& expanded) {
-  std::vector<materials::DressedMesh> meshes = expanded.meshes;
+inline std::vector<materials::MaterialMesh> all_meshes(const GeneratedStructure& expanded) {
+  std::vector<materials::MaterialMesh> meshes = expanded.meshes;
   for (const MarkedMesh& marked : expanded.marked) meshes.push_back(marked.mesh);
   return meshes;
 }
 
 /// How often each edge is walked from the one position to the other, less how often back; closed meshes have none.
-inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materials::DressedMesh>& meshes) {
+inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materials::MaterialMesh>& meshes) {
   std::map<std::pair<Vec3, Vec3>, int> edges;
   for (const auto& dressed : meshes)
     for (const Triangle& t : dressed.mesh.triangles)
@@ -48,7 +49,7 @@ inline std::map<std::pair<Vec3, Vec3>, int> open_edges(const std::vector<materia
   return edges;
 }
 
-inline double volume_m3(const std::vector<materials::DressedMesh>& meshes) {
+inline double volume_m3(const std::vector<materials::MaterialMesh>& meshes) {
   double six = 0;
   for (const auto& dressed : meshes)
     for (const auto& [a, b, c] : dressed.mesh.triangles) {
@@ -58,7 +59,7 @@ inline double volume_m3(const std::vector<materials::DressedMesh>& meshes) {
   return six / 6;
 }
 
-inline bool has_point(const std::vector<materials::DressedMesh>& meshes, Vec3 at) {
+inline bool has_point(const std::vector<materials::MaterialMesh>& meshes, Vec3 at) {
   for (const auto& dressed : meshes)
     for (const Vec3 p : dressed.mesh.positions)
       if (p == at) return true;

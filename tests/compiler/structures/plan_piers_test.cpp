@@ -13,15 +13,15 @@ map::Heightfield level() {
   return field;
 }
 
-ground::Carving carving() { return ground::carve(level(), {{}, {}, {}, {{-512, -512}, {512, 512}}}); }
+ground::GradedTerrain graded() { return ground::grade_terrain(level(), {{}, {}, {}, {{-512, -512}, {512, 512}}}); }
 
-ground::Surface band(map::SurfaceClass surface, double from_m, double to_m) {
+ground::LandCoverPolygon band(map::LandCoverClass surface, double from_m, double to_m) {
   return {{{OsmType::kWay, 9}, 0}, surface, 1, {{{from_m, -50}, {to_m, -50}, {to_m, 50}, {from_m, 50}}}};
 }
 
-std::vector<Span> place(std::vector<Span> bridges, std::vector<ground::Surface> standing) {
+std::vector<Span> place(std::vector<Span> bridges, std::vector<ground::LandCoverPolygon> standing) {
   Report report;
-  bridges = place_piers(std::move(bridges), carving(), standing, report);
+  bridges = place_piers(std::move(bridges), graded(), standing, report);
   EXPECT_TRUE(report.balances());
   return bridges;
 }
@@ -35,7 +35,7 @@ TEST(PlanPiers, ShareOutLongBridges) {
 }
 
 TEST(PlanPiers, KeepClearOfRoads) {
-  const ground::Surface road = band(map::SurfaceClass::kPrimaryRoad, 36, 43);
+  const ground::LandCoverPolygon road = band(map::LandCoverClass::kPrimaryRoad, 36, 43);
   const std::vector<Pier> piers = place({viaduct()}, {road})[0].piers;
   ASSERT_EQ(piers.size(), 2u);
   // half the wall's thickness, and more, from either edge
@@ -46,15 +46,15 @@ TEST(PlanPiers, KeepClearOfRoads) {
 TEST(PlanPiers, AreLeftOutWhereNothingIsFree) {
   Report report;
   const auto bridges =
-      place_piers({viaduct()}, carving(), std::vector{band(map::SurfaceClass::kRailway, 20, 100)}, report);
+      place_piers({viaduct()}, graded(), std::vector{band(map::LandCoverClass::kRailway, 20, 100)}, report);
   EXPECT_TRUE(bridges[0].piers.empty());
   EXPECT_EQ(report.counts()[Code::kNoPlaceForPier], 2u);
 }
 
 TEST(PlanPiers, StandInWaterOnlyWhereThereIsNoShore) {
-  EXPECT_GE(place({viaduct()}, {band(map::SurfaceClass::kRiver, 32, 44)})[0].piers[0].at_m, 28);
-  EXPECT_LE(place({viaduct()}, {band(map::SurfaceClass::kRiver, 32, 48)})[0].piers[0].at_m, 32);
-  EXPECT_EQ(place({viaduct()}, {band(map::SurfaceClass::kRiver, 10, 110)})[0].piers[0].at_m, 40);
+  EXPECT_GE(place({viaduct()}, {band(map::LandCoverClass::kRiver, 32, 44)})[0].piers[0].at_m, 28);
+  EXPECT_LE(place({viaduct()}, {band(map::LandCoverClass::kRiver, 32, 48)})[0].piers[0].at_m, 32);
+  EXPECT_EQ(place({viaduct()}, {band(map::LandCoverClass::kRiver, 10, 110)})[0].piers[0].at_m, 40);
 }
 
 TEST(PlanPiers, DoNotPierceLowerDecks) {

@@ -13,8 +13,8 @@ map::Track track(std::int64_t id, Passage passage, Polyline axis) {
   map::Track t;
   t.id = {{OsmType::kWay, id}, 0};
   t.axis = std::move(axis);
-  t.surface = map::SurfaceClass::kResidentialRoad;
-  t.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
+  t.surface = map::LandCoverClass::kResidentialRoad;
+  t.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
   t.passage = passage;
   return t;
 }

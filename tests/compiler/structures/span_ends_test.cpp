@@ -11,8 +11,8 @@ map::Track track(std::int64_t id, Passage passage, Polyline axis, std::vector<st
   map::Track t;
   t.id = {{OsmType::kWay, id}, 0};
   t.axis = std::move(axis), t.node_ids = std::move(nodes);
-  t.surface = map::SurfaceClass::kResidentialRoad;
-  t.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
+  t.surface = map::LandCoverClass::kResidentialRoad;
+  t.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
   t.passage = passage;
   return t;
 }
@@ -28,12 +28,12 @@ const map::Track kBridge = track(1, Passage::kBridge, {{0, 0}, {30, 0}}, {1, 2})
 TEST(SpanEnds, MeetTheRoadThatGoesOn) {
   const auto ends = find_ends(with({kBridge, track(2, Passage::kGround, {{30, 0}, {60, 10}}, {2, 3})}));
   EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kGround, {60, 10}, 0}));
-  EXPECT_EQ(ends[0].from.kind, EndKind::kLoose);
+  EXPECT_EQ(ends[0].from.kind, EndKind::kFree);
 }
 
 TEST(SpanEnds, AreCutAtTheEdgeOfARoadThatPasses) {
   const auto ends = find_ends(with({kBridge, track(2, Passage::kGround, {{30, -20}, {30, 0}, {30, 20}}, {3, 2, 4})}));
-  EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kAcross, {}, 3}));
+  EXPECT_EQ(ends[0].to, (SpanEnd{EndKind::kBesideRoad, {}, 3}));
 }
 
 TEST(SpanEnds, JoinTheOneSpanThatGoesOn) {
@@ -44,10 +44,10 @@ TEST(SpanEnds, JoinTheOneSpanThatGoesOn) {
 
 TEST(SpanEnds, OfAnotherPassageOrFamilyAreNoJoint) {
   map::Track path = track(2, Passage::kBridge, {{30, 0}, {60, 0}}, {2, 3});
-  path.surface = map::SurfaceClass::kFootPath;
-  EXPECT_EQ(find_ends(with({kBridge, path}))[0].to.kind, EndKind::kLoose);
+  path.surface = map::LandCoverClass::kFootPath;
+  EXPECT_EQ(find_ends(with({kBridge, path}))[0].to.kind, EndKind::kFree);
   EXPECT_EQ(find_ends(with({kBridge, track(2, Passage::kTunnel, {{30, 0}, {60, 0}}, {2, 3})}))[0].to.kind,
-            EndKind::kLoose);
+            EndKind::kFree);
 }
 
 }  // namespace

@@ -29,14 +29,14 @@ map::Heightfield hill(const std::function<double(Vec2)>& height_m) {
 roads::Road steps_along(Polyline axis) {
   roads::Road steps;
   steps.id = {{OsmType::kWay, 5}, 0};
-  steps.surface = map::SurfaceClass::kSteps;
-  steps.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 2}}, 1};
+  steps.surface = map::LandCoverClass::kSteps;
+  steps.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 2}}, 1};
   steps.axis = std::move(axis);
   return steps;
 }
 
 struct Built {
-  ground::Carving ground;
+  ground::GradedTerrain ground;
   Stairs stairs;
 };
 
@@ -45,11 +45,11 @@ Ring ring_of(const Box2& box) { return {box.min, {box.max.x, box.min.y}, box.max
 // The way's surface is a square that holds all of it, but for where a street covers that.
 Built built(const roads::Road& steps, const std::function<double(Vec2)>& height_m,
             const Box2& street = {{60, 60}, {62, 62}}) {
-  const std::vector<ground::Surface> surfaces = {
-      {steps.id, map::SurfaceClass::kSteps, 0, {ring_of(kBox)}},
-      {{{OsmType::kWay, 6}, 0}, map::SurfaceClass::kPrimaryRoad, 0, {ring_of(street)}}};
-  Built made{ground::carve(hill(height_m), {{}, {}, surfaces, kBox}), {}};
-  made.stairs = stairs_on(steps, ground::map_surfaces(surfaces, kBox), made.ground, kBox);
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      {steps.id, map::LandCoverClass::kSteps, 0, {ring_of(kBox)}},
+      {{{OsmType::kWay, 6}, 0}, map::LandCoverClass::kPrimaryRoad, 0, {ring_of(street)}}};
+  Built made{ground::grade_terrain(hill(height_m), {{}, {}, surfaces, kBox}), {}};
+  made.stairs = stairs_on(steps, ground::index_land_cover(surfaces, kBox), made.ground, kBox);
   return made;
 }
 
@@ -66,7 +66,7 @@ const roads::Road kUp = steps_along({{0, 0}, {20, 0}, {30, 10}});
 double ramp_m(Vec2 p) { return 100 + p.x * 0.5 + p.y * 0.25; }
 
 TEST(Stairs, AreClosed) {
-  const std::vector<materials::DressedMesh> meshes = {
+  const std::vector<materials::MaterialMesh> meshes = {
       {built(kUp, ramp_m).stairs.mesh, materials::Material::kStone, materials::kNoTint, {}}};
   EXPECT_TRUE(open_edges(meshes).empty());
   EXPECT_GT(volume_m3(meshes), 0);

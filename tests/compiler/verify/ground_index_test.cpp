@@ -8,7 +8,7 @@ namespace citykiln::verify {
 namespace {
 
 TEST(GroundIndex, TellsTheHeightOfAPlaceAndWhatCoversIt) {
-  const GroundIndex index = index_ground(made_ground(map::SurfaceClass::kGrass, {0, 8, 8, 0}), {});
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 8, 8, 0}), {});
   const auto places = ground_at(index, {16, 40});
   ASSERT_EQ(places.size(), 1u);
   EXPECT_EQ(places[0].z_m, 12);
@@ -16,7 +16,7 @@ TEST(GroundIndex, TellsTheHeightOfAPlaceAndWhatCoversIt) {
 }
 
 TEST(GroundIndex, HasGroundOnItsEdgesAndNoneOutside) {
-  const GroundIndex index = index_ground(made_ground(map::SurfaceClass::kGrass, {0, 0, 0, 0}), {});
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), {});
   for (const Vec2 p : {Vec2{0, 0}, Vec2{64, 64}, Vec2{32, 32}, Vec2{64, 1}}) EXPECT_FALSE(ground_at(index, p).empty());
   EXPECT_TRUE(ground_at(index, {65, 1}).empty());
   // what the plane's grid moves borders by
@@ -25,7 +25,7 @@ TEST(GroundIndex, HasGroundOnItsEdgesAndNoneOutside) {
 }
 
 TEST(GroundIndex, TellsBothSidesOfAStep) {
-  bake::BakedTile tile = made_ground(map::SurfaceClass::kGrass, {0, 0, 0, 0});
+  bake::BakedTile tile = made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0});
   bake::Primitive& ground = tile.primitives[0];
   // the second half lies three metres lower
   ground.positions.insert(ground.positions.end(), {{0, 0, -3}, {64, 64, -3}, {0, 64, -3}});
@@ -39,7 +39,7 @@ TEST(GroundIndex, TellsBothSidesOfAStep) {
 
 TEST(GroundIndex, OverlooksWhatLeavesTheGround) {
   const Standing leaving{{kGroundFeature}, {}};
-  const GroundIndex index = index_ground(made_ground(map::SurfaceClass::kGrass, {0, 0, 0, 0}), leaving);
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), leaving);
   EXPECT_TRUE(ground_at(index, {32, 32}).empty());
 }
 

@@ -7,26 +7,26 @@
 namespace citykiln::verify {
 namespace {
 
-using map::SurfaceClass;
-constexpr SurfaceClass kStreet = SurfaceClass::kResidentialRoad;
+using map::LandCoverClass;
+constexpr LandCoverClass kStreet = LandCoverClass::kResidentialRoad;
 
-roads::Road road(std::int64_t id, Polyline axis, double z_m, SurfaceClass surface = kStreet) {
+roads::Road road(std::int64_t id, Polyline axis, double z_m, LandCoverClass surface = kStreet) {
   roads::Road road;
   road.id = {{OsmType::kWay, id}, 0};
   road.surface = surface;
-  road.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 6}}, 3};
+  road.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3};
   road.profile = {{0, z_m, 0}, {length_m(axis), z_m, 0}};
   road.axis = std::move(axis);
   return road;
 }
 
-structures::Span span(std::int64_t id, Polyline axis, double z_m, int layer, SurfaceClass surface = kStreet) {
+structures::Span span(std::int64_t id, Polyline axis, double z_m, int layer, LandCoverClass surface = kStreet) {
   structures::Span span{road(id, std::move(axis), z_m, surface), {}, {}, {}, {}, {}, false,
                         static_cast<std::int8_t>(layer)};
   return span;
 }
 
-const Polyline kAlong = {{100, 500}, {900, 500}}, kAcross = {{500, 100}, {500, 900}};
+const Polyline kAlong = {{100, 500}, {900, 500}}, kBesideRoad = {{500, 100}, {500, 900}};
 
 scene::Scene scene_of(scene::Chunk chunk) {
   scene::Scene scene;
@@ -41,38 +41,39 @@ Clearances measured(scene::Chunk chunk) { return measure_clearances(scene_of(std
 TEST(MeasureClearances, TellWhatABridgeLacksOverARoad) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
-  chunk.bridges = {span(2, kAcross, 14, 1)};
+  chunk.bridges = {span(2, kBesideRoad, 14, 1)};
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 1u);
-  EXPECT_EQ(c.lacking, 1u);
-  EXPECT_EQ(c.lacking_over_1_m, 1u);
-  EXPECT_EQ(c.lacking_over_3_m, 0u);
-  EXPECT_NEAR(c.largest_lack_m, ground::kOverRoad_m - 4, 1e-9);
+  EXPECT_EQ(c.shortfalls, 1u);
+  EXPECT_EQ(c.shortfalls_over_1_m, 1u);
+  EXPECT_EQ(c.shortfalls_over_3_m, 0u);
+  EXPECT_NEAR(c.largest_shortfall_m, ground::kClearanceOverRoad_m - 4, 1e-9);
   EXPECT_EQ(c.upper, (OsmId{OsmType::kWay, 2}));
   EXPECT_EQ(c.lower, (OsmId{OsmType::kWay, 1}));
   EXPECT_EQ(c.at, (Vec2{500, 500}));
   chunk.bridges[0].profile = {{0, 16, 0}};
-  EXPECT_EQ(measured(chunk).lacking, 0u);
+  EXPECT_EQ(measured(chunk).shortfalls, 0u);
 }
 
 TEST(MeasureClearances, OfTwoBridgesOrBoresTheHigherLayerIsAbove) {
   scene::Chunk decks, bores, same;
-  decks.bridges = {span(1, kAlong, 20, 2), span(2, kAcross, 14, 0)};
-  bores.tunnels = {span(1, kAlong, -14, -2), span(2, kAcross, -20, -1)};
-  same.bridges = {span(1, kAlong, 20, 1), span(2, kAcross, 20, 0)};
-  EXPECT_EQ(measured(decks).largest_lack_m, 0);
+  decks.bridges = {span(1, kAlong, 20, 2), span(2, kBesideRoad, 14, 0)};
+  bores.tunnels = {span(1, kAlong, -14, -2), span(2, kBesideRoad, -20, -1)};
+  same.bridges = {span(1, kAlong, 20, 1), span(2, kBesideRoad, 20, 0)};
+  EXPECT_EQ(measured(decks).largest_shortfall_m, 0);
   EXPECT_EQ(measured(decks).crossings, 1u);
-  EXPECT_NEAR(measured(bores).largest_lack_m, ground::kOverRoad_m + 6, 1e-9);
+  EXPECT_NEAR(measured(bores).largest_shortfall_m, ground::kClearanceOverRoad_m + 6, 1e-9);
   EXPECT_EQ(measured(same).crossings, 0u);
 }
 
 TEST(MeasureClearances, TheGroundIsAboveBoresAndCorridorsPassNothing) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
-  chunk.tunnels = {span(2, kAcross, 8, -1), span(3, {{600, 100}, {600, 900}}, 8, 0, SurfaceClass::kPavedFootPath)};
+  chunk.tunnels = {span(2, kBesideRoad, 8, -1),
+                   span(3, {{600, 100}, {600, 900}}, 8, 0, LandCoverClass::kPavedFootPath)};
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 1u);
-  EXPECT_NEAR(c.largest_lack_m, ground::kOverRoad_m - 2, 1e-9);
+  EXPECT_NEAR(c.largest_shortfall_m, ground::kClearanceOverRoad_m - 2, 1e-9);
 }
 
 TEST(MeasureClearances, LinesJoinedCloseByAreNotApart) {
@@ -88,7 +89,7 @@ TEST(MeasureClearances, WhatRunsAboveAnotherCountsUnlessItComesDownBesideIt) {
   scene::Chunk chunk;
   chunk.roads = {road(1, kAlong, 10)};
   chunk.bridges = {span(2, {{100, 502}, {900, 502}}, 12, 1)};
-  EXPECT_EQ(measured(chunk).lacking, 1u);
+  EXPECT_EQ(measured(chunk).shortfalls, 1u);
   chunk.bridges = {span(2, {{480, 502}, {520, 502}}, 12, 1)};
   chunk.roads.push_back(road(3, {{520, 502}, {620, 540}}, 12));
   EXPECT_EQ(measured(chunk).crossings, 0u);
@@ -96,20 +97,20 @@ TEST(MeasureClearances, WhatRunsAboveAnotherCountsUnlessItComesDownBesideIt) {
 
 TEST(MeasureClearances, CountWaterAndPathsThatFollowTheGround) {
   scene::Chunk chunk;
-  chunk.bridges = {span(1, kAcross, 1, 1)};
-  ground::Surface lake{
-      {{OsmType::kWay, 2}, 0}, SurfaceClass::kLake, 800, {{{400, 300}, {600, 300}, {600, 400}, {400, 400}}}};
+  chunk.bridges = {span(1, kBesideRoad, 1, 1)};
+  ground::LandCoverPolygon lake{
+      {{OsmType::kWay, 2}, 0}, LandCoverClass::kLake, 800, {{{400, 300}, {600, 300}, {600, 400}, {400, 400}}}};
   lake.level_m = 0;
   chunk.surfaces = {lake};
-  roads::Strip stream{{{OsmType::kWay, 3}, 0}, kAlong, SurfaceClass::kRiver, 4, 4};
+  roads::Strip stream{{{OsmType::kWay, 3}, 0}, kAlong, LandCoverClass::kRiver, 4, 4};
   stream.profile = {{0, 0.5, 0}};
-  chunk.streams = {stream};
-  chunk.roads = {road(4, {{100, 700}, {900, 700}}, 0, SurfaceClass::kFootPath)};
+  chunk.watercourses = {stream};
+  chunk.roads = {road(4, {{100, 700}, {900, 700}}, 0, LandCoverClass::kFootPath)};
   chunk.roads[0].profile.clear();
   const Clearances c = measured(chunk);
   EXPECT_EQ(c.crossings, 3u);
-  EXPECT_EQ(c.lacking, 3u);
-  EXPECT_EQ(c.lacking_over_1_m, 2u);
+  EXPECT_EQ(c.shortfalls, 3u);
+  EXPECT_EQ(c.shortfalls_over_1_m, 2u);
 }
 
 }  // namespace

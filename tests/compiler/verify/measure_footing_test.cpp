@@ -20,7 +20,7 @@ buildings::Building house() {
 /// Ground at 10 m and its house, whose walls reach down to a height above the tile's origin; the ground under it has a
 /// kerb of the house's own.
 bake::BakedTile tile_with_house(float bottom_m, std::array<float, 4> corners_m) {
-  bake::BakedTile tile = made_ground(map::SurfaceClass::kGrass, corners_m);
+  bake::BakedTile tile = made_ground(map::LandCoverClass::kGrass, corners_m);
   tile.features.push_back(kHouse);
   bake::Primitive walls;
   const Ring ring = house().footprint.outer;

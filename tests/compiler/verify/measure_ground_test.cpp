@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/map/surface_class.h"
+#include "compiler/map/land_cover_class.h"
 
 namespace citykiln::verify {
 namespace {
@@ -20,7 +20,7 @@ double flat(Vec2, double z_m, OsmId) { return std::abs(z_m - 10); }
 bake::BakedTile square(float lifted_m, bool has_second_half) {
   bake::BakedTile tile{{0, 0}, {0, 0, 10}, 0.1, 0, {OsmId{}, kLawn, kBridge}, {}, {}};
   bake::Primitive ground;
-  ground.material = map::values_of(map::SurfaceClass::kUnknown).material;
+  ground.material = map::values_of(map::LandCoverClass::kUnknown).material;
   ground.positions = {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, lifted_m}, {0, 0, -5}, {64, 0, -5}, {64, 64, -5}};
   ground.features = {1, 1, 1, 1, 2, 2, 2};
   ground.triangles = {{0, 1, 2}, {4, 5, 6}};

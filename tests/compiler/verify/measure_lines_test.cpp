@@ -5,7 +5,7 @@
 namespace citykiln::verify {
 namespace {
 
-constexpr map::SurfaceClass kStreet = map::SurfaceClass::kResidentialRoad;
+constexpr map::LandCoverClass kStreet = map::LandCoverClass::kResidentialRoad;
 
 roads::Road road(std::int64_t id, Polyline axis, double from_m, double to_m) {
   roads::Road road;
@@ -63,16 +63,17 @@ TEST(MeasureJumps, LetsBridgesPassOverVertices) {
   EXPECT_EQ(measure_jumps(scene_of(chunk)).largest_m, 0);
 }
 
-roads::Strip stream(std::int64_t id, Polyline axis, double passed_m, Profile profile) {
-  return {{{OsmType::kWay, id}, 0}, std::move(axis), map::SurfaceClass::kRiver, 2, 2, std::move(profile), passed_m};
+roads::Strip stream(std::int64_t id, Polyline axis, double start_along_m, Profile profile) {
+  return {{{OsmType::kWay, id}, 0}, std::move(axis), map::LandCoverClass::kRiver, 2, 2,
+          std::move(profile),       start_along_m};
 }
 
 TEST(MeasureRises, FindsWhatFlowsUphill) {
   scene::Chunk chunk;
   chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
-  chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, {{0, 5, 0}, {50, 3, 0}, {100, 4, 0}})};
+  chunk.watercourses = {stream(1, {{0, 0}, {100, 0}}, 0, {{0, 5, 0}, {50, 3, 0}, {100, 4, 0}})};
   EXPECT_EQ(measure_rises(chunk).rising, 1u);
-  chunk.streams[0].profile[2].z_m = 3;
+  chunk.watercourses[0].profile[2].z_m = 3;
   EXPECT_EQ(measure_rises(chunk).rising, 0u);
 }
 
@@ -80,7 +81,7 @@ TEST(MeasureRises, CountsTrimmedStreamsFromTheirBeginning) {
   scene::Chunk chunk;
   chunk.heights = {{0, 0}, {64, 64}, 2, 2, {0, 0, 0, 0}};
   const Profile profile = {{0, 9, 0}, {100, 5, 0}, {200, 0, 0}};
-  chunk.streams = {stream(1, {{0, 0}, {100, 0}}, 0, profile), stream(2, {{100, 0}, {200, 0}}, 100, profile)};
+  chunk.watercourses = {stream(1, {{0, 0}, {100, 0}}, 0, profile), stream(2, {{100, 0}, {200, 0}}, 100, profile)};
   EXPECT_EQ(measure_rises(chunk).rising, 0u);
   EXPECT_EQ(measure_rises(chunk).largest_m, 0);
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/ground/grading/road_field.h"
+#include "compiler/ground/grading/road_influence.h"
 #include "tests/compiler/commands/made_ground.h"
 
 namespace citykiln::verify {
@@ -11,7 +11,7 @@ namespace {
 roads::Road road(std::int64_t id, Polyline axis, double from_m, double to_m) {
   roads::Road road;
   road.id = {{OsmType::kWay, id}, 0};
-  road.surface = map::SurfaceClass::kResidentialRoad;
+  road.surface = map::LandCoverClass::kResidentialRoad;
   road.section.lanes = {{}};
   road.profile = {{0, from_m, 0}, {length_m(axis), to_m, 0}};
   road.axis = std::move(axis);

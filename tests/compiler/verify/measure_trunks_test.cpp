@@ -5,12 +5,12 @@
 namespace citykiln::verify {
 namespace {
 
-ground::Surface surface(std::int64_t id, map::SurfaceClass kind, Ring ring) {
+ground::LandCoverPolygon surface(std::int64_t id, map::LandCoverClass kind, Ring ring) {
   return {{{OsmType::kWay, id}, 0}, kind, 9, {std::move(ring)}};
 }
 
-bake::Instanced standing(const char* name, std::vector<bake::Float3> at) {
-  bake::Instanced instanced;
+bake::InstancedMesh standing(const char* name, std::vector<bake::Float3> at) {
+  bake::InstancedMesh instanced;
   instanced.name = name;
   instanced.features.assign(at.size(), 0);
   instanced.translations = std::move(at);
@@ -18,13 +18,13 @@ bake::Instanced standing(const char* name, std::vector<bake::Float3> at) {
 }
 
 TEST(MeasureTrunks, CountsThoseInRoadsRailsBuildingsAndWater) {
-  const std::vector<ground::Surface> surfaces = {
-      surface(1, map::SurfaceClass::kForest, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}),
-      surface(2, map::SurfaceClass::kResidentialRoad, {{0, 10}, {100, 10}, {100, 16}, {0, 16}}),
-      surface(3, map::SurfaceClass::kLake, {{50, 50}, {80, 50}, {80, 80}, {50, 80}}),
-      surface(4, map::SurfaceClass::kBuilding, {{10, 50}, {20, 50}, {20, 60}, {10, 60}}),
-      surface(5, map::SurfaceClass::kPavement, {{0, 16}, {100, 16}, {100, 19}, {0, 19}})};
-  const ground::SurfaceMap map = ground::map_surfaces(surfaces, {{0, 0}, {128, 128}});
+  const std::vector<ground::LandCoverPolygon> surfaces = {
+      surface(1, map::LandCoverClass::kForest, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}),
+      surface(2, map::LandCoverClass::kResidentialRoad, {{0, 10}, {100, 10}, {100, 16}, {0, 16}}),
+      surface(3, map::LandCoverClass::kLake, {{50, 50}, {80, 50}, {80, 80}, {50, 80}}),
+      surface(4, map::LandCoverClass::kBuilding, {{10, 50}, {20, 50}, {20, 60}, {10, 60}}),
+      surface(5, map::LandCoverClass::kPavement, {{0, 16}, {100, 16}, {100, 19}, {0, 19}})};
+  const ground::LandCoverIndex map = ground::index_land_cover(surfaces, {{0, 0}, {128, 128}});
   bake::BakedTile tile;
   tile.origin = {0, 0, 500};
   tile.features = {{OsmType::kWay, 1}};

@@ -101,7 +101,7 @@ BakedTile off_grid(std::uint32_t seed) {
         for (float& c : at) c += static_cast<float>(dice() % 1000) * 1e-5f;
   };
   jog(tile.primitives);
-  for (bake::Instanced& instanced : tile.instanced) jog(instanced.primitives);
+  for (bake::InstancedMesh& instanced : tile.instanced) jog(instanced.primitives);
   return tile;
 }
 
@@ -225,7 +225,7 @@ TEST(Quantised, StatesAtLeastTheErrorMeasured) {
       }
     EXPECT_GT(measured_m, 0.0005);
     EXPECT_GE(packed.error_m + 1e-15, tile.error_m + measured_m);
-    EXPECT_LE(packed.error_m, tile.error_m + largest_scale * kPackedPlace_m * std::sqrt(0.75) + 1e-4);
+    EXPECT_LE(packed.error_m, tile.error_m + largest_scale * kPackedPosition_m * std::sqrt(0.75) + 1e-4);
   }
 }
 

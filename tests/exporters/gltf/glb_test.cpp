@@ -118,35 +118,35 @@ nlohmann::json material_called(const nlohmann::json& gltf, const std::string& na
 TEST(GlbImprints, SayColourRoughnessAndMetalness) {
   const BakedTile tile = made_imprinted_tile(1);
   const auto gltf = gltf_of(tile);
-  const auto pbr = material_called(gltf, "PaintImprinted")["pbrMetallicRoughness"];
+  const auto pbr = material_called(gltf, "PaintFacade")["pbrMetallicRoughness"];
   for (const char* factor : {"baseColorFactor", "roughnessFactor", "metallicFactor"})
     EXPECT_EQ(pbr.value(factor, nlohmann::json(1)).flatten().begin().value(), 1) << factor;
   const auto picture = [&](const char* place) {
     const auto scale = pbr[place]["extensions"]["KHR_texture_transform"]["scale"];
-    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.imprints.colour.columns * tile.imprints.colour.texel_m));
+    EXPECT_EQ(scale[0].get<double>(), 1 / (tile.facade_atlas.colour.columns * tile.facade_atlas.colour.texel_m));
     const auto texture = gltf["textures"][pbr[place]["index"].get<std::size_t>()];
     // what lies at the other end of an atlas has nothing to do with this one
     EXPECT_EQ(gltf["samplers"][texture["sampler"].get<std::size_t>()]["wrapT"], 33071);
     return gltf["images"][texture["source"].get<std::size_t>()]["name"].get<std::string>();
   };
-  EXPECT_EQ(picture("baseColorTexture"), "imprints");
-  EXPECT_EQ(picture("metallicRoughnessTexture"), "imprintsSurface");
+  EXPECT_EQ(picture("baseColorTexture"), "facade_atlas");
+  EXPECT_EQ(picture("metallicRoughnessTexture"), "facadesSurface");
 }
 
 TEST(GlbImprints, ShineByAPictureOfTheirOwn) {
-  const auto lit = material_called(gltf_of(made_imprinted_tile(1)), "PaintImprinted");
+  const auto lit = material_called(gltf_of(made_imprinted_tile(1)), "PaintFacade");
   EXPECT_EQ(lit["emissiveFactor"], nlohmann::json({1.0, 1.0, 1.0}));
   EXPECT_TRUE(lit.contains("emissiveTexture"));
-  const auto dark = material_called(gltf_of(made_imprinted_tile(2)), "PaintImprinted");
+  const auto dark = material_called(gltf_of(made_imprinted_tile(2)), "PaintFacade");
   EXPECT_FALSE(dark.contains("emissiveFactor") || dark.contains("emissiveTexture"));
 }
 
 TEST(GlbImprints, LeanByAPictureOfTheirOwnWithTangents) {
   for (const auto& [seed, leans] : {std::pair{1u, true}, {2u, false}}) {
     const auto gltf = gltf_of(made_imprinted_tile(seed));
-    EXPECT_EQ(material_called(gltf, "PaintImprinted").contains("normalTexture"), leans);
+    EXPECT_EQ(material_called(gltf, "PaintFacade").contains("normalTexture"), leans);
     for (const auto& primitive : gltf["meshes"][0]["primitives"]) {
-      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintImprinted") continue;
+      if (gltf["materials"][primitive["material"].get<std::size_t>()]["name"] != "PaintFacade") continue;
       EXPECT_EQ(primitive["attributes"].contains("TANGENT"), leans);
     }
   }
@@ -176,9 +176,9 @@ TEST(GlbImprints, AreRefusedWhereOneOfTwoPicturesIsMissing) {
 TEST(GlbSheet, MaterialsOnItHaveNamesOfTheirOwn) {
   std::set<std::string> names;
   for (int m = 0; m < static_cast<int>(materials::Material::kCount); ++m)
-    for (const auto coloured :
-         {materials::Coloured::kByMaterial, materials::Coloured::kBySheet, materials::Coloured::kByAtlas})
-      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, coloured}, {})).second);
+    for (const auto colour_source : {materials::ColourSource::kByMaterial, materials::ColourSource::kByMarkingAtlas,
+                                     materials::ColourSource::kByAtlas})
+      EXPECT_TRUE(names.insert(material_name({static_cast<materials::Material>(m), true, colour_source}, {})).second);
 }
 
 // What the primitive of a material has as its attributes.
@@ -196,7 +196,7 @@ TEST(GlbTextures, RepeatBothWays) {
   EXPECT_EQ(gltf["samplers"][1]["wrapT"], 10497);
   // the sheet, four colours, and normals of water, rock, masonry and bark
   EXPECT_EQ(gltf["images"].size(), 9u);
-  EXPECT_EQ(gltf["images"][0]["name"], "sheet");
+  EXPECT_EQ(gltf["images"][0]["name"], "marking_atlas");
   EXPECT_EQ(gltf["textures"][0]["sampler"], 0);
   for (std::size_t i = 1; i < 9; ++i) EXPECT_EQ(gltf["textures"][i]["sampler"], 1);
 }
@@ -230,7 +230,7 @@ TEST(GlbTextures, PlacesAreMetresIn16BitsWhereTheyFit) {
   };
   EXPECT_EQ(component("Grass"), 5123);
   EXPECT_EQ(component("Rock"), 5126);
-  EXPECT_EQ(scale_of("Grass"), 65535 * materials::kTexturePlace_m / 8);
+  EXPECT_EQ(scale_of("Grass"), 65535 * materials::kTextureCoordinateStep_m / 8);
   EXPECT_EQ(scale_of("Rock"), 1.0 / 16);
 }
 
@@ -245,7 +245,7 @@ TEST(GlbTextures, NormalsComeWithTangents) {
 
 TEST(GlbTextures, WhatHasNoPlacesOnThemKeepsItsColour) {
   const auto gltf = gltf_of(made_textured_tile(1));
-  const auto plain = material_called(gltf, "StonePlain")["pbrMetallicRoughness"];
+  const auto plain = material_called(gltf, "StoneUntextured")["pbrMetallicRoughness"];
   EXPECT_FALSE(plain.contains("baseColorTexture"));
   EXPECT_EQ(plain["baseColorFactor"][0].get<float>(), values_of(materials::Material::kStone).base_colour[0]);
 }
@@ -260,7 +260,7 @@ TEST(GlbTextures, OfAllMaterialsFitTheBudget) {
   const auto bytes_at = [&](std::span<const materials::Material> materials, double tolerance_m) {
     std::size_t bytes = 0;
     for (const materials::Texture& texture : materials::textures_of(materials, tolerance_m, 0))
-      for (const materials::Sheet* sheet : {&texture.colour, &texture.normal})
+      for (const materials::TextureImage* sheet : {&texture.colour, &texture.normal})
         if (!sheet->texels.empty()) bytes += encode_png(*sheet).size();
     return bytes;
   };
@@ -293,10 +293,10 @@ TEST(Glb, TheOriginIsNotRoundedToSinglePrecision) {
 
 TEST(Glb, TellsForWhichEyeItWasMade) {
   BakedTile tile = made_tile(1);
-  tile.seen_from = bake::SeenFrom{{0.1, -16777219.25, 4097}, 869.1171875, 0.96};
+  tile.viewpoint = bake::Viewpoint{{0.1, -16777219.25, 4097}, 869.1171875, 0.96};
   const auto back = decoded(encoded(tile, Instancing::kExtension));
   ASSERT_TRUE(back) << refusal(back);
-  EXPECT_EQ(back->seen_from, tile.seen_from);
+  EXPECT_EQ(back->viewpoint, tile.viewpoint);
 }
 
 TEST(Glb, MoreCornersThan16BitsCount) {

@@ -8,13 +8,13 @@
 namespace citykiln::exporters {
 namespace {
 
-using materials::Sheet;
+using materials::TextureImage;
 using Bytes = std::vector<std::byte>;
 
 /// Texels of so many colours at most, 0.
-Sheet made(std::uint32_t columns, std::uint32_t rows, std::uint32_t colours) {
+TextureImage made(std::uint32_t columns, std::uint32_t rows, std::uint32_t colours) {
   std::mt19937 dice(columns * 7 + rows + colours);
-  Sheet sheet{0, columns, rows, {}};
+  TextureImage sheet{0, columns, rows, {}};
   for (std::uint32_t i = 0; i < columns * rows; ++i) {
     const std::uint32_t colour = static_cast<std::uint32_t>(dice()) % colours;
     sheet.texels.push_back({static_cast<std::uint8_t>(colour), static_cast<std::uint8_t>(colour >> 8), 200});
@@ -22,7 +22,7 @@ Sheet made(std::uint32_t columns, std::uint32_t rows, std::uint32_t colours) {
   return sheet;
 }
 
-std::string refusal(const Result<Sheet>& result) { return result ? "accepted" : to_string(result.error()); }
+std::string refusal(const Result<TextureImage>& result) { return result ? "accepted" : to_string(result.error()); }
 
 void put_number(Bytes& bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::byte>(value >> 8 * (3 - i));
@@ -42,7 +42,7 @@ TEST(Png, ReadsBackWhatItWrote) {
   const std::pair<int, int> sizes[] = {{1, 1}, {1, 9}, {300, 1}, {7, 13}, {64, 64}, {129, 255}};
   for (const auto& [columns, rows] : sizes)
     for (const std::uint32_t colours : {1u, 2u, 3u, 5u, 17u, 256u, 257u, 65536u}) {
-      const Sheet sheet = made(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), colours);
+      const TextureImage sheet = made(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), colours);
       const auto back = decode_png(encode_png(sheet), "p");
       ASSERT_TRUE(back) << refusal(back);
       ASSERT_EQ(*back, sheet) << columns << " by " << rows << " of " << colours;
@@ -50,7 +50,7 @@ TEST(Png, ReadsBackWhatItWrote) {
 }
 
 TEST(Png, KeepsEveryGrey) {
-  Sheet sheet{0, 256, 1, {}};
+  TextureImage sheet{0, 256, 1, {}};
   for (int i = 0; i < 256; ++i) sheet.texels.push_back({std::uint8_t(i), std::uint8_t(i), std::uint8_t(i)});
   EXPECT_EQ(*decode_png(encode_png(sheet), "p"), sheet);
 }
@@ -68,7 +68,7 @@ TEST(Png, FewColoursTakeAPalette) {
 }
 
 TEST(PngDamage, EveryTruncationIsRefusedUntilThePictureIsWhole) {
-  const Sheet sheet = made(20, 20, 1000);
+  const TextureImage sheet = made(20, 20, 1000);
   const Bytes bytes = encode_png(sheet);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     const auto read = decode_png(std::span(bytes).first(size), "p");

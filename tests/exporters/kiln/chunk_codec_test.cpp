@@ -18,7 +18,7 @@ scene::Chunk made(std::uint64_t seed) { return SceneMaker(seed).chunk(kTile, 0x1
 roads::Road one_lane(ObjectId id, Polyline axis) {
   roads::Road road;
   road.id = id, road.axis = std::move(axis);
-  road.section = {{{map::LaneKind::kDriving, map::LaneWay::kBoth, 3}}, 1.5};
+  road.section = {{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 3}}, 1.5};
   return road;
 }
 
@@ -167,12 +167,15 @@ TEST(ChunkCodec, WhatNoChunkCanBeIsNamed) {
             }),
             "track vertex");
   EXPECT_EQ(wrong_with([&](auto& c) { c.surfaces = {{id, {}, 3, {}}}; }), "surface rings");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{}, 120, 12}}; }), "");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{}, 9999, 12}}; }), "wood");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::Stock{100}, 120, 12}}; }), "wood");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::Stock{}, 7, 2, 2, 3}}; }), "");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::Stock{}, 7, 2, 0.125, 3}}; }), "planting");
-  EXPECT_EQ(wrong_with([&](auto& c) { c.tree_rows = {{id, {{1, 2}}, plants::Stock{}, 7, 2}}; }), "tree row points");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{}, 120, 12}}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{}, 9999, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.woods = {{id, plants::SpeciesMix{100}, 120, 12}}; }), "wood");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::SpeciesMix{}, 7, 2, 2, 3}}; }), "");
+  EXPECT_EQ(wrong_with([&](auto& c) { c.plantings = {{id, plants::SpeciesMix{}, 7, 2, 0.125, 3}}; }), "planting");
+  EXPECT_EQ(wrong_with([&](auto& c) {
+              c.tree_rows = {{id, {{1, 2}}, plants::SpeciesMix{}, 7, 2}};
+            }),
+            "tree row points");
   EXPECT_EQ(wrong_with([&](auto& c) { c.heights.resampling_error_m = -1; }), "field");
 }
 

@@ -139,11 +139,11 @@ class Chunk:
         self.bridges = self.all("bridges", self.span)
         self.tunnels = self.all("tunnels", self.span)
         self.buildings = self.all("buildings", self.building)
-        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree stock")))
+        self.trees = self.all("trees", lambda: (self.id(), self.point(), self.metres("tree height"), self.plain("tree species mix")))
         self.woods = self.all("woods", lambda: (self.id(), self.several("wood", 3)))
         self.plantings = self.all("plantings", lambda: (self.id(), self.several("planting", 5)))
         self.tree_rows = self.all("tree rows", lambda: (self.id(), self.points("tree row points"), self.several("tree row", 3)))
-        self.lanes = self.all("power lanes", lambda: (self.id(), self.points("power lane points"), self.plain("power lane")))
+        self.lanes = self.all("power corridors", lambda: (self.id(), self.points("power corridor points"), self.plain("power corridor")))
         self.barriers = self.all("barriers", self.barrier)
         self.lamps = self.all("lamps", lambda: (self.id(), self.point(), self.metres("lamp height")))
 
@@ -207,7 +207,7 @@ class Chunk:
                 self.all("track points", lambda: (self.plain("track vertex"), divmod(self.plain("track sign"), 3))), self.profile())
 
     def narrowed_road(self):
-        return self.plain("narrowed road"), *(self.all("pinches", self.pinch) for side in ("left", "right"))
+        return self.plain("narrowed road"), *(self.all("width_limits", self.pinch) for side in ("left", "right"))
 
     def pinch(self):
         return divmod(self.plain("pinch steps"), 2), self.streams["pinch half"].step() / 32
@@ -312,7 +312,7 @@ class Page(ProgramTest):
         for case in sorted(path.parent for path in GOLDEN.glob("*/args")):
             chunks, report = self.read(case)
             for tile, chunk in chunks.items():
-                unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
+                unread = [name for name, stream in chunk.watercourses.items() if stream.at != len(stream.data)]
                 self.assertEqual(unread, [], f"{case.name} {tile}")
             for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
                 # bridges and tunnels are in every chunk that they touch

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <map>
 
-#include "compiler/buildings/mass.h"
-#include "compiler/buildings/rule_values.h"
+#include "compiler/buildings/mass_model.h"
+#include "compiler/buildings/rule_attributes.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/building_classes.h"
@@ -89,12 +89,12 @@ std::vector<Building> town(int rows, int houses_in_row) {
     }
     map::Track street;
     street.axis = {{0, row * 48.0 - 9}, {x, row * 48.0 - 9}};
-    street.surface = map::SurfaceClass::kResidentialRoad;
+    street.surface = map::LandCoverClass::kResidentialRoad;
     features.tracks.push_back(street);
   }
   Report report;
   map::Heightfield level{{-64, -64}, {64, 64}, 3, 3, std::vector<std::int32_t>(9), 0};
-  return buildings::plan(features, ground::Carving(std::move(level)), report);
+  return buildings::plan(features, ground::GradedTerrain(std::move(level)), report);
 }
 
 // A window is a niche in a wall: four reveals.
@@ -102,9 +102,9 @@ std::size_t windows_of(const Building& building, const buildings::Rulebook& rule
   const auto program = rulebook.find(building.style);
   if (program == rulebook.end()) return 0;
   Report report;
-  const buildings::Mass mass = mass_of(building, 0.01, report);
+  const buildings::MassModel mass = mass_model_of(building, 0.01, report);
   grammars::DeriveOptions options;
-  options.attributes = rule_values_of(building, mass.roof.form);
+  options.attributes = rule_attributes_of(building, mass.roof.form);
   options.tolerance_m = 0.05, options.roofs = grammars::form_roofs(0.01);
   const grammars::Derivation derivation = derive(program->second, shape_of(building, mass), options);
   std::size_t reveals = 0;
@@ -117,7 +117,7 @@ std::size_t windows_of(const Building& building, const buildings::Rulebook& rule
 TEST(RecipeBytes, Of195431WindowsAreUnderAMegabyte) {
   const std::vector<Building> all = town(46, 40);
   const auto styles = buildings::styles_of(all);
-  const buildings::Rulebook rulebook = rulebook_of(styles, buildings::shipped_rules());
+  const buildings::Rulebook rulebook = parse_rulebook(styles, buildings::shipped_rules());
   std::size_t windows = 0;
   for (const Building& building : all) windows += windows_of(building, rulebook);
   const std::size_t bytes = bytes_of(all);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 #include "tests/grammars/on_lot.h"
 
 namespace citykiln::grammars {
@@ -31,7 +31,7 @@ Derivation roofed(const Polygon& footprint, const std::string& roof) {
   options.roofs = form_roofs(0.01);
   const Program program = program_of("Lot --> extrude(6) comp(f) { top : " + roof + " | all : Wall. }");
   const Derivation derivation = derive(program, lot(footprint, 3, 0, StableId{1}, {0}), options);
-  EXPECT_TRUE(derivation.troubles.empty()) << roof;
+  EXPECT_TRUE(derivation.warnings.empty()) << roof;
   return derivation;
 }
 
@@ -109,7 +109,7 @@ std::vector<Face> faces_on(const Polygon& footprint, roofs::Form form, double ov
   roofs::RoofShape shape;
   shape.form = form, shape.overhang_m = overhang_m;
   Report ignored;
-  return faces_of(roofs::expand_roof(footprint, shape, 0.01, {}, ignored));
+  return faces_of(roofs::generate_roof(footprint, shape, 0.01, {}, ignored));
 }
 
 double area_of(const std::vector<Face>& faces, FaceTag tag) {

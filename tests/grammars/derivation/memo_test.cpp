@@ -38,7 +38,7 @@ double farthest_m(const Terminal& a, const Terminal& b) {
   return far_m;
 }
 
-double apart(const std::optional<TextureFrame>& a, const std::optional<TextureFrame>& b) {
+double apart(const std::optional<TextureProjection>& a, const std::optional<TextureProjection>& b) {
   if (a.has_value() != b.has_value()) return 1e9;
   if (!a) return 0;
   return length(a->origin - b->origin) + length(a->u_per_m - b->u_per_m) + length(a->v_per_m - b->v_per_m);
@@ -49,7 +49,7 @@ void expect_same(const Derivation& a, const Derivation& b) {
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.looks, b.looks);
   EXPECT_EQ(a.printed, b.printed);
-  EXPECT_EQ(a.troubles.size(), b.troubles.size());
+  EXPECT_EQ(a.warnings.size(), b.warnings.size());
   EXPECT_EQ(a.reports.size(), b.reports.size());
   for (std::size_t i = 0; i < std::min(a.reports.size(), b.reports.size()); ++i)
     EXPECT_TRUE(a.reports[i].shape == b.reports[i].shape && a.reports[i].value == b.reports[i].value);

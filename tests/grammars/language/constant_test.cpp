@@ -48,8 +48,8 @@ TEST(Constants, CountTheStepsOfEachUse) {
 TEST(Constants, TellTheirTroublesEachTime) {
   const Derivation derivation =
       derived("attr none = 0\nbad = 1 / none\nLot --> split(x) { { ~2 : Tile(bad) }* }\nTile(n) --> Wall.");
-  ASSERT_EQ(derivation.troubles.size(), 1u);
-  EXPECT_EQ(derivation.troubles.front().times, 5u);
+  ASSERT_EQ(derivation.warnings.size(), 1u);
+  EXPECT_EQ(derivation.warnings.front().times, 5u);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "grammars/language/link.h"
+#include "grammars/language/read_rules.h"
 #include "tests/grammars/on_lot.h"
 
 namespace citykiln::grammars {

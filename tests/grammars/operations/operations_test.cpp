@@ -338,8 +338,8 @@ TEST(Movements, PopBringsBackWhatWasPushed) {
 TEST(Movements, WhatLeavesTheWorldStays) {
   const auto derivation =
       derived("Lot --> t(1000000, 0, 0) A\nA --> s(1000000, 0, 1000000) B\nB --> t('1000000, 0, 0) C");
-  ASSERT_EQ(derivation.troubles.size(), 1u);
-  EXPECT_NE(derivation.troubles[0].message.find("out of the world"), std::string::npos);
+  ASSERT_EQ(derivation.warnings.size(), 1u);
+  EXPECT_NE(derivation.warnings[0].message.find("out of the world"), std::string::npos);
 }
 
 // ---- insertions, looks, words
@@ -357,7 +357,7 @@ TEST(Looks, AreInheritedByNameAndNumber) {
   const auto derivation = derived(
       "Lot --> set(material.name, \"brick\") color(\"#ff8000\") set(material.roughness, 0.25) texture(\"b.png\") X\n"
       "X --> Y color(0, 0, 1) Z");
-  const Look& y = derivation.looks[named(derivation, "Y")[0]->look];
+  const Appearance& y = derivation.looks[named(derivation, "Y")[0]->look];
   EXPECT_EQ(y.name, "brick");
   EXPECT_EQ(y.colour_map, "b.png");
   EXPECT_EQ(y.red, 1);
@@ -372,7 +372,7 @@ TEST(Looks, SayWhatIsNoColour) {
 
 TEST(TextureFrames, MeasureFromTheScopesOrigin) {
   const auto derivation = derived("Lot --> extrude(4) comp(f) { front : tileUV(0, 2, 4) X | all : NIL }");
-  const TextureFrame frame = derivation.terminals.at(0).texture.value();
+  const TextureProjection frame = derivation.terminals.at(0).texture.value();
   const Vec3 p{5, 0, 3};
   EXPECT_NEAR(dot(p - frame.origin, frame.u_per_m), 2.5, 1e-12);
   EXPECT_NEAR(dot(p - frame.origin, frame.v_per_m), 0.75, 1e-12);

@@ -20,20 +20,20 @@ TEST(EavesAbout, HaveTheCornersOfTheirWalls) {
   for (const char* name : {"rectangle", "L", "T", "U", "cross", "courtyard", "two courtyards", "circle", "sliver"})
     for (const NamedFootprint& footprint : made_footprints())
       if (footprint.name == name) {
-        EXPECT_EQ(corners_of(eaves_about(footprint.polygon, 0.5)), corners_of(footprint.polygon)) << name;
+        EXPECT_EQ(corners_of(offset_eaves(footprint.polygon, 0.5)), corners_of(footprint.polygon)) << name;
       }
 }
 
 TEST(EavesAbout, CutOffWhatIsSharp) {
   // a wedge's tip of 28 degrees gets two corners, the others one
-  EXPECT_EQ(eaves_about({{{0, 0}, {16, -4}, {16, 4}}, {}}, 0.5).outer.size(), 4u);
+  EXPECT_EQ(offset_eaves({{{0, 0}, {16, -4}, {16, 4}}, {}}, 0.5).outer.size(), 4u);
 }
 
 TEST(EavesAbout, CloseWhereWallsFaceEachOtherNearer) {
   // a yard whose way out is 0.75 m wide
   const Ring ring = {{0, 0}, {12, 0}, {12, 12}, {6.75, 12}, {6.75, 9}, {9, 9},
                      {9, 3}, {3, 3},  {3, 9},   {6, 9},     {6, 12},   {0, 12}};
-  const Polygon eaves = eaves_about({ring, {}}, 0.5);
+  const Polygon eaves = offset_eaves({ring, {}}, 0.5);
   ASSERT_EQ(eaves.holes.size(), 1u);
   EXPECT_NEAR(area_m2(eaves), 13.0 * 13.0 - 5.0 * 5.0, 1e-9);
 }
@@ -71,10 +71,10 @@ TEST(EavesAbout, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
     const Draw draw(seed, {}, "eaves");
     const Polygon footprint{random_ring(draw, 3 + draw.below(9, 100)), {}};
     const double overhang_m = draw.between(0.1, 1.5, 101), rounding_m = 0.002;
-    const Polygon eaves = eaves_about(footprint, overhang_m);
+    const Polygon eaves = offset_eaves(footprint, overhang_m);
     if (eaves.outer.empty()) continue;
     ++with_eaves;
-    ASSERT_TRUE(is_apart(eaves)) << seed;
+    ASSERT_TRUE(is_simple_polygon(eaves)) << seed;
     for (std::uint32_t i = 0; i < 500; ++i) {
       const Vec2 p{draw.between(-17, 17, 200 + 2 * i), draw.between(-17, 17, 201 + 2 * i)};
       const Distances walls = distances_from(p, footprint.outer);

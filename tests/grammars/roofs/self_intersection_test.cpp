@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "grammars/roofs/expand_roof.h"
+#include "grammars/roofs/generate_roof.h"
 #include "grammars/roofs/outline.h"
 #include "tests/grammars/roofs/body.h"
 #include "tests/grammars/roofs/footprints.h"
@@ -35,7 +35,7 @@ bool becomes(Surface& surface, const Mesh& body) {
 void expect_good(const Polygon& footprint, RoofShape shape, const std::string& what) {
   Report report;
   Surface surface;
-  ASSERT_TRUE(becomes(surface, closed_body(expand_roof(footprint, shape, 0.05, {}, report), -5))) << what;
+  ASSERT_TRUE(becomes(surface, closed_body(generate_roof(footprint, shape, 0.05, {}, report), -5))) << what;
   EXPECT_FALSE(pmp::does_self_intersect(surface)) << what;
   EXPECT_TRUE(pmp::is_outward_oriented(surface)) << what;
 }
@@ -61,7 +61,7 @@ TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
     Report report;
     const Polygon footprint = made_footprints().back().polygon;
     Surface surface;
-    ASSERT_TRUE(becomes(surface, closed_body(expand_roof(footprint, shape, 0.05, {}, report), -5)));
+    ASSERT_TRUE(becomes(surface, closed_body(generate_roof(footprint, shape, 0.05, {}, report), -5)));
     std::vector<std::pair<Surface::Face_index, Surface::Face_index>> touching;
     pmp::self_intersections(surface, std::back_inserter(touching));
     const auto stands_on_corner = [&](Surface::Face_index face) {
@@ -83,7 +83,7 @@ TEST(RoofBody, IsGoodOverOutlinesWithTinyEdges) {
     shape.form = form;
     Report report;
     expect_good({ring, {}}, shape, std::string(name_of(form)));
-    EXPECT_TRUE(has_area_everywhere(closed_body(expand_roof({ring, {}}, shape, 0.001, {}, report), -5)));
+    EXPECT_TRUE(has_area_everywhere(closed_body(generate_roof({ring, {}}, shape, 0.001, {}, report), -5)));
   }
 }
 
@@ -96,7 +96,7 @@ TEST(RoofBodyReal, DoesNotCutItselfInHelsinki) {
     shape.form = static_cast<Form>(form++ % static_cast<int>(Form::kCount));
     shape.overhang_m = form % 2 ? 0.4 : 0;
     // mappers' footprints may touch themselves
-    if (is_apart(tidied(told.footprint)))
+    if (is_simple_polygon(cleaned(told.footprint)))
       expect_good(told.footprint, shape, to_string(told.id.osm) + " " + std::string(name_of(shape.form)));
   }
 }

@@ -4,7 +4,7 @@
 
 #include "compiler/contract/draw.h"
 #include "compiler/contract/tolerance.h"
-#include "tests/compiler/ground/border_claims.h"
+#include "tests/compiler/ground/cover/border_claims.h"
 #include "tests/compiler/ground/wavy_surfaces.h"
 
 namespace citykiln::ground {
@@ -188,12 +188,12 @@ TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1,
 // what the tests of slivers rely on
 TEST(BorderClaims, SurfaceBetweenIsThatOfTheFace) {
   const auto surfaces = wavy_surfaces(7, 30, 0.5);
-  const Partition all = partition_all(layers_near(surfaces, kCell), {}, {}, kCell);
-  const auto borders = seen_borders(all, joints_of(layers_near(surfaces, kCell), all.arrangement, kCell));
+  const Partition all = partition_all_rings(land_cover_near(surfaces, kCell), {}, {}, kCell);
+  const auto borders = visible_borders(all, ring_joints(land_cover_near(surfaces, kCell), all.arrangement, kCell));
   const auto at = [&](std::uint32_t v) { return plane_point(all.triangulation.vertices()[v]); };
-  for (std::size_t f = 0; f < all.face_surface.size(); ++f) {
+  for (std::size_t f = 0; f < all.face_cover.size(); ++f) {
     const auto& v = all.triangulation.faces()[f].vertices;
-    EXPECT_EQ(surface_between(borders, (at(v[0]) + at(v[1]) + at(v[2])) * (1.0 / 3)), all.face_surface[f]);
+    EXPECT_EQ(surface_between(borders, (at(v[0]) + at(v[1]) + at(v[2])) * (1.0 / 3)), all.face_cover[f]);
   }
 }
 

@@ -7,8 +7,8 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/partition.h"
-#include "compiler/ground/grading/carve_lines.h"
-#include "tests/compiler/ground/made_references.h"
+#include "compiler/ground/grading/grading_lines.h"
+#include "tests/compiler/ground/mesh/made_references.h"
 
 namespace citykiln::ground {
 namespace {
@@ -206,11 +206,11 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
     for (std::uint32_t i = 0; i < 24 * 24; ++i)
       field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
     const Box2 cell{{-37, -20}, {91, 108}};
-    const Carving carving{map::Heightfield(field)};
-    CarvedHeights carved(carving);
-    Partition all = partition_all({}, carve_lines(carved, cell), {}, cell);
+    const GradedTerrain graded{map::Heightfield(field)};
+    GradedHeights carved(graded);
+    Partition all = partition_all_rings({}, grading_lines(carved, cell), {}, cell);
     std::vector<Heights> heights;
-    for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(carving, plane_point(p)));
+    for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(graded, plane_point(p)));
     const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);
     const Reference bare = reference_of(field, cell);
     for (std::uint32_t i = 0; i < 4000; i += 4) {

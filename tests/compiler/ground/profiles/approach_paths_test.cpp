@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/compiler/ground/made_network.h"
+#include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {
 namespace {
 
 using map::Passage;
-constexpr auto kFootway = map::SurfaceClass::kPavedFootPath;
+constexpr auto kFootway = map::LandCoverClass::kPavedFootPath;
 
 // A foot bridge over x from 0 to 20, and what leads on from its end.
 std::vector<bool> led_on_by(std::vector<map::Track> paths) {
@@ -27,7 +27,7 @@ TEST(ApproachPaths, LeadUpWithinTheirReachAlongPaths) {
 TEST(ApproachPaths, AreNoStreetsAndNotLong) {
   const auto leads =
       led_on_by({track(2, {{20, 0}, {45, 0}}), track(3, {{0, 0}, {-kLongestApproach_m - 1, 0}}, kFootway),
-                 track(4, {{20, 0}, {20, 30}}, map::SurfaceClass::kSteps)});
+                 track(4, {{20, 0}, {20, 30}}, map::LandCoverClass::kSteps)});
   EXPECT_EQ(leads, (std::vector<bool>{false, false, false, true}));
 }
 

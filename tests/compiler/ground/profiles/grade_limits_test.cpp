@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/ground/profiles/grade_rules.h"
-#include "tests/compiler/ground/made_network.h"
+#include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {
 namespace {
@@ -31,7 +31,8 @@ TEST(GradeLimits, NothingBeyondTheirReachChangesABit) {
   const Line line(4096);
   // too steep for ever
   const auto z_m = line.heights([](double x) { return x * 0.3; });
-  const auto other_m = line.heights([](double x) { return x * 0.3 + (x > kGradeReach_m + 16 ? (x - 528) * 0.4 : 0); });
+  const auto other_m =
+      line.heights([](double x) { return x * 0.3 + (x > kGradeInfluence_m + 16 ? (x - 528) * 0.4 : 0); });
   const auto one = limit_grades(line.graph, z_m), two = limit_grades(line.graph, other_m);
   for (std::size_t n = 0; n < one.size(); ++n)
     ASSERT_TRUE(line.graph.nodes[n].at.x > 0 || one[n] == two[n]) << line.graph.nodes[n].at.x;
@@ -40,7 +41,7 @@ TEST(GradeLimits, NothingBeyondTheirReachChangesABit) {
 
 TEST(GradeLimits, CutAndFillAlike) {
   const Line line(1000);
-  const double limit = grade_rule_of(map::SurfaceClass::kResidentialRoad).limit;
+  const double limit = grade_rule_of(map::LandCoverClass::kResidentialRoad).limit;
   const auto step_m = line.heights([](double x) { return x > 0 ? 106 : 100; });
   const auto limited = limit_grades(line.graph, step_m);
   for (const Leg& leg : line.graph.legs) EXPECT_LE(leg.length_m, kStation_m);
@@ -59,13 +60,13 @@ TEST(GradeLimits, NothingMovesFartherThanAllowedAndNothingBreaksOff) {
   const auto z_m = line.heights([](double x) { return std::abs(x) < 700 ? x * 0.5 : x > 0 ? 350 : -350; });
   const auto limited = limit_grades(line.graph, z_m);
   for (std::uint32_t n = 0; n < limited.size(); ++n) {
-    EXPECT_LE(std::abs(limited[n] - z_m[n]), kMostEarth_m / 2);
+    EXPECT_LE(std::abs(limited[n] - z_m[n]), kMaxEarthwork_m / 2);
     for (const Leg& leg : line.graph.legs_of(n)) EXPECT_LE(std::abs(limited[n] - limited[leg.to]), 0.6 * leg.length_m);
   }
 }
 
 TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
-  for (const auto surface : {map::SurfaceClass::kResidentialRoad, map::SurfaceClass::kRailway}) {
+  for (const auto surface : {map::LandCoverClass::kResidentialRoad, map::LandCoverClass::kRailway}) {
     Line line(1000);
     line.features.tracks[0].surface = surface;
     const double limit = grade_rule_of(surface).limit;
@@ -73,7 +74,7 @@ TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
         line.heights([&](double x) { return 1.25 * limit * std::abs(x) / 2 + (x > 0 ? limit * x / 2 : 0); });
     std::vector<double> steepness;
     for (const GraphNode& node : line.graph.nodes) steepness.push_back(node.at.x > 0 ? 1.5 : 1);
-    const bool is_rail = surface == map::SurfaceClass::kRailway;
+    const bool is_rail = surface == map::LandCoverClass::kRailway;
     EXPECT_EQ(limit_grades(line.graph, z_m, steepness) == z_m, !is_rail);
     EXPECT_NE(limit_grades(line.graph, z_m), z_m);
   }

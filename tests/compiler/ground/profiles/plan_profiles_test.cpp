@@ -6,18 +6,18 @@
 #include <cstdio>
 
 #include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/initial_heights.h"
 #include "compiler/ground/profiles/junction_planes.h"
-#include "compiler/ground/profiles/line_heights.h"
 #include "compiler/ground/profiles/profile_knots.h"
-#include "tests/compiler/ground/made_network.h"
+#include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {
 namespace {
 
+using map::LandCoverClass;
 using map::Passage;
-using map::SurfaceClass;
 
-constexpr auto kStreet = SurfaceClass::kResidentialRoad;
+constexpr auto kStreet = LandCoverClass::kResidentialRoad;
 
 double length_m(const map::Track& track) { return citykiln::length_m(track.axis); }
 
@@ -39,7 +39,7 @@ TEST(Profiles, KeepTheGradeLimitsOfTheirClasses) {
 TEST(Profiles, DiagnoseWhatStaysTooSteep) {
   map::Features f;
   f.tracks = {track(1, {{-900, 0}, {900, 0}})};
-  const Planned p = planned(f, field_of([](double x, double) { return x * 0.6; }));
+  const Planned p = planned(f, index_road_influence([](double x, double) { return x * 0.6; }));
   EXPECT_EQ(p.report.counts().at(Code::kTooSteep), 1u);
   const auto found = std::ranges::find(p.report.diagnoses(), Code::kTooSteep, &Diagnosis::code);
   EXPECT_NEAR(found->size, 0.6, 0.1);
@@ -57,8 +57,8 @@ TEST(Profiles, AreEquallyHighWhereAWayEndsJustBeyondANode) {
     for (const double end : {7, 8, 12}) {
       map::Features f;
       f.tracks = {track(1, {{-200, 50}, {0, 0}, {200, -70}}),
-                  track(2, {{3, 22.109375}, {0, 0}, {0, -end / 128}}, SurfaceClass::kServiceRoad),
-                  track(3, {{end / 128, 0}, {0, 0}, {-20, -90}}, SurfaceClass::kServiceRoad)};
+                  track(2, {{3, 22.109375}, {0, 0}, {0, -end / 128}}, LandCoverClass::kServiceRoad),
+                  track(3, {{end / 128, 0}, {0, 0}, {-20, -90}}, LandCoverClass::kServiceRoad)};
       EXPECT_LE(planned(f, heights).measures.largest_jump_m, kKnotError_m) << seed;
     }
   }
@@ -90,7 +90,7 @@ std::vector<Vec3> points_of(const roads::Junction& junction, std::span<const roa
   for (std::size_t a = 0; a < arms.size(); ++a) {
     const roads::Road& road = roads[arms[a].road];
     const double from_m = roads::distances_along(road)[arms[a].vertex];
-    if (junction.cuts[a].length_m == roads::kWhole_m) continue;
+    if (junction.cuts[a].length_m == roads::kWholeLink_m) continue;
     const Polyline path = roads::walk(roads, arms[a], junction.cuts[a].length_m);
     if (path.size() != 2) continue;
     const Vec2 along = unit(path[1] - path[0]), left = left_of(along) * arms[a].step;
@@ -138,12 +138,12 @@ TEST(Profiles, JunctionsArePlanesNoSteeperThanAllowed) {
 }
 
 TEST(Profiles, OfFlatLandAtZeroAreEmpty) {
-  const Planned p = planned(street_grid(1, 10), field_of([](double, double) { return 0; }));
+  const Planned p = planned(street_grid(1, 10), index_road_influence([](double, double) { return 0; }));
   for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
 }
 
 TEST(Profiles, OfFlatLandElsewhereAreTwoKnotsAndThoseOfMeetings) {
-  const Planned p = planned(street_grid(1, 10), field_of([](double, double) { return 250; }));
+  const Planned p = planned(street_grid(1, 10), index_road_influence([](double, double) { return 250; }));
   for (const roads::Road& road : p.profiles.roads) {
     EXPECT_LE(road.profile.size(), 10u);
     for (const Knot& k : road.profile) EXPECT_EQ(std::pair(k.z_m, k.tilt), std::pair(250.0, 0.0));
@@ -152,8 +152,8 @@ TEST(Profiles, OfFlatLandElsewhereAreTwoKnotsAndThoseOfMeetings) {
 
 TEST(Profiles, FootPathsHaveNone) {
   map::Features f;
-  f.tracks = {track(1, {{-50, 0}, {50, 0}}, SurfaceClass::kFootPath),
-              track(2, {{0, -50}, {0, 50}}, SurfaceClass::kSteps)};
+  f.tracks = {track(1, {{-50, 0}, {50, 0}}, LandCoverClass::kFootPath),
+              track(2, {{0, -50}, {0, 50}}, LandCoverClass::kSteps)};
   const Planned p = planned(f, hilly_field(1, 40, 4));
   for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
 }
@@ -173,7 +173,7 @@ TEST(Profiles, DoNotDependOnTheOrderOfTracks) {
 
 // Streets along 8 km; what is far is changed: heights, ways, tags.
 TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
-  constexpr double kFrom_m = kProfileReach_m;
+  constexpr double kFrom_m = kProfileRadius_m;
   const auto ladder = [](bool is_other) {
     map::Features f;
     std::int64_t id = 0;
@@ -181,8 +181,8 @@ TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
       const double x = 128.0 * i;
       const bool is_far = x > 600 + kFrom_m && is_other;
       f.tracks.push_back(
-          track(++id, {{x, 0}, {x + 61, 7}, {x + 128, 0}}, is_far ? SurfaceClass::kPrimaryRoad : kStreet));
-      f.tracks.push_back(track(++id, {{x, 0}, {x + 9, 70}, {x, 150}}, SurfaceClass::kServiceRoad));
+          track(++id, {{x, 0}, {x + 61, 7}, {x + 128, 0}}, is_far ? LandCoverClass::kPrimaryRoad : kStreet));
+      f.tracks.push_back(track(++id, {{x, 0}, {x + 9, 70}, {x, 150}}, LandCoverClass::kServiceRoad));
       if (!is_far)
         f.tracks.push_back(track(++id, {{x, 150}, {x + 128, 150}}, kStreet));
       else
@@ -233,11 +233,11 @@ TEST(Profiles, ASpikeOfTheHeightmapMovesThemByEightMetresAtMost) {
 
 TEST(Profiles, FollowTheGroundWithoutItsNoise) {
   map::Features f;
-  f.tracks = {track(1, {{-900, 3}, {900, 11}}, SurfaceClass::kSecondaryRoad)};
+  f.tracks = {track(1, {{-900, 3}, {900, 11}}, LandCoverClass::kSecondaryRoad)};
   const auto slope = [](double x) { return 300 + x * 0.04; };
   const Draw draw(4, StableId{3}, "noise");
   std::uint32_t next = 0;
-  const auto noisy = field_of([&](double x, double) { return slope(x) + draw.between(-6, 6, next++); });
+  const auto noisy = index_road_influence([&](double x, double) { return slope(x) + draw.between(-6, 6, next++); });
   const Profile profile = planned(f, noisy).profiles.roads[0].profile;
   double squares = 0, rough = 0;
   for (double at = 0; at < 1800; at += 4) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/compiler/ground/made_network.h"
+#include "tests/compiler/ground/profiles/made_network.h"
 
 namespace citykiln::ground {
 namespace {
@@ -26,7 +26,7 @@ TEST(SmoothProfile, NothingBeyondItsReachChangesABit) {
   std::vector<double> data_m, other_m;
   for (std::uint32_t n = 0; n < line.graph.nodes.size(); ++n) {
     data_m.push_back(draw.between(0, 30, n));
-    other_m.push_back(line.graph.nodes[n].at.x > kSmoothReach_m ? draw.between(0, 9000, n) : data_m.back());
+    other_m.push_back(line.graph.nodes[n].at.x > kSmoothRadius_m ? draw.between(0, 9000, n) : data_m.back());
   }
   const auto one = smooth_heights(line.graph, data_m, 64), two = smooth_heights(line.graph, other_m, 64);
   for (std::size_t n = 0; n < one.size(); ++n)

@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "compiler/ground/plan.h"
-#include "compiler/ground/water/level_waters.h"
+#include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/roads/trim.h"
-#include "tests/compiler/ground/made_water.h"
+#include "tests/compiler/ground/water/made_water.h"
 
 namespace citykiln::ground {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 constexpr Box2 kAll{{0, 0}, {4096, 4096}};
 
@@ -24,9 +24,9 @@ Waters made_waters() {
                                        made_stream(3, {{1900, 3000}, {1300, 2500}, {1000, 2025}}, 6),
                                        made_stream(4, {{1180, 3900}, {1180, 2600}}, 2)};
   Report report;
-  return level_waters(
-      {made_water(1, SurfaceClass::kRiver, banks), made_water(5, SurfaceClass::kLake, made_shore({3000, 1000}, 300))},
-      std::move(streams), {}, land, report);
+  return plan_water_heights({made_water(1, LandCoverClass::kRiver, banks),
+                             made_water(5, LandCoverClass::kLake, made_shore({3000, 1000}, 300))},
+                            std::move(streams), {}, land, report);
 }
 
 double profile_m(const roads::Strip& stream, double at_m) { return knot_at(stream.profile, at_m).z_m; }
@@ -43,7 +43,7 @@ TEST(WaterHeight, WithinAndBesideALakeIsItsLevel) {
   const WaterIndex index = index_waters(waters.surfaces, waters.streams, kAll);
   for (const Vec2 p : {Vec2{3000, 1000}, Vec2{3300, 1000}, Vec2{3310, 1100}, Vec2{2700, 700}})
     EXPECT_EQ(water_m(index, p), waters.surfaces[1].level_m);
-  EXPECT_FALSE(water_m(index, {3000 + 300 + kStandingReach_m + 1, 1000}).has_value());
+  EXPECT_FALSE(water_m(index, {3000 + 300 + kStandingInfluence_m + 1, 1000}).has_value());
 }
 
 TEST(WaterHeight, IsKnownAllOverARiversAreaAndWithoutSteps) {
@@ -73,8 +73,8 @@ TEST(WaterHeight, TilesFindTheSameBytesFromTheirOwnRecipes) {
   for (double x0 = 768; x0 < 1800; x0 += 128)
     for (double y0 = 128; y0 < 4000; y0 += 384) {
       const Box2 tile{{x0, y0}, {x0 + 128, y0 + 128}};
-      std::vector<Surface> surfaces;
-      for (const Surface& s : waters.surfaces) surfaces.push_back(trimmed_to(s, tile.widened(48)));
+      std::vector<LandCoverPolygon> surfaces;
+      for (const LandCoverPolygon& s : waters.surfaces) surfaces.push_back(trimmed_to(s, tile.widened(48)));
       std::vector<roads::Strip> streams;
       for (const roads::Strip& s : waters.streams)
         for (roads::Strip& run : roads::trimmed_to(s, tile, 48)) streams.push_back(std::move(run));

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "compiler/geometry/snap.h"
-#include "compiler/map/osm_reader.h"
+#include "compiler/map/read_context.h"
 #include "tests/compiler/map/map_text.h"
 
 namespace citykiln::map {
@@ -37,7 +37,7 @@ Read read(const std::string& tags, DrivingSide side = DrivingSide::kRight) {
   static const Plane plane(kTestOrigin);
   const source::OsmData osm = extract("w1 0:0 50:0 " + tags);
   Report report;
-  const Reading reading{osm, plane, Box2{}, report};
+  const ReadContext reading{osm, plane, Box2{}, report};
   CrossSection section = cross_section_of(reading, {OsmType::kWay, 1}, osm.ways[0].tags, side);
   return {std::move(section), report.counts()[Code::kBadTagValue]};
 }
@@ -395,7 +395,8 @@ CrossSection turned_round(CrossSection section) {
   section.axis_offset_m = carriageway_width_m(section) - section.axis_offset_m;
   std::reverse(section.lanes.begin(), section.lanes.end());
   for (Lane& lane : section.lanes)
-    if (lane.way != LaneWay::kBoth) lane.way = lane.way == LaneWay::kForward ? LaneWay::kBackward : LaneWay::kForward;
+    if (lane.way != LaneDirection::kBoth)
+      lane.way = lane.way == LaneDirection::kForward ? LaneDirection::kBackward : LaneDirection::kForward;
   return section;
 }
 

@@ -14,36 +14,36 @@ constexpr double kPi = 3.14159265358979;
 // The slope falls askew to the lattice.
 struct Slope {
   double degrees = 0;
-  double upright() const { return std::cos(degrees * kPi / 180); }
+  double normal_z() const { return std::cos(degrees * kPi / 180); }
   double height_m(Vec2 p) const { return std::tan(degrees * kPi / 180) * (0.6 * p.x + 0.8 * p.y); }
 };
 
-std::vector<Site> sites_on(const Slope& slope, double per_ha, const Box2& box, std::uint64_t seed = 7) {
-  const Seat wanted = seat_for(per_ha);
+std::vector<Sample> samples_on(const Slope& slope, double trees_per_ha, const Box2& box, std::uint64_t seed = 7) {
+  const SampleDensity wanted = density_for(trees_per_ha);
   return blue_noise(
       seed, box, [&](const Box2&) { return wanted.spacing_m; },
       [&](Vec2 p) {
-        Seat seat = wanted;
-        seat.height_m = slope.height_m(p), seat.upright = slope.upright();
-        return seat;
+        SampleDensity density = wanted;
+        density.height_m = slope.height_m(p), density.normal_z = slope.normal_z();
+        return density;
       });
 }
 
 TEST(BlueNoise, IsAsDenseAsAskedOnEverySlope) {
   const Box2 box = {{0, 0}, {1536, 1536}};
-  for (const double per_ha : {60.0, 100.0, 150.0, 220.0, 300.0})
+  for (const double trees_per_ha : {60.0, 100.0, 150.0, 220.0, 300.0})
     for (const double degrees : {0.0, 10.0, 20.0, 30.0, 40.0, 45.0}) {
       const Slope slope{degrees};
-      const double hectares = box.width() * box.height() / 1e4 / slope.upright();
-      const double found = static_cast<double>(sites_on(slope, per_ha, box).size()) / hectares;
-      EXPECT_NEAR(found / per_ha, 1, 0.03) << per_ha << " a hectare on " << degrees << " degrees";
+      const double hectares = box.width() * box.height() / 1e4 / slope.normal_z();
+      const double found = static_cast<double>(samples_on(slope, trees_per_ha, box).size()) / hectares;
+      EXPECT_NEAR(found / trees_per_ha, 1, 0.03) << trees_per_ha << " a hectare on " << degrees << " degrees";
     }
 }
 
 // Coordinates on the slope itself.
 Vec2 on_ground(const Slope& slope, Vec2 p) {
   const double down = 0.6 * p.x + 0.8 * p.y, across = -0.8 * p.x + 0.6 * p.y;
-  return {down / slope.upright(), across};
+  return {down / slope.normal_z(), across};
 }
 
 struct Nearest {
@@ -58,9 +58,9 @@ Nearest nearest_of(const std::vector<Vec2>& points, double per_m2, const Box2& i
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (!inner.contains(sorted[i])) continue;
     double best = 1e9;
-    const auto look = [&](std::size_t j) { best = std::min(best, distance(sorted[i], sorted[j])); };
-    for (std::size_t j = i + 1; j < sorted.size() && sorted[j].x - sorted[i].x < best; ++j) look(j);
-    for (std::size_t j = i; j-- > 0 && sorted[i].x - sorted[j].x < best;) look(j);
+    const auto appearance = [&](std::size_t j) { best = std::min(best, distance(sorted[i], sorted[j])); };
+    for (std::size_t j = i + 1; j < sorted.size() && sorted[j].x - sorted[i].x < best; ++j) appearance(j);
+    for (std::size_t j = i; j-- > 0 && sorted[i].x - sorted[j].x < best;) appearance(j);
     nearest.push_back(best * std::sqrt(per_m2));
   }
   Nearest stats;
@@ -110,16 +110,16 @@ double power_at(const std::vector<Vec2>& points, double wave_m) {
   return power / kWays;
 }
 
-std::vector<Vec2> places_of(const std::vector<Site>& sites, const Slope& slope) {
+std::vector<Vec2> places_of(const std::vector<Sample>& samples, const Slope& slope) {
   std::vector<Vec2> places;
-  for (const Site& site : sites) places.push_back(on_ground(slope, site.at));
+  for (const Sample& site : samples) places.push_back(on_ground(slope, site.at));
   return places;
 }
 
 TEST(BlueNoise, StandsAsEvenlyAsThrownDarts) {
-  const double side_m = 512, per_ha = 150, spacing_m = seat_for(per_ha).spacing_m;
+  const double side_m = 512, trees_per_ha = 150, spacing_m = density_for(trees_per_ha).spacing_m;
   const Box2 box = {{0, 0}, {side_m, side_m}};
-  const std::vector<Vec2> ours = places_of(sites_on({}, per_ha, box), {});
+  const std::vector<Vec2> ours = places_of(samples_on({}, trees_per_ha, box), {});
   const std::vector<Vec2> darts = thrown_darts(spacing_m, ours.size(), side_m);
   ASSERT_EQ(darts.size(), ours.size());
   const double per_m2 = static_cast<double>(ours.size()) / (side_m * side_m);
@@ -135,10 +135,10 @@ TEST(BlueNoise, StandsAsEvenlyAsThrownDarts) {
 
 TEST(BlueNoise, IsMeasuredOnTheGroundNotInProjection) {
   const Box2 box = {{0, 0}, {512, 512}};
-  const double per_ha = 150, spacing_m = seat_for(per_ha).spacing_m;
+  const double trees_per_ha = 150, spacing_m = density_for(trees_per_ha).spacing_m;
   const Slope flat{0}, steep{45};
   const auto across = [&](const Slope& slope) {
-    const std::vector<Vec2> places = places_of(sites_on(slope, per_ha, box), slope);
+    const std::vector<Vec2> places = places_of(samples_on(slope, trees_per_ha, box), slope);
     double least_m = 1e9;
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t j = i + 1; j < places.size(); ++j) least_m = std::min(least_m, distance(places[i], places[j]));
@@ -152,13 +152,13 @@ TEST(BlueNoise, IsMeasuredOnTheGroundNotInProjection) {
 TEST(BlueNoise, IsTheSameInAnyBox) {
   const Slope slope{25};
   const Box2 box = {{0, 0}, {256, 256}};
-  const std::vector<Site> whole = sites_on(slope, 150, box);
-  const auto key = [](const Site& s) { return s.at; };
+  const std::vector<Sample> whole = samples_on(slope, 150, box);
+  const auto key = [](const Sample& s) { return s.at; };
   for (const double cut : {32.0, 101.5, 128.0}) {
-    std::vector<Site> parts = sites_on(slope, 150, {{0, 0}, {cut, 256}});
-    const std::vector<Site> east = sites_on(slope, 150, {{cut, 0}, {256, 256}});
+    std::vector<Sample> parts = samples_on(slope, 150, {{0, 0}, {cut, 256}});
+    const std::vector<Sample> east = samples_on(slope, 150, {{cut, 0}, {256, 256}});
     parts.insert(parts.end(), east.begin(), east.end());
-    std::vector<Site> all = whole;
+    std::vector<Sample> all = whole;
     std::ranges::sort(parts, {}, key), std::ranges::sort(all, {}, key);
     ASSERT_EQ(parts.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(parts[i].at == all[i].at && parts[i].id == all[i].id);
@@ -167,21 +167,21 @@ TEST(BlueNoise, IsTheSameInAnyBox) {
 
 TEST(BlueNoise, DependsOnNothingBeyondItsReach) {
   const Box2 box = {{0, 0}, {128, 128}};
-  const Seat wide = seat_for(60), narrow = seat_for(300);
+  const SampleDensity wide = density_for(60), narrow = density_for(300);
   bool is_asked_beyond = false;
-  const std::vector<Site> sites = blue_noise(
+  const std::vector<Sample> samples = blue_noise(
       7, box, [&](const Box2&) { return narrow.spacing_m; },
       [&](Vec2 p) {
-        is_asked_beyond |= !box.widened(kSiteReach_m).contains(p);
+        is_asked_beyond |= !box.widened(kSampleInfluence_m).contains(p);
         return p.x < 40 ? wide : narrow;
       });
   EXPECT_FALSE(is_asked_beyond);
-  EXPECT_GT(sites.size(), 100u);
+  EXPECT_GT(samples.size(), 100u);
 }
 
 TEST(BlueNoise, OtherSeedsAreOtherWoods) {
   const Box2 box = {{0, 0}, {128, 128}};
-  const auto first = sites_on({}, 150, box, 1), second = sites_on({}, 150, box, 2);
+  const auto first = samples_on({}, 150, box, 1), second = samples_on({}, 150, box, 2);
   ASSERT_FALSE(first.empty());
   EXPECT_NE(first.front().at, second.front().at);
 }

@@ -8,36 +8,36 @@
 namespace citykiln::plants {
 namespace {
 
-using ground::Surface;
-using map::SurfaceClass;
+using ground::LandCoverPolygon;
+using map::LandCoverClass;
 
 constexpr double kTolerance_m = 12.5;
 constexpr std::uint64_t kSeed = 7;
 
-Surface surface(std::int64_t id, SurfaceClass kind, Ring ring) {
+LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
   const auto area = static_cast<std::uint32_t>(signed_area_m2(ring));
   return {{{OsmType::kWay, id}, 0}, kind, area, {std::move(ring)}};
 }
 
 Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-Wood wood(std::int64_t id, Mix mix, std::uint16_t per_ha) {
-  return {{{OsmType::kWay, id}, 0}, stock_of(mix), per_ha, 16};
+Wood wood(std::int64_t id, PlantCommunity mix, std::uint16_t trees_per_ha) {
+  return {{{OsmType::kWay, id}, 0}, species_mix_of(mix), trees_per_ha, 16};
 }
 
 // Two woods and a thin one, with a road, a path, a lake and a house in them, on a slope with waves.
 struct Scene {
-  std::vector<Surface> surfaces = {surface(1, SurfaceClass::kForest, block(-500, -500, 0, 500)),
-                                   surface(2, SurfaceClass::kBroadLeavedForest, block(0, -500, 500, 300)),
-                                   surface(3, SurfaceClass::kPark, block(0, 300, 500, 500)),
-                                   surface(4, SurfaceClass::kResidentialRoad, block(-500, -203, 500, -197)),
-                                   surface(5, SurfaceClass::kLake, block(-340, 40, -260, 110)),
-                                   surface(6, SurfaceClass::kBuilding, block(-100, 50, -80, 70)),
-                                   surface(7, SurfaceClass::kFootPath, block(-500, 200, 500, 201))};
-  std::vector<Wood> woods = {wood(1, Mix::kMixedWood, 120), wood(2, Mix::kBroadWood, 105),
-                             wood(3, Mix::kParkTrees, 22)};
-  std::vector<Lane> lanes = {{{{OsmType::kWay, 8}, 0}, {{-500, 400}, {0, 400}}, 20}};
-  ground::Carving ground{heights()};
+  std::vector<LandCoverPolygon> surfaces = {surface(1, LandCoverClass::kForest, block(-500, -500, 0, 500)),
+                                            surface(2, LandCoverClass::kBroadLeavedForest, block(0, -500, 500, 300)),
+                                            surface(3, LandCoverClass::kPark, block(0, 300, 500, 500)),
+                                            surface(4, LandCoverClass::kResidentialRoad, block(-500, -203, 500, -197)),
+                                            surface(5, LandCoverClass::kLake, block(-340, 40, -260, 110)),
+                                            surface(6, LandCoverClass::kBuilding, block(-100, 50, -80, 70)),
+                                            surface(7, LandCoverClass::kFootPath, block(-500, 200, 500, 201))};
+  std::vector<Wood> woods = {wood(1, PlantCommunity::kMixedWood, 120), wood(2, PlantCommunity::kBroadWood, 105),
+                             wood(3, PlantCommunity::kParkTrees, 22)};
+  std::vector<PowerLineCorridor> corridors = {{{{OsmType::kWay, 8}, 0}, {{-500, 400}, {0, 400}}, 20}};
+  ground::GradedTerrain ground{heights()};
 
   static map::Heightfield heights() {
     map::Heightfield field{{-768, -768}, {16, 16}, 97, 97, {}, 0};
@@ -49,13 +49,14 @@ struct Scene {
 
   struct Made {
     Canopy canopy;
-    Placed placed;
+    PlacedPlants placed;
   };
   Made in(const Box2& box, double tolerance_m = kTolerance_m, Month month = kMidsummer) const {
-    const ground::SurfaceMap map = map_surfaces(surfaces, box.widened(kReach_m));
-    const Land land{map, ground, box, kSeed, 42.5};
+    const ground::LandCoverIndex map = index_land_cover(surfaces, box.widened(kInfluenceRadius_m));
+    const PlacingContext land{map, ground, box, kSeed, 42.5};
     Report ignored;
-    Made made{canopy_over(woods, lanes, land, tolerance_m, month), expand({{}, woods, {}, {}, lanes}, land, ignored)};
+    Made made{make_canopy(woods, corridors, land, tolerance_m, month),
+              generate({{}, woods, {}, {}, corridors}, land, ignored)};
     return made;
   }
 };
@@ -79,7 +80,7 @@ std::vector<Vertex> vertices_at(const Canopy& canopy, double x) {
   return vertices;
 }
 
-std::vector<Placement> joined(const Placed& placed) {
+std::vector<Placement> joined(const PlacedPlants& placed) {
   std::vector<Placement> all;
   for (const auto& [prototype, some] : placed) all.insert(all.end(), some.begin(), some.end());
   return all;
@@ -116,7 +117,7 @@ TEST(Canopy, IsTheSameWhereTilesMeet) {
 TEST(Canopy, StandsForTheTreesItTakesAndNoOthers) {
   Scene::Made made = Scene{}.in(kAll);
   const std::vector<Placement> before = joined(made.placed);
-  gather(made.canopy, Scene{}.woods, made.placed);
+  remove_trees_below(made.canopy, Scene{}.woods, made.placed);
   const std::vector<Placement> left = joined(made.placed);
   EXPECT_LT(left.size(), before.size() / 2);
   EXPECT_GT(left.size(), before.size() / 20);
@@ -134,8 +135,8 @@ TEST(Canopy, StandsForTheTreesItTakesAndNoOthers) {
 TEST(Canopy, LeavesMappedTreesAlone) {
   Scene::Made made = Scene{}.in(kAll);
   const Placement mapped{{200, 0, 900}, 1, 0, 30, {OsmType::kNode, 9}};
-  Placed placed = {{{Species::kOak, 0}, {mapped}}};
-  gather(made.canopy, Scene{}.woods, placed);
+  PlacedPlants placed = {{{Species::kOak, 0}, {mapped}}};
+  remove_trees_below(made.canopy, Scene{}.woods, placed);
   EXPECT_EQ(joined(placed).size(), 1u);
 }
 

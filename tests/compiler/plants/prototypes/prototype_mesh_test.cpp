@@ -14,10 +14,10 @@
 namespace citykiln::plants {
 namespace {
 
-using materials::Coloured;
+using materials::ColourSource;
 
-const Nursery& nursery() {
-  static const Nursery nursery(shipped_species());
+const GrownPlantCache& nursery() {
+  static const GrownPlantCache nursery(shipped_species());
   return nursery;
 }
 
@@ -34,8 +34,8 @@ PrototypeMesh mesh_of(Species species, double tolerance_m) {
 }
 
 bool has_trunk(Species species) {
-  const Leaves leaves = values_of(species).leaves;
-  return leaves != Leaves::kBlade && species != Species::kFern;
+  const LeafForm leaves = values_of(species).leaves;
+  return leaves != LeafForm::kBlade && species != Species::kFern;
 }
 
 std::size_t triangles_of(const PrototypeMesh& plant) {
@@ -53,7 +53,7 @@ double area_of(const std::vector<Card>& cards) {
 class EachPlant : public testing::TestWithParam<Species> {};
 
 TEST_P(EachPlant, HasLeaves) {
-  const Grown& grown = nursery().grown({GetParam(), 0});
+  const GrownPlant& grown = nursery().grown({GetParam(), 0});
   EXPECT_GT(grown.foliage.cards.size(), 10u);
   EXPECT_GT(grown.height_m, 0);
 }
@@ -87,7 +87,7 @@ TEST_P(EachPlant, GetsNoLargerWithTheTolerance) {
 }
 
 TEST_P(EachPlant, LooksTheSameTwice) {
-  const Grown again =
+  const GrownPlant again =
       grow(*std::ranges::find(shipped_species(), values_of(GetParam()).file, &SpeciesText::name), {GetParam(), 3});
   EXPECT_EQ(again.skeleton.segments.size(), nursery().grown({GetParam(), 3}).skeleton.segments.size());
   const double tolerance_m = 0.1 * values_of(GetParam()).tallest_m;
@@ -125,9 +125,10 @@ TEST_P(EachPlant, IsCardsFromAfarWhichAreNeitherEmptyNorFull) {
   if (GetParam() == Species::kHedge) GTEST_SKIP() << "is a box";
   const PrototypeMesh plant = mesh_of(GetParam(), 0.1 * values_of(GetParam()).tallest_m);
   ASSERT_EQ(plant.meshes.size(), 1u);
-  EXPECT_EQ(plant.meshes[0].coloured, Coloured::kByCutout);
+  EXPECT_EQ(plant.meshes[0].colour_source, ColourSource::kByCutout);
   EXPECT_LE(plant.meshes[0].mesh.triangles.size(), 2u * (kMostPlanes + kMostLevels));
-  const auto there = std::ranges::count_if(plant.cutout.opacity, [](std::uint8_t o) { return o >= imprint::kCutoff; });
+  const auto there =
+      std::ranges::count_if(plant.cutout.opacity, [](std::uint8_t o) { return o >= impostor::kAlphaCutoff; });
   const double share = static_cast<double>(there) / static_cast<double>(plant.cutout.opacity.size());
   EXPECT_GT(share, 0.02);
   EXPECT_LT(share, 0.9);
@@ -172,17 +173,17 @@ TEST(PrototypeMesh, IsDroppedWhereThePlantIsLowerThanTheTolerance) {
 }
 
 TEST(PrototypeMesh, OfATextThatCannotBeReadIsNothing) {
-  const Grown grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
+  const GrownPlant grown = grow({"oak", "axiom: ["}, {Species::kOak, 0});
   EXPECT_TRUE(prototype_mesh(grown, Species::kOak, 20, 0.1).meshes.empty());
 }
 
 TEST(Sprays, CoverAPartOfTheirCard) {
   for (const char* name : {"oak_leaf", "spruce_needles", "willow_leaf", "palm", ""}) {
-    const imprint::Picture picture = picture_of_spray(name, materials::Material::kBroadLeaf);
+    const impostor::Picture picture = picture_of_spray(name, materials::Material::kBroadLeaf);
     std::uint64_t shown = 0;
-    for (const imprint::Texel& texel : picture.texels) shown += texel.shown;
+    for (const impostor::Texel& texel : picture.texels) shown += texel.shown;
     const double share =
-        static_cast<double>(shown) / (static_cast<double>(picture.texels.size()) * imprint::kSamplesOfTexel);
+        static_cast<double>(shown) / (static_cast<double>(picture.texels.size()) * impostor::kSamplesPerTexel);
     EXPECT_GT(share, 0.2) << name;
   }
 }
@@ -198,13 +199,13 @@ TEST(PrototypeBark, HasPlacesOnItsPictureWhereThatIsFineEnoughToShow) {
   for (const Species species : {Species::kOak, Species::kBirch, Species::kPalm})
     for (const double tolerance_m : {0.02, 0.1, 0.25, 0.5, 1.0}) {
       const auto meshes = mesh_of(species, tolerance_m).meshes;
-      const materials::DressedMesh& stems = meshes.front();
-      if (stems.coloured != Coloured::kByMaterial) continue;
-      const bool is_shown = tolerance_m < materials::kPlainGround_m;
+      const materials::MaterialMesh& stems = meshes.front();
+      if (stems.colour_source != ColourSource::kByMaterial) continue;
+      const bool is_shown = tolerance_m < materials::kUntextured_m;
       EXPECT_EQ(stems.uvs.size(), is_shown ? stems.mesh.positions.size() : 0) << values_of(species).file << tolerance_m;
       EXPECT_EQ(stems.material, is_shown ? nursery().grown({species, 0}).bark : materials::Material::kBark);
       for (const Vec2 uv : stems.uvs) {
-        EXPECT_EQ(std::fmod(uv.x, materials::kTexturePlace_m), 0);
+        EXPECT_EQ(std::fmod(uv.x, materials::kTextureCoordinateStep_m), 0);
         EXPECT_GE(std::min(uv.x, uv.y), 0);
       }
     }

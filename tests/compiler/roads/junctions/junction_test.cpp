@@ -7,15 +7,16 @@
 
 #include "compiler/geometry/snap.h"
 #include "compiler/roads/junctions/corner_pavements.h"
-#include "tests/compiler/roads/junction_claims.h"
+#include "tests/compiler/roads/junctions/junction_claims.h"
 #include "tests/compiler/roads/made_road.h"
 
 namespace citykiln::roads {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
-Road road(std::int64_t id, Polyline axis, double width_m = 6, SurfaceClass surface = SurfaceClass::kResidentialRoad) {
+Road road(std::int64_t id, Polyline axis, double width_m = 6,
+          LandCoverClass surface = LandCoverClass::kResidentialRoad) {
   return made_road(id, std::move(axis), width_m, surface);
 }
 
@@ -71,23 +72,23 @@ TEST_F(Junctions, ACrossingIsCutSquareBehindItsRoundedCorners) {
 }
 
 TEST_F(Junctions, ARampLeavesItsMotorwayWithinReach) {
-  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {80, 0}}, 11, SurfaceClass::kMotorwayRoad),
-                              road(2, {{0, 0}, {40, 4}, {80, 14}}, 5, SurfaceClass::kMotorwayRoad)});
+  const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {80, 0}}, 11, LandCoverClass::kMotorwayRoad),
+                              road(2, {{0, 0}, {40, 4}, {80, 14}}, 5, LandCoverClass::kMotorwayRoad)});
   ASSERT_EQ(all.junctions.size(), 1u);
-  EXPECT_LE(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kReach_m);
+  EXPECT_LE(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kJunctionRadius_m);
 }
 
 TEST_F(Junctions, ArmsSideBySideAreCutAtTheReach) {
   const Outlined all =
       sound({road(1, {{0, 0}, {100, 0}}), road(2, {{0, 0}, {100, 0.5}}), road(3, {{0, 0}, {-100, 0}})});
   ASSERT_EQ(all.junctions.size(), 1u);
-  EXPECT_EQ(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kReach_m);
+  EXPECT_EQ(std::ranges::max(all.junctions[0].cuts, {}, &Cut::length_m).length_m, kJunctionRadius_m);
 }
 
 TEST_F(Junctions, AnArmShorterThanItsCutIsSwallowed) {
   const Outlined all = sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}), road(2, {{0, 0}, {0, 2}})});
   ASSERT_EQ(all.junctions.size(), 1u);
-  EXPECT_EQ(all.report.counts()[Code::kArmSwallowed], 1u);
+  EXPECT_EQ(all.report.counts()[Code::kRoadInsideJunctions], 1u);
 }
 
 TEST_F(Junctions, ALoopAtOneNodeHasTwoArmsThere) {
@@ -112,7 +113,7 @@ TEST_F(Junctions, ADogLegIsOneJunction) {
 
 Road oneway(std::int64_t id, Polyline axis, double width_m = 7) {
   Road made = road(id, std::move(axis), width_m);
-  made.section.lanes.front().way = map::LaneWay::kForward;
+  made.section.lanes.front().way = map::LaneDirection::kForward;
   return made;
 }
 
@@ -122,7 +123,7 @@ TEST_F(Junctions, ADualCarriagewayCrossedIsOneJunction) {
   ASSERT_EQ(all.junctions.size(), 1u);
   EXPECT_EQ(all.junctions[0].places.size(), 2u);
   // arms side by side are cut where the street's kerbs are, not where they never meet
-  for (const Cut& cut : all.junctions[0].cuts) EXPECT_TRUE(cut.length_m == kWhole_m || cut.length_m < 10);
+  for (const Cut& cut : all.junctions[0].cuts) EXPECT_TRUE(cut.length_m == kWholeLink_m || cut.length_m < 10);
 }
 
 TEST_F(Junctions, ADualCarriagewayThatEndsOnAStreetDoesSoAtOne) {
@@ -132,8 +133,8 @@ TEST_F(Junctions, ADualCarriagewayThatEndsOnAStreetDoesSoAtOne) {
 }
 
 TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
-  const std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, SurfaceClass::kResidentialRoad, 2, 0),
-                                   made_road(2, {{0, 0}, {0, 50}}, 6, SurfaceClass::kResidentialRoad, 0, 2)};
+  const std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, LandCoverClass::kResidentialRoad, 2, 0),
+                                   made_road(2, {{0, 0}, {0, 50}}, 6, LandCoverClass::kResidentialRoad, 0, 2)};
   const Outlined all = sound(roads);
   ASSERT_EQ(all.junctions.size(), 1u);
   const auto arms = arms_of(all.junctions, roads);
@@ -147,8 +148,8 @@ TEST_F(Junctions, PavementsGoRoundCornersThatBothArmsHaveThem) {
 }
 
 TEST_F(Junctions, VergesWithoutAPavementGoRoundNoCorner) {
-  std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, SurfaceClass::kResidentialRoad, 2, 0),
-                             made_road(2, {{0, 0}, {0, 50}}, 6, SurfaceClass::kResidentialRoad, 0, 2)};
+  std::vector<Road> roads = {made_road(1, {{-50, 0}, {0, 0}, {50, 0}}, 6, LandCoverClass::kResidentialRoad, 2, 0),
+                             made_road(2, {{0, 0}, {0, 50}}, 6, LandCoverClass::kResidentialRoad, 0, 2)};
   roads[1].section.lanes.back().kind = map::LaneKind::kVerge;
   const Outlined all = sound(roads);
   EXPECT_TRUE(stroke_corner_pavements(all.junctions[0], roads, arms_of(all.junctions, roads)[0]).empty());
@@ -166,7 +167,7 @@ TEST_F(Junctions, TwoStreetsACarsLengthApartAreTwo) {
 
 TEST_F(Junctions, ADrivewayNearACornerIsNotPartOfIt) {
   const Outlined all = sound({road(1, {{-80, 0}, {0, 0}, {8, 0}, {80, 0}}), road(2, {{0, 0}, {0, 50}}),
-                              road(3, {{8, 0}, {8, -50}}, 3, SurfaceClass::kServiceRoad)});
+                              road(3, {{8, 0}, {8, -50}}, 3, LandCoverClass::kServiceRoad)});
   EXPECT_EQ(all.junctions.size(), 2u);
 }
 
@@ -195,8 +196,8 @@ TEST_F(Junctions, WidthsTaperOneInFive) {
 }
 
 TEST_F(Junctions, StairsAndPathsStepFromWidthToWidth) {
-  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}}, 40, SurfaceClass::kSteps),
-                              road(2, {{0, 0}, {60, 0}}, 2, SurfaceClass::kPavedFootPath)});
+  const Outlined all = sound({road(1, {{-60, 0}, {0, 0}}, 40, LandCoverClass::kSteps),
+                              road(2, {{0, 0}, {60, 0}}, 2, LandCoverClass::kPavedFootPath)});
   ASSERT_EQ(all.junctions.size(), 1u);
   for (const Cut& cut : all.junctions[0].cuts) EXPECT_LE(cut.length_m, 1);
 }
@@ -206,7 +207,7 @@ TEST_F(Junctions, ATaperIsNoLongerThanHalfItsLink) {
       sound({road(1, {{-60, 0}, {0, 0}}, 10), road(2, {{0, 0}, {12, 0}}, 6), road(3, {{12, 0}, {60, 0}}, 10)});
   ASSERT_EQ(all.junctions.size(), 2u);
   EXPECT_EQ(all.junctions[0].cuts[1].length_m, 6);
-  EXPECT_EQ(all.report.counts()[Code::kArmSwallowed], 0u);
+  EXPECT_EQ(all.report.counts()[Code::kRoadInsideJunctions], 0u);
 }
 
 Road with_point(Road made, std::uint32_t vertex, map::TrackPointKind kind) {
@@ -236,7 +237,7 @@ TEST_F(Junctions, AMiniRoundaboutCoversItsDisk) {
 
 TEST_F(Junctions, OfFootpathsOnAStreetAreNone) {
   EXPECT_TRUE(sound({road(1, {{-50, 0}, {0, 0}, {50, 0}}),
-                     road(2, {{0, -50}, {0, 0}, {0, 50}}, 2, SurfaceClass::kPavedFootPath)})
+                     road(2, {{0, -50}, {0, 0}, {0, 50}}, 2, LandCoverClass::kPavedFootPath)})
                   .junctions.empty());
 }
 
@@ -291,12 +292,12 @@ TEST_F(Junctions, DependOnNothingFartherThanEightReaches) {
     const std::vector<Road> town = random_town(chance);
     std::vector<Road> near;
     for (const Road& r : town)
-      if (distance(r.axis.front(), kMiddle) <= 8 * kReach_m) near.push_back(r);
+      if (distance(r.axis.front(), kMiddle) <= 8 * kJunctionRadius_m) near.push_back(r);
     const auto in_the_middle = [&](const std::vector<Road>& roads) {
       std::vector<Junction> found;
       Report ignored;
       for (Junction& junction : plan_junctions(roads, ignored))
-        if (distance(junction.places.front(), kMiddle) < kReach_m) found.push_back(std::move(junction));
+        if (distance(junction.places.front(), kMiddle) < kJunctionRadius_m) found.push_back(std::move(junction));
       return found;
     };
     EXPECT_LT(near.size(), town.size());
@@ -324,9 +325,9 @@ std::vector<Road> random_roads(std::mt19937_64& chance) {
     }
     if (axis.size() < 2) continue;
     if (chance() % 8 == 0) place = axis.back();
-    const auto surface = chance() % 2 == 0 ? SurfaceClass::kPrimaryRoad : SurfaceClass::kResidentialRoad;
+    const auto surface = chance() % 2 == 0 ? LandCoverClass::kPrimaryRoad : LandCoverClass::kResidentialRoad;
     roads.push_back(road(a + 1, std::move(axis), snapped(width) > 0 ? snapped(width) : 1, surface));
-    if (chance() % 8 == 0) roads.back().section.lanes.front().way = map::LaneWay::kForward;
+    if (chance() % 8 == 0) roads.back().section.lanes.front().way = map::LaneDirection::kForward;
     if (chance() % 16 == 0) roads.back().points.push_back({0, map::TrackPointKind::kMiniRoundabout, 0});
     if (chance() % 16 == 0) roads.back().points.push_back({1, map::TrackPointKind::kTurningCircle, 0});
   }

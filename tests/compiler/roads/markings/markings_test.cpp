@@ -11,12 +11,12 @@
 #include <set>
 
 #include "compiler/materials/coverage.h"
-#include "tests/compiler/roads/pattern_text.h"
+#include "tests/compiler/roads/markings/marking_layout_text.h"
 
 namespace citykiln::roads {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 struct Extent {
   Vec2 low, high;
@@ -35,9 +35,9 @@ Extent extent_of(const Ring& ring) {
 // ---------------------------------------------------------------------------------------------
 
 // Lines along the way from left to right: u, then | unbroken, : broken, doubled where broad.
-std::string lines_of(const Pattern& pattern) {
+std::string lines_of(const MarkingLayout& layout) {
   std::map<std::pair<double, double>, double> painted_m;
-  for (const Mark& mark : marks_of(pattern)) {
+  for (const Mark& mark : marks_of(layout)) {
     const Extent extent = extent_of(mark.ring);
     const double width_m = extent.high.x - extent.low.x;
     if (mark.ring.size() != 4 || width_m > 0.31 || mark.colour != kWhite) continue;
@@ -46,45 +46,46 @@ std::string lines_of(const Pattern& pattern) {
   }
   std::string text;
   for (const auto& [line, length_m] : painted_m) {
-    const std::string kind = std::abs(length_m - kPatternLength_m) < 1e-9 ? "|" : ":";
+    const std::string kind = std::abs(length_m - kLayoutLength_m) < 1e-9 ? "|" : ":";
     text += fmt::format("{}{:g}{}", text.empty() ? "" : " ", line.first, line.second > 0.2 ? kind + kind : kind);
   }
   return text;
 }
 
 struct Section {
-  SurfaceClass surface;
+  LandCoverClass surface;
   const char* lanes;
   const char *in_town, *in_country;
 };
 constexpr Section kSections[] = {
-    {SurfaceClass::kTertiaryRoad, "dd v^", "3.25:", "3.25:"},
-    {SurfaceClass::kSecondaryRoad, "dd v^", "3.25:", "0.25| 3.25: 6.25|"},
-    {SurfaceClass::kPrimaryRoad, "dd ^^", "3.25:", "0.25| 3.25: 6.25|"},
-    {SurfaceClass::kPrimaryRoad, "ddd v^^", "3.25: 6.5:", "0.25| 3.25: 6.5: 9.5|"},
-    {SurfaceClass::kPrimaryRoad, "dddd vv^^", "3.25: 6.38| 6.62| 9.75:", "0.25| 3.25: 6.38| 6.62| 9.75: 12.75|"},
-    {SurfaceClass::kPrimaryRoad, "dtd v-^", "3.25: 6.25:", "0.25| 3.25: 6.25: 9.25|"},
-    {SurfaceClass::kSecondaryRoad, "cddc vv^^", "1.5|| 4.75: 8||", "1.5|| 4.75: 8||"},
-    {SurfaceClass::kSecondaryRoad, "SddS vv^^", "2.5| 5.75: 9|", "2.5| 5.75: 9|"},
-    {SurfaceClass::kSecondaryRoad, "bddb vv^^", "3.25|| 6.38| 6.62| 9.75||", "0.25| 3.25|| 6.38| 6.62| 9.75|| 12.75|"},
-    {SurfaceClass::kMotorwayRoad, "dddS ^^^^", "0.25| 3.25: 6.5: 9.75||", "0.25| 3.25: 6.5: 9.75||"},
-    {SurfaceClass::kTertiaryRoad, "p v", "1.94|", "1.94|"},
-    {SurfaceClass::kTertiaryRoad, "p ^", "0.06|", "0.06|"},
-    {SurfaceClass::kCyclePath, "|c| |^|", "", ""},
+    {LandCoverClass::kTertiaryRoad, "dd v^", "3.25:", "3.25:"},
+    {LandCoverClass::kSecondaryRoad, "dd v^", "3.25:", "0.25| 3.25: 6.25|"},
+    {LandCoverClass::kPrimaryRoad, "dd ^^", "3.25:", "0.25| 3.25: 6.25|"},
+    {LandCoverClass::kPrimaryRoad, "ddd v^^", "3.25: 6.5:", "0.25| 3.25: 6.5: 9.5|"},
+    {LandCoverClass::kPrimaryRoad, "dddd vv^^", "3.25: 6.38| 6.62| 9.75:", "0.25| 3.25: 6.38| 6.62| 9.75: 12.75|"},
+    {LandCoverClass::kPrimaryRoad, "dtd v-^", "3.25: 6.25:", "0.25| 3.25: 6.25: 9.25|"},
+    {LandCoverClass::kSecondaryRoad, "cddc vv^^", "1.5|| 4.75: 8||", "1.5|| 4.75: 8||"},
+    {LandCoverClass::kSecondaryRoad, "SddS vv^^", "2.5| 5.75: 9|", "2.5| 5.75: 9|"},
+    {LandCoverClass::kSecondaryRoad, "bddb vv^^", "3.25|| 6.38| 6.62| 9.75||",
+     "0.25| 3.25|| 6.38| 6.62| 9.75|| 12.75|"},
+    {LandCoverClass::kMotorwayRoad, "dddS ^^^^", "0.25| 3.25: 6.5: 9.75||", "0.25| 3.25: 6.5: 9.75||"},
+    {LandCoverClass::kTertiaryRoad, "p v", "1.94|", "1.94|"},
+    {LandCoverClass::kTertiaryRoad, "p ^", "0.06|", "0.06|"},
+    {LandCoverClass::kCyclePath, "|c| |^|", "", ""},
     // quiet: no lines between cars, close dashes beside cyclists
-    {SurfaceClass::kResidentialRoad, "dd v^", "", ""},
-    {SurfaceClass::kServiceRoad, "d -", "", ""},
-    {SurfaceClass::kResidentialRoad, "pdd vv^", "", ""},
-    {SurfaceClass::kResidentialRoad, "cd v^", "1.5:", "1.5:"},
-    {SurfaceClass::kPedestrianStreet, "f -", "", ""},
+    {LandCoverClass::kResidentialRoad, "dd v^", "", ""},
+    {LandCoverClass::kServiceRoad, "d -", "", ""},
+    {LandCoverClass::kResidentialRoad, "pdd vv^", "", ""},
+    {LandCoverClass::kResidentialRoad, "cd v^", "1.5:", "1.5:"},
+    {LandCoverClass::kPedestrianStreet, "f -", "", ""},
     // nothing to paint on
-    {SurfaceClass::kUnpavedRoad, "dd v^", "", ""},
-    {SurfaceClass::kPavement, "|s| |-|", "", ""},
+    {LandCoverClass::kUnpavedRoad, "dd v^", "", ""},
+    {LandCoverClass::kPavement, "|s| |-|", "", ""},
 };
 
 TEST(Markings, LinesStandWhereTheCrossSectionSays) {
   for (const Section& section : kSections) {
-    Pattern strip = pattern(section.surface, section.lanes);
+    MarkingLayout strip = layout(section.surface, section.lanes);
     EXPECT_EQ(lines_of(strip), section.in_town) << section.lanes;
     strip.has_kerb_left = strip.has_kerb_right = false;
     EXPECT_EQ(lines_of(strip), section.in_country) << section.lanes;
@@ -92,36 +93,36 @@ TEST(Markings, LinesStandWhereTheCrossSectionSays) {
 }
 
 TEST(Markings, QuietAndUnpavedStreetsAreNotMarked) {
-  for (const SurfaceClass quiet :
-       {SurfaceClass::kResidentialRoad, SurfaceClass::kServiceRoad, SurfaceClass::kPedestrianStreet,
-        SurfaceClass::kUnpavedRoad, SurfaceClass::kFarmTrack})
-    EXPECT_FALSE(is_marked(pattern(quiet, "dd v^")));
-  EXPECT_FALSE(is_marked(pattern(SurfaceClass::kTertiaryRoad, "d -")));
-  EXPECT_FALSE(is_marked(Pattern{}));
-  EXPECT_TRUE(is_marked(pattern(SurfaceClass::kTertiaryRoad, "dd v^")));
-  EXPECT_TRUE(is_marked(pattern(SurfaceClass::kRailway, "r -")));
-  Pattern crossing = pattern(SurfaceClass::kResidentialRoad, "dd v^");
-  crossing.stretch = Stretch::kZebra;
+  for (const LandCoverClass quiet :
+       {LandCoverClass::kResidentialRoad, LandCoverClass::kServiceRoad, LandCoverClass::kPedestrianStreet,
+        LandCoverClass::kUnpavedRoad, LandCoverClass::kFarmTrack})
+    EXPECT_FALSE(is_marked(layout(quiet, "dd v^")));
+  EXPECT_FALSE(is_marked(layout(LandCoverClass::kTertiaryRoad, "d -")));
+  EXPECT_FALSE(is_marked(MarkingLayout{}));
+  EXPECT_TRUE(is_marked(layout(LandCoverClass::kTertiaryRoad, "dd v^")));
+  EXPECT_TRUE(is_marked(layout(LandCoverClass::kRailway, "r -")));
+  MarkingLayout crossing = layout(LandCoverClass::kResidentialRoad, "dd v^");
+  crossing.stretch = StretchKind::kZebra;
   EXPECT_TRUE(is_marked(crossing));
 }
 
 TEST(Markings, LinesOfLanesThatLeaveAndMergeAreBroadAndClose) {
-  Pattern exit = pattern(SurfaceClass::kMotorwayRoad, "ddd ^^^");
+  MarkingLayout exit = layout(LandCoverClass::kMotorwayRoad, "ddd ^^^");
   exit.lanes[0].turns = exit.lanes[1].turns = map::kTurnThrough;
   exit.lanes[2].turns = map::kTurnSlightRight;
   EXPECT_EQ(lines_of(exit), "0.25| 3.25: 6.5:: 9.5|");
-  Pattern merge = pattern(SurfaceClass::kPrimaryRoad, "ddd ^^^");
+  MarkingLayout merge = layout(LandCoverClass::kPrimaryRoad, "ddd ^^^");
   merge.lanes[2].turns = map::kTurnMergeToLeft;
   EXPECT_EQ(lines_of(merge), "3.25: 6.5::");
 }
 
 TEST(Markings, LinesAreUnbrokenWhereDriversMayHaveToStop) {
-  Pattern end = pattern(SurfaceClass::kPrimaryRoad, "ddd v^^");
-  end.stretch = Stretch::kEnd;
+  MarkingLayout end = layout(LandCoverClass::kPrimaryRoad, "ddd v^^");
+  end.stretch = StretchKind::kEnd;
   EXPECT_EQ(lines_of(end), "3.25: 6.5:");
   end.control = Control::kSignals;
   EXPECT_EQ(lines_of(end), "3.25| 6.5|");
-  end.stretch = Stretch::kStart;
+  end.stretch = StretchKind::kStart;
   EXPECT_EQ(lines_of(end), "3.25| 6.5:");
 }
 
@@ -135,8 +136,8 @@ std::vector<Extent> extents_of(const Marks& marks) {
 }
 
 TEST(Markings, ZebrasAreBarsOfHalfAMetreInTheMiddle) {
-  Pattern strip = pattern(SurfaceClass::kTertiaryRoad, "dd v^");
-  strip.stretch = Stretch::kZebra;
+  MarkingLayout strip = layout(LandCoverClass::kTertiaryRoad, "dd v^");
+  strip.stretch = StretchKind::kZebra;
   for (const double lane_m : {1.0, 2.75, 3.25, 3.6}) {
     for (map::Lane& lane : strip.lanes) lane.width_m = lane_m;
     const std::vector<Extent> bars = extents_of(marks_of(strip));
@@ -152,23 +153,23 @@ TEST(Markings, ZebrasAreBarsOfHalfAMetreInTheMiddle) {
 }
 
 TEST(Markings, StopLinesCrossTheLanesThatArrive) {
-  const auto stop_of = [](Pattern strip) {
+  const auto stop_of = [](MarkingLayout strip) {
     strip.control = Control::kStop;
     for (const Extent& extent : extents_of(marks_of(strip)))
       if (std::abs(extent.high.y - extent.low.y - 0.5) < 1e-9) return extent;
     return Extent{};
   };
-  Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "dddc v^^^");
-  strip.stretch = Stretch::kEnd;
+  MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "dddc v^^^");
+  strip.stretch = StretchKind::kEnd;
   EXPECT_EQ(stop_of(strip).low, (Vec2{3.25, 11.5}));
   EXPECT_EQ(stop_of(strip).high, (Vec2{11.25, 12}));
-  strip.stretch = Stretch::kStart;
+  strip.stretch = StretchKind::kStart;
   EXPECT_EQ(stop_of(strip).low, (Vec2{0, 0}));
   EXPECT_EQ(stop_of(strip).high, (Vec2{3.25, 0.5}));
   // a wide lane of both directions: the half one drives in
-  strip = pattern(SurfaceClass::kResidentialRoad, "d -");
+  strip = layout(LandCoverClass::kResidentialRoad, "d -");
   strip.lanes[0].width_m = 5;
-  strip.stretch = Stretch::kEnd;
+  strip.stretch = StretchKind::kEnd;
   EXPECT_EQ(stop_of(strip).low.x, 2.5);
   EXPECT_EQ(stop_of(strip).high.x, 5);
   strip.side = map::DrivingSide::kLeft;
@@ -177,15 +178,15 @@ TEST(Markings, StopLinesCrossTheLanesThatArrive) {
 }
 
 TEST(Markings, WhoNeedNotStopHasNoLineAcross) {
-  Pattern strip = pattern(SurfaceClass::kTertiaryRoad, "dd v^");
-  strip.stretch = Stretch::kEnd;
+  MarkingLayout strip = layout(LandCoverClass::kTertiaryRoad, "dd v^");
+  strip.stretch = StretchKind::kEnd;
   EXPECT_EQ(marks_of(strip).size(), 1u);  // the centre line's dash
   strip.control = Control::kGiveWay;
   EXPECT_EQ(marks_of(strip).size(), 1u + 5u);  // 0.5 m dashes, 0.25 m gaps in a lane of 3.25 m: 4.67
 }
 
 TEST(Markings, BaysDivideThePattern) {
-  Pattern strip = pattern(SurfaceClass::kParking, "p -");
+  MarkingLayout strip = layout(LandCoverClass::kParking, "p -");
   for (const auto& [width_m, bays] : std::map<double, std::size_t>{{2, 2}, {4.5, 4}, {5, 5}}) {
     strip.lanes[0].width_m = width_m;
     EXPECT_EQ(marks_of(strip).size(), bays) << width_m;
@@ -194,7 +195,7 @@ TEST(Markings, BaysDivideThePattern) {
 
 TEST(Markings, RailsStandAtTheirGauge) {
   for (const double gauge_m : {1.0, 1.435, 1.668}) {
-    Pattern strip = pattern(SurfaceClass::kRailway, "r -");
+    MarkingLayout strip = layout(LandCoverClass::kRailway, "r -");
     strip.gauge_m = gauge_m;
     std::vector<Extent> heads;
     int sleepers = 0;
@@ -206,9 +207,9 @@ TEST(Markings, RailsStandAtTheirGauge) {
     EXPECT_EQ(sleepers, 20);
     ASSERT_EQ(heads.size(), 2u);
     EXPECT_NEAR(heads[1].low.x - heads[0].high.x, gauge_m, 1e-9);
-    strip.stretch = Stretch::kLevelCrossing;
+    strip.stretch = StretchKind::kLevelCrossing;
     EXPECT_EQ(marks_of(strip).size(), 4u);
-    EXPECT_EQ(base_colour_of(strip), base_colour_of(pattern(SurfaceClass::kPrimaryRoad, "d ^")));
+    EXPECT_EQ(base_colour_of(strip), base_colour_of(layout(LandCoverClass::kPrimaryRoad, "d ^")));
   }
 }
 
@@ -216,7 +217,7 @@ TEST(Markings, RailsStandAtTheirGauge) {
 // ----------------------------------------------------------------------------------------------------------
 
 // Where a lone arrow's head points: the corner of its last triangle that is the tip, less the middle of its tail.
-Vec2 pointing(Pattern strip, std::uint16_t turns) {
+Vec2 pointing(MarkingLayout strip, std::uint16_t turns) {
   strip.lanes[0].turns = turns;
   for (const Mark& mark : marks_of(strip)) {
     if (mark.ring.size() != 3) continue;
@@ -240,20 +241,20 @@ TEST(Markings, ArrowsPointWhereDriversTurn) {
   const auto sign = [](double v) { return v > 1e-9 ? 1 : v < -1e-9 ? -1 : 0; };
   for (const map::DrivingSide side : {map::DrivingSide::kRight, map::DrivingSide::kLeft}) {
     for (const Claim& claim : claims) {
-      Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
+      MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "d ^");
       strip.side = side;
-      strip.stretch = Stretch::kEnd;
+      strip.stretch = StretchKind::kEnd;
       const Vec2 forward = pointing(strip, claim.turn);
       EXPECT_EQ(sign(forward.x), claim.right) << claim.turn;
       EXPECT_EQ(sign(forward.y), claim.ahead) << claim.turn;
       // who drives against the way sees the same, so u and v turn over
-      strip.lanes[0].way = map::LaneWay::kBackward;
-      strip.stretch = Stretch::kStart;
+      strip.lanes[0].way = map::LaneDirection::kBackward;
+      strip.stretch = StretchKind::kStart;
       const Vec2 backward = pointing(strip, claim.turn);
       EXPECT_EQ(sign(backward.x), -claim.right) << claim.turn;
       EXPECT_EQ(sign(backward.y), -claim.ahead) << claim.turn;
       // and where a lane leaves the junction there is none
-      strip.stretch = Stretch::kEnd;
+      strip.stretch = StretchKind::kEnd;
       EXPECT_EQ(pointing(strip, claim.turn), (Vec2{0, 0})) << claim.turn;
     }
   }
@@ -261,9 +262,9 @@ TEST(Markings, ArrowsPointWhereDriversTurn) {
 
 TEST(Markings, TurnsBackGoToTheOncomingTraffic) {
   for (const map::DrivingSide side : {map::DrivingSide::kRight, map::DrivingSide::kLeft}) {
-    Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
+    MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "d ^");
     strip.side = side;
-    strip.stretch = Stretch::kEnd;
+    strip.stretch = StretchKind::kEnd;
     strip.lanes[0].turns = map::kTurnReverse;
     double head_m = 0, tail_m = 0;
     for (const Mark& mark : marks_of(strip)) {
@@ -276,8 +277,8 @@ TEST(Markings, TurnsBackGoToTheOncomingTraffic) {
 }
 
 TEST(Markings, EachTurnOfALaneHasAHead) {
-  Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "d ^");
-  strip.stretch = Stretch::kEnd;
+  MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "d ^");
+  strip.stretch = StretchKind::kEnd;
   for (std::uint16_t turns = 0; turns < 128; ++turns) {
     strip.lanes[0].turns = turns;
     int heads = 0, turned = 0;
@@ -290,25 +291,25 @@ TEST(Markings, EachTurnOfALaneHasAHead) {
 // ---- any pattern
 // -----------------------------------------------------------------------------------------------------
 
-Pattern random_pattern(std::mt19937& random) {
+MarkingLayout random_pattern(std::mt19937& random) {
   const auto below = [&](unsigned count) { return std::uniform_int_distribution<unsigned>(0, count - 1)(random); };
-  constexpr SurfaceClass kSurfaces[] = {SurfaceClass::kMotorwayRoad,    SurfaceClass::kPrimaryRoad,
-                                        SurfaceClass::kSecondaryRoad,   SurfaceClass::kTertiaryRoad,
-                                        SurfaceClass::kResidentialRoad, SurfaceClass::kCyclePath,
-                                        SurfaceClass::kParking,         SurfaceClass::kUnpavedRoad,
-                                        SurfaceClass::kRailway,         SurfaceClass::kTram};
-  Pattern strip;
+  constexpr LandCoverClass kSurfaces[] = {LandCoverClass::kMotorwayRoad,    LandCoverClass::kPrimaryRoad,
+                                          LandCoverClass::kSecondaryRoad,   LandCoverClass::kTertiaryRoad,
+                                          LandCoverClass::kResidentialRoad, LandCoverClass::kCyclePath,
+                                          LandCoverClass::kParking,         LandCoverClass::kUnpavedRoad,
+                                          LandCoverClass::kRailway,         LandCoverClass::kTram};
+  MarkingLayout strip;
   strip.surface = kSurfaces[below(std::size(kSurfaces))];
   for (unsigned lanes = 1 + below(7); lanes > 0; --lanes) {
     map::Lane lane;
     lane.kind = static_cast<map::LaneKind>(below(11));
-    lane.way = static_cast<map::LaneWay>(below(3));
+    lane.way = static_cast<map::LaneDirection>(below(3));
     lane.width_m = (256 + below(5000)) / 1024.0;
     lane.turns = below(2) ? static_cast<std::uint16_t>(below(1024)) : 0;
     lane.is_raised = below(5) == 0;
     strip.lanes.push_back(lane);
   }
-  strip.stretch = static_cast<Stretch>(below(6));
+  strip.stretch = static_cast<StretchKind>(below(6));
   strip.control = static_cast<Control>(below(4));
   strip.side = static_cast<map::DrivingSide>(below(2));
   strip.has_kerb_left = below(2), strip.has_kerb_right = below(2);
@@ -318,7 +319,8 @@ Pattern random_pattern(std::mt19937& random) {
 
 constexpr std::uint32_t kRows = 60, kColumns = 250;
 
-using Painted = std::map<materials::Sheet::Texel, std::vector<double>>;  // by colour, how much lies on each texel
+using Painted =
+    std::map<materials::TextureImage::Texel, std::vector<double>>;  // by colour, how much lies on each texel
 
 // u from left_m to right_m in kColumns texels; `flip` says how marks are seen.
 template <class Flip>
@@ -348,9 +350,9 @@ double difference(const Painted& a, const Painted& b) {
 
 TEST(Markings, ThePatternTurnedRoundHasTheMarksTurnedRound) {
   std::mt19937 random(3);
-  const double texel_m = kPatternLength_m / kRows;
+  const double texel_m = kLayoutLength_m / kRows;
   for (int i = 0; i < 2000; ++i) {
-    const Pattern strip = random_pattern(random), turned = turned_round(strip);
+    const MarkingLayout strip = random_pattern(random), turned = turned_round(strip);
     ASSERT_EQ(turned_round(turned), strip);
     const double across_m = width_m(strip), along_m = length_m(strip);
     const Painted there = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
@@ -374,15 +376,15 @@ std::uint16_t mirrored(std::uint16_t turns) {
 
 TEST(Markings, TheOtherDrivingSideIsTheMirrorImage) {
   std::mt19937 random(4);
-  const double texel_m = kPatternLength_m / kRows;
+  const double texel_m = kLayoutLength_m / kRows;
   for (int i = 0; i < 2000; ++i) {
-    Pattern strip = random_pattern(random);
+    MarkingLayout strip = random_pattern(random);
     // letters and bicycles are not mirrored
-    const bool has_symbols = strip.stretch == Stretch::kStart || strip.stretch == Stretch::kEnd;
+    const bool has_symbols = strip.stretch == StretchKind::kStart || strip.stretch == StretchKind::kEnd;
     for (map::Lane& lane : strip.lanes)
       if (has_symbols && (lane.kind == map::LaneKind::kCycle || lane.kind == map::LaneKind::kBus))
         lane.kind = map::LaneKind::kDriving;
-    Pattern other = strip;
+    MarkingLayout other = strip;
     std::reverse(other.lanes.begin(), other.lanes.end());
     for (map::Lane& lane : other.lanes) lane.turns = mirrored(lane.turns);
     other.side = strip.side == map::DrivingSide::kLeft ? map::DrivingSide::kRight : map::DrivingSide::kLeft;
@@ -397,13 +399,13 @@ TEST(Markings, TheOtherDrivingSideIsTheMirrorImage) {
 TEST(Markings, MarksStayOnTheirStrip) {
   std::mt19937 random(5);
   for (int i = 0; i < 5000; ++i) {
-    const Pattern strip = random_pattern(random);
+    const MarkingLayout strip = random_pattern(random);
     for (const Mark& mark : marks_of(strip)) {
       ASSERT_GE(mark.ring.size(), 3u);
       const Extent extent = extent_of(mark.ring);
       ASSERT_GE(extent.low.x, -1e-9) << i;
       ASSERT_LE(extent.high.x, width_m(strip) + 1e-9) << i;
-      if (length_m(strip) == kPatternLength_m) continue;
+      if (length_m(strip) == kLayoutLength_m) continue;
       ASSERT_GE(extent.low.y, 0) << i;
       ASSERT_LE(extent.high.y, kCrossingLength_m) << i;
     }
@@ -413,16 +415,16 @@ TEST(Markings, MarksStayOnTheirStrip) {
 TEST(Markings, DashesGoOnOverThePatternsEnds) {
   // twice as long, dashes and gaps still alternate as they do within: the gap over the end is like any other
   for (const char* section : {"dd v^", "dd ^^", "cd v^"}) {
-    for (const SurfaceClass surface :
-         {SurfaceClass::kMotorwayRoad, SurfaceClass::kSecondaryRoad, SurfaceClass::kResidentialRoad}) {
+    for (const LandCoverClass surface :
+         {LandCoverClass::kMotorwayRoad, LandCoverClass::kSecondaryRoad, LandCoverClass::kResidentialRoad}) {
       std::map<double, std::vector<Extent>> lines;
-      for (const Mark& mark : marks_of(pattern(surface, section)))
+      for (const Mark& mark : marks_of(layout(surface, section)))
         if (mark.colour == kWhite) lines[mark.ring[0].x].push_back(extent_of(mark.ring));
       for (auto& [u, dashes] : lines) {
         std::set<long> gaps_mm;
         for (std::size_t i = 0; i < dashes.size(); ++i) {
           const Extent& next = dashes[(i + 1) % dashes.size()];
-          const double wrap_m = i + 1 == dashes.size() ? kPatternLength_m : 0;
+          const double wrap_m = i + 1 == dashes.size() ? kLayoutLength_m : 0;
           gaps_mm.insert(std::lround(1000 * (next.low.y + wrap_m - dashes[i].high.y)));
         }
         EXPECT_EQ(gaps_mm.size(), 1u) << section;
@@ -433,44 +435,44 @@ TEST(Markings, DashesGoOnOverThePatternsEnds) {
 
 TEST(Markings, HatchingGoesOnOverThePatternsEnds) {
   // a stripe that leaves at the end comes in at the start: moved on by a period the buffer looks the same
-  Pattern strip = pattern(SurfaceClass::kSecondaryRoad, "d/c ^^^");
+  MarkingLayout strip = layout(LandCoverClass::kSecondaryRoad, "d/c ^^^");
   for (const auto& [width_m, period_m] : std::map<double, double>{{0.5, 1.0}, {1.25, 1.5}}) {
     strip.lanes[1].width_m = width_m;
-    const double texel_m = kPatternLength_m / kRows, across_m = roads::width_m(strip), moved_m = period_m;
+    const double texel_m = kLayoutLength_m / kRows, across_m = roads::width_m(strip), moved_m = period_m;
     const Painted here = painted(marks_of(strip), across_m, texel_m, [](Vec2 p) { return p; });
     const Painted moved = painted(marks_of(strip), across_m, texel_m, [&](Vec2 p) { return p + Vec2{0, moved_m}; });
     EXPECT_LT(difference(here, moved), 1e-9);
   }
 }
 
-TEST(Pattern, CanonicalIsTheSameSeenFromEitherEnd) {
+TEST(MarkingLayout, CanonicalIsTheSameSeenFromEitherEnd) {
   std::mt19937 random(6);
   for (int i = 0; i < 2000; ++i) {
-    const Pattern strip = random_pattern(random);
-    const CanonicalPattern there = canonical(strip), back = canonical(turned_round(strip));
-    EXPECT_EQ(there.pattern, back.pattern);
-    EXPECT_EQ(there.is_turned ? turned_round(there.pattern) : there.pattern, strip);
+    const MarkingLayout strip = random_pattern(random);
+    const CanonicalLayout there = canonical_layout(strip), back = canonical_layout(turned_round(strip));
+    EXPECT_EQ(there.layout, back.layout);
+    EXPECT_EQ(there.is_turned ? turned_round(there.layout) : there.layout, strip);
   }
 }
 
-TEST(Pattern, IsOrderedByAllItsMembers) {
-  const Pattern strip = pattern(SurfaceClass::kPrimaryRoad, "dd v^");
-  std::vector<Pattern> others(10, strip);
-  others[0].surface = SurfaceClass::kSecondaryRoad;
+TEST(MarkingLayout, IsOrderedByAllItsMembers) {
+  const MarkingLayout strip = layout(LandCoverClass::kPrimaryRoad, "dd v^");
+  std::vector<MarkingLayout> others(10, strip);
+  others[0].surface = LandCoverClass::kSecondaryRoad;
   others[1].lanes[1].width_m += 1;
   others[2].lanes[1].turns = 1;
-  others[3].lanes[1].way = map::LaneWay::kBoth;
+  others[3].lanes[1].way = map::LaneDirection::kBoth;
   others[4].lanes.pop_back();
-  others[5].stretch = Stretch::kEnd;
+  others[5].stretch = StretchKind::kEnd;
   others[6].control = Control::kStop;
   others[7].side = map::DrivingSide::kLeft;
   others[8].has_kerb_left = false;
   others[9].gauge_m = 1;
-  for (const Pattern& other : others) {
+  for (const MarkingLayout& other : others) {
     EXPECT_NE(other, strip);
     EXPECT_NE(other < strip, strip < other);
   }
-  EXPECT_EQ(strip, pattern(SurfaceClass::kPrimaryRoad, "dd v^"));
+  EXPECT_EQ(strip, layout(LandCoverClass::kPrimaryRoad, "dd v^"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace citykiln::roads {
 namespace {
 
-using map::SurfaceClass;
+using map::LandCoverClass;
 
 Road street(std::int64_t id, Polyline axis) { return made_road(id, std::move(axis), 6); }
 
@@ -22,7 +22,7 @@ std::vector<Road> with_slip_lane(double side_m) {
 TEST(Islands, LieBetweenSlipLanesAndTheirStreets) {
   const auto islands = islands_of(with_slip_lane(20));
   ASSERT_EQ(islands.size(), 1u);
-  EXPECT_EQ(islands[0].surface, SurfaceClass::kIsland);
+  EXPECT_EQ(islands[0].surface, LandCoverClass::kIsland);
   EXPECT_DOUBLE_EQ(signed_area_m2(islands[0].ring), 200);
 }
 
@@ -30,7 +30,7 @@ TEST(Islands, AreSmallerThanBlocks) { EXPECT_TRUE(islands_of(with_slip_lane(30))
 
 TEST(Islands, AreNotMadeByYards) {
   std::vector<Road> roads = with_slip_lane(20);
-  roads[2].surface = SurfaceClass::kServiceRoad;
+  roads[2].surface = LandCoverClass::kServiceRoad;
   EXPECT_TRUE(islands_of(roads).empty());
 }
 
@@ -40,7 +40,7 @@ TEST(Islands, WithinLargeRoundaboutsArePlanted) {
   const Road arm = street(2, {{15, 0}, {100, 0}});
   const auto islands = islands_of(std::vector{ring, arm});
   ASSERT_EQ(islands.size(), 1u);
-  EXPECT_EQ(islands[0].surface, SurfaceClass::kVerge);
+  EXPECT_EQ(islands[0].surface, LandCoverClass::kVerge);
 }
 
 TEST(Islands, DoNotDependOnTheOrderOfRoads) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/compiler/roads/made_road.h"
-#include "tests/compiler/roads/pattern_text.h"
+#include "tests/compiler/roads/markings/marking_layout_text.h"
 
 namespace citykiln::roads {
 namespace {
@@ -16,7 +16,7 @@ Road road_of(const std::string& left, const std::string& middle, const std::stri
   for (const auto& [part, is_raised] : {std::pair(left, true), std::pair(middle, false), std::pair(right, true)})
     for (const char letter : part)
       road.section.lanes.push_back(
-          {kind_of(letter), map::LaneWay::kBoth, usual_width_m(kind_of(letter)), 0, is_raised});
+          {kind_of(letter), map::LaneDirection::kBoth, usual_width_m(kind_of(letter)), 0, is_raised});
   road.section.axis_offset_m = map::carriageway_width_m(road.section) / 2;
   return road;
 }

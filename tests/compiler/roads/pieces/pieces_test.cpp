@@ -44,7 +44,7 @@ Road random_road(std::mt19937_64& dice, double most_rad, double least_m) {
     heading += draw(-most_rad, most_rad);
     axis.push_back(snapped(axis.back() + Vec2{std::cos(heading), std::sin(heading)} * draw(least_m, 60)));
   }
-  return made_road(1, axis, 8, map::SurfaceClass::kPrimaryRoad, 2, 3);
+  return made_road(1, axis, 8, map::LandCoverClass::kPrimaryRoad, 2, 3);
 }
 
 RoadPieces pieces_of_whole(const Road& road) {
@@ -82,10 +82,10 @@ TEST(Pieces, MeetEdgeToEdgeOnASmoothRoad) {
 }
 
 TEST(Pieces, CarryMetresAcrossAndAlong) {
-  const Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::SurfaceClass::kPrimaryRoad);
+  const Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::LandCoverClass::kPrimaryRoad);
   const RoadPieces made = pieces_of_whole(road);
   ASSERT_EQ(made.pieces.size(), 2u);
-  const Frame &first = made.pieces[0].frame, &second = made.pieces[1].frame;
+  const PieceFrame &first = made.pieces[0].frame, &second = made.pieces[1].frame;
   EXPECT_EQ(uv_at(first, kAway + Vec2{0, 4}), (Vec2{0, 0}));
   EXPECT_EQ(uv_at(first, kAway + Vec2{0, -4}), (Vec2{8, 0}));
   EXPECT_EQ(uv_at(first, kAway + Vec2{50, 1}).x, 3);
@@ -117,9 +117,9 @@ TEST(Pieces, GoOnFromOneIntoTheNext) {
 
 TEST(Pieces, OfARunAreThoseOfTheWholeRoad) {
   const Road whole =
-      made_road(1, away({{0, 0}, {50, 0}, {100, 10}, {150, 0}, {200, 20}}), 8, map::SurfaceClass::kPrimaryRoad);
+      made_road(1, away({{0, 0}, {50, 0}, {100, 10}, {150, 0}, {200, 20}}), 8, map::LandCoverClass::kPrimaryRoad);
   Road part = whole;
-  part.axis = away({{50, 0}, {100, 10}, {150, 0}, {200, 20}}), part.passed_m = 50;
+  part.axis = away({{50, 0}, {100, 10}, {150, 0}, {200, 20}}), part.start_along_m = 50;
   const auto all = pieces_of_whole(whole).pieces, some = pieces_of_whole(part).pieces;
   // but for the ends, where it is cut
   for (std::size_t i = 1; i + 1 < some.size(); ++i) {
@@ -129,9 +129,9 @@ TEST(Pieces, OfARunAreThoseOfTheWholeRoad) {
 }
 
 TEST(Pieces, GiveWayWhereTheRoadDoes) {
-  Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::SurfaceClass::kPrimaryRoad, 2, 3);
+  Road road = made_road(1, away({{0, 0}, {100, 0}, {180, 60}}), 8, map::LandCoverClass::kPrimaryRoad, 2, 3);
   const double whole_m2 = covered_m2(stroke_pavements(road));
-  road.narrowing.left = {{40, 3, false}};
+  road.width_limits.left = {{40, 3, false}};
   std::vector<Ring> pieces;
   for (const Piece& piece : pieces_of_whole(road).pieces) {
     pieces.push_back(piece.ring);
@@ -145,13 +145,14 @@ TEST(Pieces, GiveWayWhereTheRoadDoes) {
 }
 
 TEST(Pieces, VergesArePavedWhereACrossingLeadsToThem) {
-  Road road = made_road(1, away({{0, 0}, {50, 0}, {100, 0}}), 8, map::SurfaceClass::kPrimaryRoad, 2, 2);
-  road.section.lanes.insert(road.section.lanes.begin() + 1, {map::LaneKind::kVerge, map::LaneWay::kBoth, 1.5, 0, true});
+  Road road = made_road(1, away({{0, 0}, {50, 0}, {100, 0}}), 8, map::LandCoverClass::kPrimaryRoad, 2, 2);
+  road.section.lanes.insert(road.section.lanes.begin() + 1,
+                            {map::LaneKind::kVerge, map::LaneDirection::kBoth, 1.5, 0, true});
   const auto verges_at = [&](double x) {
     std::size_t count = 0;
     for (const Piece& piece : pieces_of_whole(road).pieces) {
       const Box2 box = box_of(piece.ring);
-      count += piece.surface == map::SurfaceClass::kVerge && box.min.x < kAway.x + x && kAway.x + x < box.max.x;
+      count += piece.surface == map::LandCoverClass::kVerge && box.min.x < kAway.x + x && kAway.x + x < box.max.x;
     }
     return count;
   };
@@ -162,14 +163,14 @@ TEST(Pieces, VergesArePavedWhereACrossingLeadsToThem) {
 }
 
 TEST(Pieces, MarkedStripsHaveAPattern) {
-  Road road = made_road(1, away({{0, 0}, {100, 0}}), 3.5, map::SurfaceClass::kPrimaryRoad, 2, 2);
+  Road road = made_road(1, away({{0, 0}, {100, 0}}), 3.5, map::LandCoverClass::kPrimaryRoad, 2, 2);
   road.section.lanes.insert(road.section.lanes.begin() + 1, road.section.lanes[1]);
   road.section.axis_offset_m = 3.5;
-  road.section.lanes[1].way = map::LaneWay::kBackward, road.section.lanes[2].way = map::LaneWay::kForward;
+  road.section.lanes[1].way = map::LaneDirection::kBackward, road.section.lanes[2].way = map::LaneDirection::kForward;
   const RoadPieces made = pieces_of_whole(road);
-  ASSERT_EQ(made.patterns.size(), 1u);
+  ASSERT_EQ(made.layouts.size(), 1u);
   for (const Piece& piece : made.pieces)
-    EXPECT_EQ(piece.pattern == 0, piece.surface == map::SurfaceClass::kPrimaryRoad);
+    EXPECT_EQ(piece.layout == 0, piece.surface == map::LandCoverClass::kPrimaryRoad);
 }
 
 }  // namespace

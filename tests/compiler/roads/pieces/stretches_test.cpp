@@ -10,16 +10,18 @@ namespace {
 constexpr double kTile_m = 4096;
 
 Road straight(double length_m) {
-  return made_road(1, {{100, 100}, {100 + length_m, 100}}, 7, map::SurfaceClass::kPrimaryRoad);
+  return made_road(1, {{100, 100}, {100 + length_m, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
 }
 
-Gap junction_at(double at_m, double reach_m) { return {at_m, reach_m, reach_m, Control::kStop, Control::kGiveWay}; }
+JunctionInterval junction_at(double at_m, double reach_m) {
+  return {at_m, reach_m, reach_m, Control::kStop, Control::kGiveWay};
+}
 
 // "along 0-80, end 80-92 …"
-std::string text_of(const std::vector<StretchRun>& runs) {
+std::string text_of(const std::vector<RoadStretch>& runs) {
   constexpr const char* kNames[] = {"along", "start", "end", "zebra", "crossing", "level"};
   std::string text;
-  for (const StretchRun& run : runs)
+  for (const RoadStretch& run : runs)
     text += (text.empty() ? "" : ", ") + std::string(kNames[static_cast<int>(run.stretch)]) + " " +
             std::to_string(static_cast<int>(run.from_m)) + "-" + std::to_string(static_cast<int>(run.to_m));
   return text;
@@ -28,57 +30,57 @@ std::string text_of(const std::vector<StretchRun>& runs) {
 TEST(Stretches, APlainRoadIsOne) { EXPECT_EQ(text_of(stretches_of(straight(200), {}, kTile_m)), "along 0-200"); }
 
 TEST(Stretches, RoadsEndAtJunctionsWithTheirApproach) {
-  const std::vector<Gap> gaps = {junction_at(0, 8), junction_at(200, 10)};
-  const auto runs = stretches_of(straight(200), gaps, kTile_m);
+  const std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(200, 10)};
+  const auto runs = stretches_of(straight(200), intervals, kTile_m);
   EXPECT_EQ(text_of(runs), "along 0-8, start 8-20, along 20-178, end 178-190, along 190-200");
   EXPECT_EQ(runs[1].control, Control::kGiveWay);
   EXPECT_EQ(runs[3].control, Control::kStop);
   // the stop line is where the road ends
-  EXPECT_EQ(runs[3].zero_m + kPatternLength_m, runs[3].to_m);
+  EXPECT_EQ(runs[3].zero_m + kLayoutLength_m, runs[3].to_m);
   EXPECT_EQ(runs[1].zero_m, runs[1].from_m);
 }
 
 TEST(Stretches, ShortBlocksAreShared) {
-  const std::vector<Gap> gaps = {junction_at(0, 8), junction_at(30, 8)};
-  EXPECT_EQ(text_of(stretches_of(straight(30), gaps, kTile_m)), "along 0-8, start 8-15, end 15-22, along 22-30");
-  const std::vector<Gap> close = {junction_at(0, 8), junction_at(20, 8)};
+  const std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(30, 8)};
+  EXPECT_EQ(text_of(stretches_of(straight(30), intervals, kTile_m)), "along 0-8, start 8-15, end 15-22, along 22-30");
+  const std::vector<JunctionInterval> close = {junction_at(0, 8), junction_at(20, 8)};
   EXPECT_EQ(text_of(stretches_of(straight(20), close, kTile_m)), "along 0-20");
 }
 
 TEST(Stretches, NobodyWaitsWhereOnlyTheWidthChanges) {
-  std::vector<Gap> gaps = {junction_at(0, 8), junction_at(30, 1)};
-  gaps[1].is_change = true;
-  EXPECT_EQ(text_of(stretches_of(straight(60), gaps, kTile_m)), "along 0-8, start 8-20, along 20-60");
+  std::vector<JunctionInterval> intervals = {junction_at(0, 8), junction_at(30, 1)};
+  intervals[1].is_change = true;
+  EXPECT_EQ(text_of(stretches_of(straight(60), intervals, kTile_m)), "along 0-8, start 8-20, along 20-60");
 }
 
 TEST(Stretches, ACrossingInAJunctionIsMovedToItsMouth) {
-  Road road = made_road(1, {{100, 100}, {104, 100}, {300, 100}}, 7, map::SurfaceClass::kPrimaryRoad);
+  Road road = made_road(1, {{100, 100}, {104, 100}, {300, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
   road.points = {{1, map::TrackPointKind::kZebra, 0}};
-  const std::vector<Gap> gaps = {junction_at(0, 8)};
-  EXPECT_EQ(text_of(stretches_of(road, gaps, kTile_m)),
+  const std::vector<JunctionInterval> intervals = {junction_at(0, 8)};
+  EXPECT_EQ(text_of(stretches_of(road, intervals, kTile_m)),
             "along 0-8, zebra 8-12, along 12-13, start 13-25, along 25-200");
 }
 
 TEST(Stretches, CrossingsMidwayStayWhereTheyAre) {
-  Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 7, map::SurfaceClass::kPrimaryRoad);
+  Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
   road.points = {{1, map::TrackPointKind::kCrossing, 0}};
   EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-48, crossing 48-52, along 52-200");
-  road.surface = map::SurfaceClass::kFootPath;
+  road.surface = map::LandCoverClass::kFootPath;
   EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-200");
 }
 
 TEST(Stretches, RailsKnowWhereRoadsCrossThem) {
-  Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 4, map::SurfaceClass::kRailway);
+  Road road = made_road(1, {{100, 100}, {150, 100}, {300, 100}}, 4, map::LandCoverClass::kRailway);
   road.points = {{1, map::TrackPointKind::kLevelCrossing, 0}};
   EXPECT_EQ(text_of(stretches_of(road, {}, kTile_m)), "along 0-45, level 45-54, along 54-200");
 }
 
 // Two tiles that one approach touches must both know what it depends on, or neither draws it.
 TEST(Stretches, ApproachesOverABorderAreDrawnOnlyWhereBothSidesKnow) {
-  const std::vector<Gap> gaps = {junction_at(0, 8)};
+  const std::vector<JunctionInterval> intervals = {junction_at(0, 8)};
   const auto is_drawn = [&](double x) {
-    const Road road = made_road(1, {{x, 100}, {x + 200, 100}}, 7, map::SurfaceClass::kPrimaryRoad);
-    return stretches_of(road, gaps, 1024).size() > 1;
+    const Road road = made_road(1, {{x, 100}, {x + 200, 100}}, 7, map::LandCoverClass::kPrimaryRoad);
+    return stretches_of(road, intervals, 1024).size() > 1;
   };
   EXPECT_TRUE(is_drawn(100));
   // the approach lies across x = 1024, and what it depends on reaches 40 m from the junction

@@ -1,0 +1,142 @@
+#include "compiler/bake/bake_instances.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/bake/merge.h"
+
+namespace citykiln::bake {
+namespace {
+
+// A shared mesh and where it stands. Nothing is left of it below the tolerance. `size_m`: of what a scale of 1 stands
+// for.
+void bake_instances(Baking& baking, const std::string& name, std::vector<Primitive> primitives,
+                    const impostor::Cutout& cutout, const std::vector<Placement>& placements, double size_m = 1) {
+  if (primitives.empty() || placements.empty()) return;
+  InstancedMesh instanced{name, std::move(primitives), {}, {}, {}, {}, cutout};
+  for (const Placement& p : placements) {
+    instanced.translations.push_back(offset_from(baking.tile.origin, p.at));
+    // half of the turn about z, from cos and sin of the whole
+    const double c = std::sqrt(std::max(0.0, (1 + p.cos_yaw) / 2)), s = std::sqrt(std::max(0.0, (1 - p.cos_yaw) / 2));
+    instanced.rotations.push_back(
+        {0, 0, static_cast<float>(p.sin_yaw < 0 ? -s : s) + 0.0f, static_cast<float>(c) + 0.0f});
+    instanced.scales.push_back(static_cast<float>(p.scale / size_m));
+    instanced.features.push_back(number_of(baking.tile, p.feature));
+  }
+  baking.tile.instanced.push_back(std::move(instanced));
+}
+
+// "oak_3".
+std::string name_of(plants::Prototype prototype) {
+  return fmt::format("{}_{}", plants::values_of(prototype.species).file, prototype.variant);
+}
+
+double tallest(const std::vector<Placement>& placements) {
+  double tallest_m = 0;
+  for (const Placement& p : placements) tallest_m = std::max(tallest_m, p.scale);
+  return tallest_m;
+}
+
+// The same for nearly all tiles, so that they have the same shapes.
+double height_m_for(plants::Prototype prototype, const std::vector<Placement>& placements) {
+  const double species_m = plants::values_of(prototype.species).tallest_m, here_m = tallest(placements);
+  return here_m <= species_m ? species_m : std::max(here_m, plants::kTallestPlant_m);
+}
+
+plants::PlacedPlants merged_variants(const plants::PlacedPlants& placed, double tolerance_m) {
+  const int variants = plants::variants_at(tolerance_m);
+  plants::PlacedPlants apart;
+  for (const auto& [prototype, placements] : placed) {
+    const auto variant = static_cast<std::uint8_t>(prototype.variant % variants);
+    std::vector<Placement>& together = apart[{prototype.species, variant}];
+    together.insert(together.end(), placements.begin(), placements.end());
+  }
+  return apart;
+}
+
+// What stands of one kind; false where the tolerance leaves nothing of it.
+bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, props::LampKind kind) {
+  constexpr const char* kNames[] = {"PostTopLamp", "ArmLamp"};
+  std::vector<Placement> placements;
+  for (const props::StreetLamp& lamp : lamps.standing)
+    if (lamp.kind == kind) placements.push_back(props::place(lamp, graded));
+  const props::GeneratedProp lamp = props::lamp_mesh(kind, tallest(placements), baking.tolerance_m);
+  for (const Placement& p : placements) baking.certify(lamp.error_m, bounds_of(p));
+  bake_instances(baking, kNames[static_cast<std::size_t>(kind)], instanced_primitives(lamp.meshes), {}, placements);
+  return !lamp.meshes.empty();
+}
+
+}  // namespace
+
+Placed placed_in(const Baking& baking, const SharedByLevels& common) {
+  Placed placed{common.trees, common.lamps};
+  if (baking.tolerance_m <= plants::kBlades_m)
+    for (const auto& [prototype, placements] : common.blades) placed.trees[prototype] = placements;
+  if (!baking.part) return placed;
+  for (auto& [prototype, placements] : placed.trees)
+    std::erase_if(placements, [&](const Placement& p) { return !baking.holds(bounds_of(p)); });
+  placed.lamps = {};
+  for (std::size_t i = 0; i < common.lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = common.lamps.standing[i];
+    if (!baking.holds(bounds_of(props::place(lamp, common.graded)))) continue;
+    placed.lamps.standing.push_back(lamp);
+    if (i < common.lamps.mapped) ++placed.lamps.mapped;
+  }
+  return placed;
+}
+
+void bake_canopy(Baking& baking, const SharedByLevels& common, Placed& placed) {
+  const auto found = common.canopies.find(baking.tolerance_m);
+  if (baking.part || found == common.canopies.end()) return;
+  plants::Canopy canopy = found->second;
+  plants::remove_trees_below(canopy, baking.chunk.woods, placed.trees);
+  baking.tile.plant_error_m = canopy.error_m;
+  baking.take(std::move(canopy.meshes));
+}
+
+void name_placed(Baking& baking, const Placed& placed) {
+  for (const auto& [prototype, placements] : placed.trees)
+    for (const Placement& p : placements) baking.features.insert(p.feature);
+  for (const props::StreetLamp& lamp : placed.lamps.standing) baking.features.insert(lamp.feature);
+}
+
+void bake_trees(Baking& baking, const plants::PlacedPlants& placed, const PrototypeCache& prototypes) {
+  for (const auto& [prototype, placements] : merged_variants(placed, baking.tolerance_m)) {
+    const BakedPrototype& shape = prototypes.shape(prototype, height_m_for(prototype, placements), baking.tolerance_m);
+    baking.tile.plant_error_m = std::max(baking.tile.plant_error_m, shape.error_per_m * tallest(placements));
+    bake_instances(baking, name_of(prototype), shape.primitives, shape.cutout, placements, kPrototypeHeight_m);
+  }
+}
+
+void bake_tree_pits(Baking& baking, const SharedByLevels& common) {
+  for (const props::TreePit& pit : common.pits) {
+    const Bounds bounds = bounds_of(Placement{at_height(pit.at, land_m(common.graded, pit.at)), 1, 0, pit.side_m, {}});
+    if (!baking.holds(bounds)) continue;
+    props::GeneratedProp expanded = props::generate(pit, common.graded, baking.tolerance_m);
+    baking.certify(expanded.error_m, bounds);
+    baking.take(std::move(expanded.meshes));
+  }
+}
+
+void bake_lamps(Baking& baking, const Lamps& lamps, const ground::GradedTerrain& graded, Report& report) {
+  const bool is_left[] = {bake_lamp_kind(baking, lamps, graded, props::LampKind::kPostTop),
+                          bake_lamp_kind(baking, lamps, graded, props::LampKind::kArm)};
+  Account mapped, derived;
+  for (std::size_t i = 0; i < lamps.standing.size(); ++i) {
+    const props::StreetLamp& lamp = lamps.standing[i];
+    Account& account = i < lamps.mapped ? mapped : derived;
+    ++account.in;
+    if (is_left[static_cast<std::size_t>(lamp.kind)])
+      ++account.out;
+    else if (i < lamps.mapped)
+      report.drop(account, Code::kBelowTolerance, lamp.feature, lamp.height_m);
+    else
+      ++account.dropped[Code::kBelowTolerance];
+  }
+  report.account("bake", "lamp") = mapped;
+  report.account("bake", "derived lamp") = derived;
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,64 @@
+#include "compiler/bake/bake_structures.h"
+
+#include <utility>
+
+#include "compiler/structures/tunnel.h"
+
+namespace citykiln::bake {
+namespace {
+
+// Those that are part of the chunk's tile. A span of which nothing is left counts as dropped.
+template <typename Expand>
+void generate_spans(const Baking& baking, const std::vector<structures::Span>& spans, const char* kind, Report& report,
+                    std::vector<Built>& all, Expand generate) {
+  Account account;
+  for (const structures::Span& span : spans) {
+    const Bounds bounds = bounds_of(span);
+    if (!scene::is_anchored(baking.header, baking.chunk.tile, span.axis.front()) || !baking.holds(bounds)) continue;
+    ++account.in;
+    structures::GeneratedStructure expanded = generate(span, baking.tolerance_m);
+    if (expanded.meshes.empty() && expanded.marked.empty()) {
+      report.drop(account, Code::kBelowTolerance, span.id.osm, 0);
+      continue;
+    }
+    ++account.out;
+    all.push_back({std::move(expanded), bounds});
+  }
+  report.account("bake", kind) = account;
+}
+
+}  // namespace
+
+std::vector<Built> generate_structures(const Baking& baking, Report& report) {
+  std::vector<Built> all;
+  std::vector<structures::Span> bored = baking.chunk.tunnels;
+  std::erase_if(bored, [](const structures::Span& tunnel) { return !tunnel.is_bored; });
+  generate_spans(baking, baking.chunk.bridges, "bridge", report, all, structures::generate);
+  generate_spans(baking, bored, "tunnel", report, all, structures::generate_tunnel);
+  return all;
+}
+
+void bake_structures(Baking& baking, std::vector<Built>& structures, const Markings& markings,
+                     std::size_t first_column) {
+  for (auto& [built, bounds] : structures) {
+    baking.certify(built.error_m, bounds);
+    for (structures::MarkedMesh& marked : built.marked) {
+      map_to_atlas(markings.columns[first_column++], marked.mesh);
+      built.meshes.push_back(std::move(marked.mesh));
+    }
+    baking.take(std::move(built.meshes));
+  }
+}
+
+void bake_stairs(Baking& baking, const std::vector<structures::Stairs>& all) {
+  for (const structures::Stairs& stairs : all) {
+    const Bounds bounds = bounds_of(stairs.mesh);
+    if (!baking.holds(bounds)) continue;
+    if (stairs.error_m <= baking.tolerance_m)
+      baking.certify(stairs.error_m, bounds);
+    else
+      baking.take({{stairs.mesh, materials::Material::kStone, materials::kNoTint, stairs.feature}});
+  }
+}
+
+}  // namespace citykiln::bake

@@ -1,0 +1,245 @@
+#include "compiler/bake/ground_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+
+#include "compiler/bake/border_tint.h"
+#include "compiler/bake/ground_material.h"
+#include "compiler/bake/ground_tint.h"
+#include "compiler/bake/ground_uvs.h"
+#include "compiler/materials/texture.h"
+#include "compiler/roads/markings/marking_atlas.h"
+
+namespace citykiln::bake {
+namespace {
+
+using ground::kNoLandCover;
+using materials::Material;
+using materials::MaterialMesh;
+
+// Everything that dressing a cell looks at.
+struct CellContext {
+  const ground::GroundMesh& ground;
+  const scene::LandCover& cover;
+  const Markings& markings;
+  const scene::Header& header;
+  double tolerance_m;
+  plants::Month month = month_of(header);
+  BorderTints border = border_tints(ground, cover.surfaces, header.seed, month);
+};
+
+// The piece that a surface is, or null.
+const roads::Piece* piece_of(const scene::LandCover& cover, std::uint32_t surface) {
+  if (surface == kNoLandCover || cover.surfaces[surface].piece == 0) return nullptr;
+  return &cover.pieces[cover.surfaces[surface].piece - 1];
+}
+
+map::LandCoverClass class_of(const scene::LandCover& cover, std::uint32_t surface) {
+  return surface == kNoLandCover ? map::LandCoverClass::kUnknown : cover.surfaces[surface].surface;
+}
+
+// Faces of one mesh are those of one surface, or of one run of a road's pieces, and of one material.
+struct MeshOf {
+  bool is_run;
+  std::uint32_t number;
+  Material material;
+  auto operator<=>(const MeshOf&) const = default;
+};
+MeshOf mesh_of(const scene::LandCover& cover, std::uint32_t surface, Material material) {
+  const roads::Piece* piece = piece_of(cover, surface);
+  return piece ? MeshOf{true, piece->run, material} : MeshOf{false, surface, material};
+}
+
+const Column* column_of(const Markings& markings, const roads::Piece* piece) {
+  if (!piece || piece->layout == roads::kNoMarkingLayout) return nullptr;
+  const Column& column = markings.columns[piece->layout];
+  return column.left_m < 0 ? nullptr : &column;
+}
+
+Vec2 on_sheet(const Column& column, Vec2 uv) {
+  if (column.is_turned) uv = {column.width_m - uv.x, column.length_m - uv.y};
+  return {column.left_m + uv.x, uv.y};
+}
+
+std::vector<bool> beside_roads(const CellContext& d) {
+  std::vector<bool> is_beside(d.ground.mesh.positions.size(), false);
+  for (std::size_t f = 0; f < d.ground.face_cover.size(); ++f)
+    if (is_paved(class_of(d.cover, d.ground.face_cover[f])))
+      for (const std::uint32_t v : d.ground.mesh.triangles[f]) is_beside[v] = true;
+  return is_beside;
+}
+
+Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
+  return unit(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]));
+}
+
+// The flatter one of the face's own normal and of its corners' mean: rounding turns slivers any way.
+Vec3 slope_of(const Mesh& mesh, std::size_t face) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 own = normal_of(mesh, t), smooth = unit(mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]]);
+  return own.z < smooth.z ? smooth : own;
+}
+
+Vec3 centre_of(const Mesh& mesh, std::size_t face) {
+  const Triangle& t = mesh.triangles[face];
+  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
+}
+
+std::vector<Material> materials_of_faces(const CellContext& d) {
+  const std::vector<bool> is_beside = beside_roads(d);
+  const Mesh& mesh = d.ground.mesh;
+  std::vector<Material> all;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
+    GroundFace face{class_of(d.cover, d.ground.face_cover[f]), slope_of(mesh, f), centre_of(mesh, f)};
+    face.is_vertical = f >= d.ground.first_vertical;
+    for (const std::uint32_t v : t) face.is_beside_road = face.is_beside_road || is_beside[v];
+    all.push_back(material_of(face, d.header.snow_line_m, d.header.seed));
+  }
+  return all;
+}
+
+// What lies under a building is seen by nobody.
+bool shows_texture(const CellContext& d, std::uint32_t surface, Material material) {
+  return class_of(d.cover, surface) != map::LandCoverClass::kBuilding && has_texture(material, d.tolerance_m);
+}
+
+// Where a face's corners lie on the sheet or on its material's texture.
+using Places = std::array<Vec2, 3>;
+
+template <typename Place>
+Places places(const CellContext& d, std::uint32_t face, Place place) {
+  const Triangle& t = d.ground.mesh.triangles[face];
+  const auto at = [&](std::size_t i) { return place(d.ground.mesh.positions[t[i]]); };
+  return {at(0), at(1), at(2)};
+}
+
+Places less(Places places, Vec2 off) { return {places[0] - off, places[1] - off, places[2] - off}; }
+
+// All of a cell is told from one corner of it, so that its faces share vertices.
+Places places_on_land(const CellContext& d, std::uint32_t face, Material material) {
+  const std::uint32_t surface = d.ground.face_cover[face];
+  const Vec2 east =
+      surface == kNoLandCover ? Vec2{1, 0} : texture_direction(d.cover.surfaces[surface].id, material, d.header.seed);
+  const Places of_face = places(d, face, [&](Vec3 p) { return uv_on_land(in_plan(p), east); });
+  return less(of_face, periods_below_cell(in_plan(centre_of(d.ground.mesh, face)), east));
+}
+
+// Nothing where the face shows neither.
+std::optional<Places> places_of(const CellContext& d, std::uint32_t face, Material material) {
+  const std::uint32_t surface = d.ground.face_cover[face];
+  const roads::Piece* piece = piece_of(d.cover, surface);
+  if (const Column* column = column_of(d.markings, piece))
+    return places(d, face, [&](Vec3 p) { return on_sheet(*column, roads::uv_at(piece->frame, in_plan(p))); });
+  if (piece) {
+    const Places along = places(d, face, [&](Vec3 p) { return on_grid(roads::uv_at(piece->frame, in_plan(p))); });
+    return less(along, periods_below(along));
+  }
+  if (!shows_texture(d, surface, material)) return std::nullopt;
+  const Vec3 normal = slope_of(d.ground.mesh, face);
+  if (normal.z >= kSteepCosine) return places_on_land(d, face, material);
+  const Places on_wall = places(d, face, [&](Vec3 p) { return uv_on_wall(p, normal); });
+  return less(on_wall, periods_below(on_wall));
+}
+
+materials::Tint tint_at(const CellContext& d, std::uint32_t surface, Material material, std::uint32_t v) {
+  const Vec2 place = in_plan(d.ground.mesh.positions[v]);
+  TintFactor shade;
+  if (surface != kNoLandCover) shade = surface_tint(d.cover.surfaces[surface], material, d.header.seed, d.month);
+  if (d.border.is_shared[v] && has_soft_border(class_of(d.cover, surface))) shade = d.border.shades[v];
+  return tint_of(shade, place_tint(place, material, d.header.seed));
+}
+
+MaterialMesh dressed_as(const CellContext& d, std::uint32_t surface, Material material) {
+  MaterialMesh mesh;
+  mesh.material = material;
+  if (surface == kNoLandCover) return mesh;
+  mesh.feature = d.cover.surfaces[surface].id.osm;
+  if (column_of(d.markings, piece_of(d.cover, surface))) mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
+  return mesh;
+}
+
+// Where the ground's vertices are in the meshes made of it.
+struct VertexMap {
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
+  std::vector<std::uint32_t> mesh, vertex;
+  explicit VertexMap(std::size_t count) : mesh(count, kNowhere), vertex(count, 0) {}
+};
+
+// The last mesh's vertex for one of the ground's, with this place: the one it has, or a new one.
+std::uint32_t vertex_in(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t surface, std::uint32_t v,
+                        const std::optional<Vec2>& uv, VertexMap& known) {
+  MaterialMesh& dressed = all.back();
+  const auto mesh = static_cast<std::uint32_t>(all.size());
+  const bool is_known = known.mesh[v] == mesh && (!uv || dressed.uvs[known.vertex[v]] == *uv);
+  if (is_known) return known.vertex[v];
+  known.mesh[v] = mesh;
+  known.vertex[v] = static_cast<std::uint32_t>(dressed.mesh.positions.size());
+  dressed.mesh.positions.push_back(d.ground.mesh.positions[v]);
+  dressed.mesh.normals.push_back(d.ground.mesh.normals[v]);
+  dressed.tints.push_back(tint_at(d, surface, dressed.material, v));
+  if (uv) dressed.uvs.push_back(*uv);
+  return known.vertex[v];
+}
+
+void add_face(std::vector<MaterialMesh>& all, const CellContext& d, std::uint32_t face, VertexMap& known) {
+  const std::optional<Places> places = places_of(d, face, all.back().material);
+  Triangle triangle = d.ground.mesh.triangles[face];
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::optional<Vec2> uv;
+    if (places) uv = (*places)[i];
+    triangle[i] = vertex_in(all, d, d.ground.face_cover[face], triangle[i], uv, known);
+  }
+  all.back().mesh.triangles.push_back(triangle);
+}
+
+}  // namespace
+
+Markings lay_out_markings(const scene::LandCover& cover, double tolerance_m) {
+  std::vector<roads::CanonicalLayout> drawn;
+  std::vector<roads::MarkingLayout> unique;
+  for (const roads::MarkingLayout& layout : cover.layouts) {
+    drawn.push_back(roads::canonical_layout(layout));
+    unique.push_back(drawn.back().layout);
+  }
+  std::ranges::sort(unique);
+  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
+  roads::MarkingAtlas atlas = roads::make_marking_atlas(unique, tolerance_m);
+  Markings markings{std::move(atlas.sheet), {}};
+  for (const roads::CanonicalLayout& d : drawn) {
+    const auto place = std::ranges::lower_bound(unique, d.layout) - unique.begin();
+    markings.columns.push_back({atlas.left_m[static_cast<std::size_t>(place)], d.is_turned, roads::width_m(d.layout),
+                                roads::length_m(d.layout)});
+  }
+  return markings;
+}
+
+void map_to_atlas(const Column& column, MaterialMesh& mesh) {
+  if (column.left_m < 0) return;
+  mesh.colour_source = materials::ColourSource::kByMarkingAtlas;
+  for (Vec2& uv : mesh.uvs) uv = on_sheet(column, uv);
+}
+
+std::vector<MaterialMesh> material_meshes(const ground::GroundMesh& ground, const scene::LandCover& cover,
+                                          const Markings& markings, const scene::Header& header, double tolerance_m) {
+  const CellContext d{ground, cover, markings, header, tolerance_m};
+  const std::vector<Material> materials = materials_of_faces(d);
+  const auto mesh_of_face = [&](std::uint32_t f) { return mesh_of(cover, ground.face_cover[f], materials[f]); };
+  std::vector<std::uint32_t> order(ground.face_cover.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, mesh_of_face);
+
+  std::vector<MaterialMesh> dressed;
+  VertexMap known(ground.mesh.positions.size());
+  std::optional<MeshOf> last;
+  for (const std::uint32_t f : order) {
+    if (last != mesh_of_face(f)) dressed.push_back(dressed_as(d, ground.face_cover[f], materials[f]));
+    last = mesh_of_face(f);
+    add_face(dressed, d, f, known);
+  }
+  return dressed;
+}
+
+}  // namespace citykiln::bake

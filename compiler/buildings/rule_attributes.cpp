@@ -1,0 +1,43 @@
+#include "compiler/buildings/rule_attributes.h"
+
+#include <fmt/format.h>
+
+#include "compiler/map/building_classes.h"
+
+namespace citykiln::buildings {
+namespace {
+
+std::string hex_of(const std::optional<map::Srgb>& colour) {
+  return colour ? fmt::format("#{:02x}{:02x}{:02x}", (*colour)[0], (*colour)[1], (*colour)[2]) : "";
+}
+
+// "RoofTile" is "roof_tile" in rules.
+std::string small_letters(std::string_view camel) {
+  std::string name;
+  for (const char c : camel) {
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    if (is_capital && !name.empty()) name += '_';
+    name += is_capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return name;
+}
+
+std::string name_of(materials::Material material) { return small_letters(materials::values_of(material).name); }
+
+std::string name_of_class(std::uint8_t building_class) {
+  return small_letters(map::values_of(static_cast<map::BuildingClass>(building_class)).name);
+}
+
+}  // namespace
+
+std::map<std::string, grammars::Value> rule_attributes_of(const Building& building, roofs::Form roof) {
+  return {
+      {"building", name_of_class(building.building_class)}, {"height", eaves_m(building) - building.floor_m},
+      {"levels", static_cast<double>(building.levels)},     {"shop", building.has_shop && building.stands_on_ground},
+      {"attached", !building.party_walls.empty()},          {"year", static_cast<double>(building.year)},
+      {"wall_colour", hex_of(building.wall_colour)},        {"wall_material", name_of(building.wall)},
+      {"roof_colour", hex_of(building.roof_colour)},        {"roof_material", name_of(building.roof)},
+      {"roof", std::string(roofs::name_of(roof))},          {"lifted", !building.stands_on_ground}};
+}
+
+}  // namespace citykiln::buildings

@@ -1,0 +1,291 @@
+#include "compiler/ground/cover/land_cover_index.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace citykiln::ground {
+namespace {
+
+// Half a grid step: buckets' sides lie between the plane's grid lines.
+constexpr double kOffGrid_m = 0x1p-11;
+
+struct BucketRange {
+  int first_column, last_column, first_row, last_row;
+};
+
+int bucket_index(double offset_m, double bucket_m, int count) {
+  return static_cast<int>(std::clamp(offset_m / bucket_m, 0.0, count - 1.0));
+}
+
+int column_of(const LandCoverIndex& map, double x) { return bucket_index(x - map.corner.x, map.bucket_m, map.columns); }
+int row_of(const LandCoverIndex& map, double y) { return bucket_index(y - map.corner.y, map.bucket_m, map.rows); }
+
+BucketRange buckets_of(const LandCoverIndex& map, const Box2& box) {
+  return {column_of(map, box.min.x), column_of(map, box.max.x), row_of(map, box.min.y), row_of(map, box.max.y)};
+}
+
+Vec2 corner_of(const LandCoverIndex& map, int column, int row) {
+  return map.corner + Vec2{column * map.bucket_m, row * map.bucket_m};
+}
+
+std::size_t bucket_at(const LandCoverIndex& map, int column, int row) {
+  return static_cast<std::size_t>(row) * map.columns + column;
+}
+
+// A border of a surface, and a bucket that it comes near to, counted along the range of the surface.
+struct BucketEdge {
+  std::uint32_t bucket;
+  LandCoverIndex::Edge edge;
+};
+
+// False only where the edge stays clear of the bucket though its box does not: on one side of all corners.
+bool may_pass(const LandCoverIndex& map, int column, int row, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a, centre = corner_of(map, column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
+  return std::abs(cross(along, centre - a)) <=
+         (map.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
+}
+
+// The borders of one surface, sorted by bucket of the range its box touches.
+struct Sorted {
+  BucketRange range;
+  std::vector<BucketEdge> edges;
+};
+
+Sorted sort_edges(const LandCoverIndex& map, const LandCoverPolygon& surface, const Box2& box) {
+  Sorted sorted{buckets_of(map, box), {}};
+  const BucketRange& range = sorted.range;
+  const int across = range.last_column - range.first_column + 1;
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Box2 edge = box_of(std::array{ring[j], ring[i]});
+      if (!edge.touches(map.box)) continue;
+      const BucketRange near = buckets_of(map, edge);
+      for (int r = near.first_row; r <= near.last_row; ++r)
+        for (int c = near.first_column; c <= near.last_column; ++c)
+          if (may_pass(map, c, r, ring[j], ring[i]))
+            sorted.edges.push_back({static_cast<std::uint32_t>((r - range.first_row) * across + c - range.first_column),
+                                    {ring[j], ring[i]}});
+    }
+  std::ranges::stable_sort(sorted.edges, {}, &BucketEdge::bucket);
+  return sorted;
+}
+
+// Whether winding_number() counts the edge at p.
+bool is_west_of(Vec2 a, Vec2 b, Vec2 p) { return a.y <= p.y ? cross(b - a, p - a) > 0 : cross(b - a, p - a) < 0; }
+
+// How often the corners of a range of buckets are inside, row by row: each edge counts once a row it crosses, not once
+// a bucket.
+struct Windings {
+  const LandCoverIndex& map;
+  BucketRange range;
+  std::vector<int> steps;  // a row has one more than columns
+
+  int across() const { return range.last_column - range.first_column + 1; }
+  int* row(int r) { return &steps[static_cast<std::size_t>(r - range.first_row) * (across() + 1)]; }
+
+  // The columns whose corners lie west of where the edge crosses a row come first.
+  int columns_west(Vec2 a, Vec2 b, int r) const {
+    const double y = corner_of(map, 0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+    int count = static_cast<int>(std::clamp(std::ceil((x - map.corner.x) / map.bucket_m) - range.first_column, 0.0,
+                                            static_cast<double>(across())));
+    const auto is_west = [&](int column) { return is_west_of(a, b, corner_of(map, range.first_column + column, r)); };
+    while (count > 0 && !is_west(count - 1)) --count;
+    while (count < across() && is_west(count)) ++count;
+    return count;
+  }
+
+  void add_edge(Vec2 a, Vec2 b) {
+    const BucketRange rows = buckets_of(map, box_of(std::array{a, b}));
+    const int last = std::min(rows.last_row + 1, range.last_row);
+    for (int r = std::max(rows.first_row, range.first_row); r <= last; ++r) {
+      const double y = corner_of(map, 0, r).y;
+      if ((a.y <= y) == (b.y <= y)) continue;
+      const int winding = a.y <= y ? 1 : -1;
+      row(r)[0] += winding, row(r)[columns_west(a, b, r)] -= winding;
+    }
+  }
+};
+
+// One a bucket of the range.
+std::vector<int> windings_of(const LandCoverIndex& map, const LandCoverPolygon& surface, const BucketRange& range) {
+  Windings windings{map, range, {}};
+  windings.steps.assign(static_cast<std::size_t>(windings.across() + 1) * (range.last_row - range.first_row + 1), 0);
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) windings.add_edge(ring[j], ring[i]);
+  std::vector<int> sums;
+  for (int r = range.first_row; r <= range.last_row; ++r)
+    for (int c = 0, winding = 0; c < windings.across(); ++c) sums.push_back(winding += windings.row(r)[c]);
+  return sums;
+}
+
+// Where a surface is in one bucket, while the map is made.
+struct Found {
+  std::size_t bucket;
+  BucketEntry entry;
+};
+
+void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vector<LandCoverIndex::Edge>& all_edges,
+                     std::vector<Found>& found) {
+  const LandCoverPolygon& surface = map.surfaces[number];
+  Box2 box;
+  for (const Ring& ring : surface.rings)
+    for (const Vec2 p : ring) box.grow(p);
+  if (box.is_empty() || !box.touches(map.box)) return;
+  const Sorted sorted = sort_edges(map, surface, box);
+  const std::vector<int> windings = windings_of(map, surface, sorted.range);
+  const std::int32_t priority = map::values_of(surface.surface).priority;
+  std::uint32_t at = 0;
+  auto edge = sorted.edges.begin();
+  for (int r = sorted.range.first_row; r <= sorted.range.last_row; ++r)
+    for (int c = sorted.range.first_column; c <= sorted.range.last_column; ++c, ++at) {
+      const auto first = static_cast<std::uint32_t>(all_edges.size());
+      Box2 about;
+      for (; edge != sorted.edges.end() && edge->bucket == at; ++edge) {
+        all_edges.push_back(edge->edge);
+        about.grow(edge->edge.a), about.grow(edge->edge.b);
+      }
+      const auto count = static_cast<std::uint32_t>(all_edges.size()) - first;
+      if (count == 0 && windings[at] <= 0) continue;
+      found.push_back(
+          {static_cast<std::size_t>(r) * map.columns + c, {number, windings[at], priority, first, count, about}});
+    }
+}
+
+std::span<const LandCoverIndex::Edge> edges_of(const LandCoverIndex& map, const BucketEntry& entry) {
+  return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
+}
+
+// From the bucket's corner, whose winding is known, north to the height of p and then east to p, counting the borders
+// on the way.
+bool covers_point(const LandCoverIndex& map, const BucketEntry& entry, Vec2 corner, Vec2 p) {
+  int winding = entry.winding;
+  for (const auto& [a, b] : edges_of(map, entry)) {
+    if ((a.x <= corner.x) != (b.x <= corner.x)) {
+      const double y = a.y + (b.y - a.y) * ((corner.x - a.x) / (b.x - a.x));
+      if (y > corner.y && y <= p.y) winding += a.x <= corner.x ? 1 : -1;
+    }
+    if ((a.y <= p.y) != (b.y <= p.y)) {
+      const double x = a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y));
+      if (x > corner.x && x <= p.x) winding += a.y <= p.y ? -1 : 1;
+    }
+  }
+  return winding > 0;
+}
+
+double squared(double x) { return x * x; }
+
+// To the nearest place of a box.
+double squared_distance(const Box2& box, Vec2 p) {
+  const double aside = std::max({box.min.x - p.x, p.x - box.max.x, 0.0});
+  const double above = std::max({box.min.y - p.y, p.y - box.max.y, 0.0});
+  return squared(aside) + squared(above);
+}
+
+double squared_distance(const LandCoverIndex& map, int column, int row, Vec2 p) {
+  return squared_distance({corner_of(map, column, row), corner_of(map, column + 1, row + 1)}, p);
+}
+
+// The square of the distance to a border, if it is below `nearest`; else that. Squares alone are compared, so it does
+// not matter which border comes first.
+double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec2 p, double nearest) {
+  // most are farther off than another was, alone or all together
+  if (squared_distance(entry.edges, p) >= nearest) return nearest;
+  for (const auto& [a, b] : edges_of(map, entry)) {
+    const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    if (squared_distance(box, p) >= nearest) continue;
+    const Vec2 along = b - a;
+    const double t = std::clamp(dot(p - a, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+    const Vec2 off = p - (a + along * t);
+    nearest = std::min(nearest, dot(off, off));
+  }
+  return nearest;
+}
+
+// Takes what was found, sorted by bucket, its borders too: then a question reads them in a row.
+void take(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
+  map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
+  map.edges.reserve(edges.size());
+  for (const Found& f : found) {
+    ++map.bucket_starts[f.bucket + 1];
+    const auto own = edges.subspan(f.entry.first_edge, f.entry.edge_count);
+    map.entries.push_back(f.entry);
+    map.entries.back().first_edge = static_cast<std::uint32_t>(map.edges.size());
+    map.edges.insert(map.edges.end(), own.begin(), own.end());
+  }
+  for (std::size_t i = 1; i < map.bucket_starts.size(); ++i) map.bucket_starts[i] += map.bucket_starts[i - 1];
+}
+
+std::span<const BucketEntry> entries_at(const LandCoverIndex& map, int column, int row) {
+  const std::size_t bucket = bucket_at(map, column, row);
+  return std::span(map.entries)
+      .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
+}
+
+// Of buckets: whether none that has surfaces comes within kIndexNear_m.
+std::vector<bool> far_buckets(const LandCoverIndex& map) {
+  std::vector<bool> is_far(static_cast<std::size_t>(map.columns) * map.rows, true);
+  const int near = static_cast<int>(std::ceil(kIndexNear_m / map.bucket_m));
+  for (int row = 0; row < map.rows; ++row)
+    for (int column = 0; column < map.columns; ++column) {
+      if (entries_at(map, column, row).empty()) continue;
+      for (int r = std::max(row - near, 0); r <= std::min(row + near, map.rows - 1); ++r)
+        for (int c = std::max(column - near, 0); c <= std::min(column + near, map.columns - 1); ++c)
+          is_far[bucket_at(map, c, r)] = false;
+    }
+  return is_far;
+}
+
+}  // namespace
+
+LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box, double bucket_m) {
+  LandCoverIndex map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}, {}};
+  map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / bucket_m)));
+  map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / bucket_m)));
+  std::vector<std::uint32_t> order(surfaces.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
+  // found from the top down, so that a stable sort by bucket leaves each bucket's surfaces in that order
+  std::vector<Found> found;
+  std::vector<LandCoverIndex::Edge> edges;
+  for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.bucket < b.bucket; });
+  take(map, found, edges);
+  map.is_far = far_buckets(map);
+  return map;
+}
+
+std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p) {
+  const int column = column_of(map, p.x), row = row_of(map, p.y);
+  for (const BucketEntry& entry : entries_at(map, column, row))
+    if (covers_point(map, entry, corner_of(map, column, row), p)) return entry.surface;
+  return kNoLandCover;
+}
+
+double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m) {
+  const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
+  if (reach_m <= kIndexNear_m && map.is_far[bucket_at(map, own_column, own_row)]) return reach_m;
+  double nearest = squared(reach_m);
+  for (const BucketEntry& entry : entries_at(map, own_column, own_row)) {
+    // sorted from the top down: none of this priority can follow
+    if (entry.priority < priority) break;
+    if (covers_point(map, entry, corner_of(map, own_column, own_row), p)) return 0;
+    nearest = squared_distance(map, entry, p, nearest);
+  }
+  // what lies beside the own bucket may be nearer still
+  const double near_m = std::sqrt(nearest);
+  const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
+  for (int row = range.first_row; row <= range.last_row; ++row)
+    for (int column = range.first_column; column <= range.last_column; ++column) {
+      const std::span<const BucketEntry> entries = entries_at(map, column, row);
+      if (entries.empty() || (column == own_column && row == own_row)) continue;
+      if (squared_distance(map, column, row, p) >= nearest) continue;
+      for (const BucketEntry& entry : entries) {
+        if (entry.priority < priority) break;
+        nearest = squared_distance(map, entry, p, nearest);
+      }
+    }
+  return nearest < squared(reach_m) ? std::sqrt(nearest) : reach_m;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,213 @@
+#include "compiler/ground/grading/graded_terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory_resource>
+#include <optional>
+
+namespace citykiln::ground {
+namespace {
+
+// Rounded corners and turning circles reach no farther beyond the strips of their roads.
+constexpr double kCorner_m = 12;
+
+// Of the grid that tells where there is water at all.
+constexpr double kBucket_m = 64;
+
+// Of the grids that tell how far off what is near by is: about its reach.
+constexpr double kNearBucket_m = 12;
+
+// Room for the strands of nearly all places.
+constexpr std::size_t kInfluenceBytes = 48 * sizeof(RoadInfluence);
+
+// How far apart the heights are that a normal is made of.
+constexpr double kNormalStep_m = 1;
+
+// Walls and rock stand as steep as this between a higher road and what lies below it.
+constexpr double kWallSlope = 1.5;
+
+// What the land may be: from the least to the most, where earth lies; never above the wall.
+struct Bounds {
+  static constexpr double kFar_m = std::numeric_limits<double>::infinity();
+  double least_m = -kFar_m, most_m = kFar_m, wall_m = kFar_m;
+};
+
+// What the land at a distance from an edge may differ from it in height: enough to meet the terrain within kGrading_m.
+double rise_m(double slope, double away_m, double to_terrain_m) {
+  return std::max(slope * away_m, std::abs(to_terrain_m) * (away_m / kGrading_m));
+}
+
+// A bank is raised to carry what is above, but no steeper than a wall may stand over what is below.
+double within(const Bounds& bounds, double terrain_m) {
+  return std::min(std::max(std::min(terrain_m, bounds.most_m), bounds.least_m), bounds.wall_m);
+}
+
+// By how much the place is nearer to what is paved than to the strips alone.
+double corner_m(const GradedTerrain& graded, std::span<const RoadInfluence> influences, Vec2 p) {
+  double nearest_m = kCorner_m;
+  for (const RoadInfluence& s : influences)
+    if (s.is_graded) nearest_m = std::min(nearest_m, s.beyond_m);
+  if (nearest_m == 0 || nearest_m == kCorner_m || !graded.paved_index.box.contains(p)) return 0;
+  return nearest_m - clearance_m(graded.paved_index, p, 0, nearest_m);
+}
+
+// The land keeps between the slopes that start at a height, so far away.
+void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
+  const double earth_m = rise_m(kEarthSlope, away_m, terrain_m - z_m);
+  bounds.least_m = std::max(bounds.least_m, z_m - earth_m);
+  bounds.most_m = std::min(bounds.most_m, z_m + earth_m);
+  bounds.wall_m = std::min(bounds.wall_m, z_m + rise_m(kWallSlope, away_m, terrain_m - z_m));
+}
+
+// A road that goes into a bore does not cut away the land over it.
+double higher_m(const BoreCover& over, double road_m) {
+  // roads that pass over the bore start above its roof
+  constexpr double kShared_m = 2;
+  return over.higher_m * std::clamp((over.roof_m - road_m) / kShared_m, 0.0, 1.0);
+}
+
+// Slopes start at the road's edge from what the roads agree on there, farther off from the height of the road alone.
+void keep_near_roads(Bounds& bounds, std::span<const RoadInfluence> influences, double nearer_m, double road_m,
+                     double terrain_m, const BoreCover& over) {
+  for (const RoadInfluence& s : influences) {
+    if (!s.is_graded) continue;
+    const double away_m = std::max(0.0, s.beyond_m - nearer_m);
+    Bounds here;
+    keep_near(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+    bounds.least_m = std::max(bounds.least_m, here.least_m);
+    bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
+    bounds.wall_m = std::min(bounds.wall_m, here.wall_m + higher_m(over, s.z_m));
+  }
+}
+
+// All that may be felt at half of kGrading_m, nothing at kGrading_m.
+double share_of(double away_m) { return std::min(1.0, (kGrading_m - away_m) / (kGrading_m / 2)); }
+
+// How much of a road is felt: nothing where no road is in reach, all from half of it on.
+double road_share(std::span<const RoadInfluence> influences) {
+  double nearest_m = kGrading_m;
+  for (const RoadInfluence& s : influences) nearest_m = std::min(nearest_m, s.beyond_m);
+  return share_of(nearest_m);
+}
+
+// Water near by: how high, and how far off.
+struct NearWater {
+  double z_m, shore_m;
+};
+
+// Only what is near counts: farther off, what is known depends on who asks.
+std::optional<NearWater> water_near(const GradedTerrain& graded, Vec2 p) {
+  if (boxes_about(graded.shores, p).empty() || !graded.wet_index.box.contains(p)) return std::nullopt;
+  const double shore_m = clearance_m(graded.wet_index, p, 0, kGrading_m);
+  if (shore_m >= kGrading_m) return std::nullopt;
+  const std::optional<double> z_m = water_m(graded.waters, p);
+  if (!z_m) return std::nullopt;
+  return NearWater{*z_m, shore_m};
+}
+
+Bounds bounds_at(const GradedTerrain& graded, std::span<const RoadInfluence> influences, const RoadHeight& road,
+                 const std::optional<NearWater>& water, Vec2 p, double terrain_m) {
+  Bounds bounds;
+  const BoreCover over = bore_cover_at(graded.bores, p);
+  keep_near_roads(bounds, influences, corner_m(graded, influences, p), road.z_m, terrain_m, over);
+  bounds.least_m = std::max(bounds.least_m, over.least_m);
+  // no bank reaches under a deck, not even the one that carries the road before it
+  bounds.wall_m = std::min(bounds.wall_m, max_land_under_decks_m(graded.decks, p));
+  if (water) keep_near(bounds, water->z_m, water->shore_m, terrain_m);
+  return bounds;
+}
+
+bool is_near_span(const GradedTerrain& graded, Vec2 p) {
+  return !boxes_about(graded.decks.field.grid, p).empty() || !boxes_about(graded.bores.field.grid, p).empty();
+}
+
+// Banks are carved as far from the shore as from roads.
+std::vector<roads::Strip> with_grading_margin(std::span<const roads::Strip> streams) {
+  std::vector<roads::Strip> felt(streams.begin(), streams.end());
+  for (roads::Strip& stream : felt) stream.reach_m = reach_m(stream) + kGrading_m;
+  return felt;
+}
+
+std::vector<Box2> reaches_of(std::span<const LandCoverPolygon> surfaces) {
+  std::vector<Box2> boxes;
+  for (const LandCoverPolygon& s : surfaces)
+    for (const Ring& ring : s.rings) boxes.push_back(box_of(ring).widened(kGrading_m));
+  return boxes;
+}
+
+std::vector<LandCoverPolygon> on_layers(std::span<const LandCoverPolygon> surfaces,
+                                        std::span<const HeightLayer> layers) {
+  std::vector<LandCoverPolygon> chosen;
+  for (const LandCoverPolygon& s : surfaces)
+    if (std::ranges::find(layers, layer_of(s)) != layers.end()) chosen.push_back(s);
+  return chosen;
+}
+
+}  // namespace
+
+GradedTerrain::GradedTerrain(map::Heightfield&& field) : terrain(std::move(field)) {}
+
+GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts) {
+  constexpr HeightLayer kPaved[] = {HeightLayer::kRoad, HeightLayer::kCarriageway}, kWet[] = {HeightLayer::kWater};
+  GradedTerrain graded(std::move(terrain));
+  graded.roads = index_road_influence(parts.roads, parts.has_kerbs);
+  graded.decks = index_span_influence(parts.decks), graded.bores = index_span_influence(parts.bores);
+  // maps know no borders outside their box, and places at its sides feel what lies beyond
+  const Box2 felt = parts.box.widened(kGrading_m);
+  graded.waters = index_waters(parts.surfaces, with_grading_margin(parts.streams), felt);
+  graded.paved = on_layers(parts.surfaces, kPaved), graded.wet = on_layers(parts.surfaces, kWet);
+  graded.paved_index = index_land_cover(graded.paved, felt, kNearBucket_m);
+  graded.wet_index = index_land_cover(graded.wet, felt, kNearBucket_m);
+  graded.shores = grid_of(reaches_of(graded.wet), kBucket_m);
+  return graded;
+}
+
+HeightSample sample_heights(const GradedTerrain& graded, Vec2 p) {
+  const double terrain_m = map::height_m_at(graded.terrain, p);
+  std::array<std::byte, kInfluenceBytes> room;
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  const std::pmr::vector<RoadInfluence> influences = road_influences_at(graded.roads, p, terrain_m, &memory);
+  const std::optional<NearWater> water = water_near(graded, p);
+  if (influences.empty() && !water && !is_near_span(graded, p))
+    return {{terrain_m, terrain_m, terrain_m, terrain_m}, terrain_m};
+  const RoadHeight road = influences.empty() ? RoadHeight{terrain_m, 0} : blend(influences);
+  const Bounds bounds = bounds_at(graded, influences, road, water, p, terrain_m);
+  const double land_m = within(bounds, terrain_m);
+  const double share = road_share(influences), road_m = land_m + (road.z_m - land_m) * share;
+  const double water_m = water ? land_m + (water->z_m - land_m) * share_of(water->shore_m) : land_m;
+  return {{land_m, road_m, road_m - road.kerb_m * share, water_m}, terrain_m};
+}
+
+Heights heights_at(const GradedTerrain& graded, Vec2 p) { return sample_heights(graded, p).heights; }
+
+double land_m(const GradedTerrain& graded, Vec2 p) { return of(heights_at(graded, p), HeightLayer::kLand); }
+
+std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p) {
+  std::array<Vec3, kHeightLayers> normals;
+  normals.fill(map::normal_at(graded.terrain, p));
+  if (!has_grading(graded, {p, p})) return normals;
+  constexpr Vec2 kEast{kNormalStep_m, 0}, kNorth{0, kNormalStep_m};
+  const HeightSample east = sample_heights(graded, p + kEast), west = sample_heights(graded, p - kEast),
+                     north = sample_heights(graded, p + kNorth), south = sample_heights(graded, p - kNorth);
+  std::optional<HeightSample> centre;
+  for (std::size_t layer = 0; layer < kHeightLayers; ++layer) {
+    const auto is_terrain = [&](const HeightSample& s) { return s.heights[layer] == s.terrain_m; };
+    if (is_terrain(east) && is_terrain(west) && is_terrain(north) && is_terrain(south)) {
+      if (!centre) centre = sample_heights(graded, p);
+      if (is_terrain(*centre)) continue;
+    }
+    const double dx = east.heights[layer] - west.heights[layer], dy = north.heights[layer] - south.heights[layer];
+    normals[layer] = unit(Vec3{-dx, -dy, 2 * kNormalStep_m});
+  }
+  return normals;
+}
+
+bool has_grading(const GradedTerrain& graded, const Box2& box) {
+  for (const BoxGrid* grid : {&graded.roads.grid, &graded.shores, &graded.decks.field.grid, &graded.bores.field.grid})
+    if (is_any_about(*grid, box)) return true;
+  return false;
+}
+
+}  // namespace citykiln::ground

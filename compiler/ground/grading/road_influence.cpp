@@ -1,0 +1,207 @@
+#include "compiler/ground/grading/road_influence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace citykiln::ground {
+namespace {
+
+// About the reach of a road of two lanes: most places look into one bucket with few segments.
+constexpr double kBucket_m = 32;
+// Of those that each place looks into: small in a tile, where there are places without number.
+double near_bucket_m(const Box2& box) {
+  constexpr double kTile_m = 4096, kNearBucket_m = 8;
+  return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kBucket_m;
+}
+
+// Roads whose heights differ by the first are mixed; by the second, the higher one keeps its height to its edge.
+constexpr double kAlike_m = 0.0625, kApart_m = 0.5;
+
+// Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
+constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
+
+bool is_graded(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
+
+double kerb_of(const roads::Road& road) {
+  return roads::raised_left_m(road) > 0 || roads::raised_right_m(road) > 0 ? kKerbRise_m : 0;
+}
+
+void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& field) {
+  const std::vector<double> along = roads::distances_along(road);
+  const double left_m = roads::left_m(road) + roads::raised_left_m(road),
+               right_m = roads::right_m(road) + roads::raised_right_m(road);
+  const auto number = static_cast<std::uint32_t>(field.profiles.size());
+  for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
+    field.segments.push_back({road.axis[i], road.axis[i + 1], along[i], along[i + 1], left_m, right_m, kerb_m, number});
+  field.profiles.push_back(road.profile);
+}
+
+double reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + kGrading_m; }
+
+Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(reach_m(s)); }
+
+// False only where no place of the box is in reach.
+bool may_reach(const GradedSegment& s, const Box2& box) {
+  const Vec2 along = s.to - s.from, centre = box.centre();
+  const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
+  constexpr double kSlack_m = 0x1p-10;
+  return distance(centre, s.from + along * t) <= reach_m(s) + distance(centre, box.max) + kSlack_m;
+}
+
+SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
+  const Vec2 along = s.to - s.from;
+  const double length2_m2 = dot(along, along);
+  const std::span<const Knot> knots = between(profile, s.from_m, s.to_m);
+  return {along, length2_m2, std::sqrt(length2_m2), static_cast<std::uint32_t>(knots.data() - profile.data()),
+          static_cast<std::uint32_t>(knots.size())};
+}
+
+// Some segments, and where a place lies beside each of them. One value of all after the other, so that the processor
+// works out several at a time.
+struct Besides {
+  static constexpr std::size_t kMost = 32;
+  template <typename T>
+  using Of = std::array<T, kMost>;
+
+  std::size_t count = 0;
+  Of<std::uint32_t> numbers;
+  Of<double> from_x, from_y, along_x, along_y, length2_m2, length_m, left_m, right_m;
+  Of<double> share, aside_m, beyond_m, weight;
+
+  void add(const RoadInfluenceIndex& field, std::uint32_t number) {
+    const GradedSegment& s = field.segments[number];
+    const SegmentLine& line = field.lines[number];
+    numbers[count] = number;
+    from_x[count] = s.from.x, from_y[count] = s.from.y, left_m[count] = s.left_m, right_m[count] = s.right_m;
+    along_x[count] = line.along.x, along_y[count] = line.along.y;
+    length2_m2[count] = line.length2_m2, length_m[count] = line.length_m;
+    ++count;
+  }
+
+  // Of two values one is chosen, nowhere a branch taken: only of that do compilers make steps of several at a time.
+  void work_out(Vec2 p) {
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
+    const auto smaller = [](double a, double b) { return a < b ? a : b; };
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 from{from_x[i], from_y[i]}, along{along_x[i], along_y[i]};
+      share[i] = smaller(larger(dot(p - from, along) / length2_m2[i], 0), 1);
+      aside_m[i] = cross(along, p - from) / length_m[i];
+      const double left = left_m[i], right = right_m[i], half_m = aside_m[i] >= 0 ? left : right;
+      const double from_axis_m = distance(p, from + along * share[i]);
+      beyond_m[i] = larger(from_axis_m - half_m, 0);
+      const double t = from_axis_m / (half_m + kBlend_m), slack = larger(1 - t * t, 0);
+      const double far_m = beyond_m[i] + kNearest_m;
+      weight[i] = slack * slack + kFarWeight / (far_m * far_m * far_m);
+    }
+  }
+};
+
+// Filled where it stays: copies of what has just been written wait for it.
+void fill(RoadInfluence& strand, const RoadInfluenceIndex& field, const Besides& besides, std::size_t i,
+          double terrain_m) {
+  const std::uint32_t number = besides.numbers[i];
+  const GradedSegment& s = field.segments[number];
+  strand.kerb_m = s.kerb_m, strand.beyond_m = besides.beyond_m[i], strand.weight = besides.weight[i];
+  strand.is_graded = field.lines[number].knot_count > 0;
+  if (!strand.is_graded) return void(strand.z_m = terrain_m);
+  const Knot knot = knot_on(field, number, besides.share[i]);
+  strand.z_m = knot.z_m + knot.tilt * std::clamp(besides.aside_m[i], -s.right_m, s.left_m);
+}
+
+void take(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, Besides& besides, Vec2 p,
+          double terrain_m) {
+  besides.work_out(p);
+  for (std::size_t i = 0; i < besides.count; ++i)
+    if (besides.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), field, besides, i, terrain_m);
+  besides.count = 0;
+}
+
+// By their weights times a share.
+template <typename Share>
+RoadHeight mean_of(std::span<const RoadInfluence> influences, Share share) {
+  double sum = 0;
+  RoadHeight mean;
+  for (const RoadInfluence& strand : influences) {
+    const double weight = strand.weight * share(strand);
+    sum += weight;
+    mean.z_m += weight * strand.z_m, mean.kerb_m += weight * strand.kerb_m;
+  }
+  return {mean.z_m / sum, mean.kerb_m / sum};
+}
+
+// How far the strands' heights lie from their mean, by their weights.
+double spread_m(std::span<const RoadInfluence> influences, double mean_m) {
+  double sum = 0, weight = 0;
+  for (const RoadInfluence& strand : influences)
+    sum += strand.weight * std::abs(strand.z_m - mean_m), weight += strand.weight;
+  return sum / weight;
+}
+
+double share_between(double none, double all, double value) {
+  return std::clamp((value - none) / (all - none), 0.0, 1.0);
+}
+
+// 1 on a road and to the top of the wall beside it, 0 from its foot on.
+double inside(const RoadInfluence& strand) { return share_between(kWallFoot_m, kWallTop_m, strand.beyond_m); }
+
+// What a higher road takes of the place leaves the rest to the lower ones. Most are beyond their walls' feet: they take
+// nothing.
+double share_where_parted(std::span<const RoadInfluence> influences, const RoadInfluence& own) {
+  double left = inside(own);
+  if (left == 0) return kFarWeight;
+  for (const RoadInfluence& other : influences)
+    if (other.beyond_m < kWallFoot_m)
+      left *= 1 - inside(other) * share_between(kAlike_m, kApart_m, other.z_m - own.z_m);
+  return left + kFarWeight;
+}
+
+}  // namespace
+
+RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool has_kerbs) {
+  RoadInfluenceIndex field;
+  for (const roads::Road& road : roads) {
+    const double kerb_m = has_kerbs ? kerb_of(road) : 0;
+    if (is_graded(road, kerb_m)) add_segments(road, kerb_m, field);
+  }
+  for (const GradedSegment& s : field.segments) {
+    field.lines.push_back(line_of(s, field.profiles[s.road]));
+    field.reaches.push_back(reach_of(s));
+  }
+  field.grid = grid_of(field.reaches, kBucket_m);
+  field.near = grid_of(field.reaches, near_bucket_m(field.grid.box),
+                       [&](std::uint32_t i, const Box2& bucket) { return may_reach(field.segments[i], bucket); });
+  return field;
+}
+
+Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share) {
+  const GradedSegment& s = field.segments[segment];
+  const SegmentLine& line = field.lines[segment];
+  const auto knots = std::span(field.profiles[s.road]).subspan(line.first_knot, line.knot_count);
+  return knot_at(knots, s.from_m + (s.to_m - s.from_m) * share);
+}
+
+std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& field, Vec2 p, double terrain_m,
+                                                   std::pmr::memory_resource* memory) {
+  std::pmr::vector<RoadInfluence> influences(memory);
+  const std::span<const std::uint32_t> near = boxes_about(field.near, p);
+  influences.reserve(near.size());
+  Besides besides;
+  for (const std::uint32_t i : near) {
+    if (!field.reaches[i].contains(p)) continue;
+    besides.add(field, i);
+    if (besides.count == Besides::kMost) take(influences, field, besides, p, terrain_m);
+  }
+  take(influences, field, besides, p, terrain_m);
+  return influences;
+}
+
+RoadHeight blend(std::span<const RoadInfluence> influences) {
+  const RoadHeight all = mean_of(influences, [](const RoadInfluence&) { return 1.0; });
+  const double parted = share_between(kAlike_m, kApart_m, spread_m(influences, all.z_m));
+  if (parted == 0) return all;
+  return mean_of(influences,
+                 [&](const RoadInfluence& s) { return 1 + (share_where_parted(influences, s) - 1) * parted; });
+}
+
+}  // namespace citykiln::ground

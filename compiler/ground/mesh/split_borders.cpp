@@ -1,0 +1,104 @@
+#include "compiler/ground/mesh/split_borders.h"
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/ground/cover/land_cover_index.h"
+#include "compiler/ground/mesh/refine.h"
+
+namespace citykiln::ground {
+namespace {
+
+// A point of a border.
+struct Point {
+  GridPoint at;
+  Heights heights;
+  std::uint32_t face;  // of the reference
+};
+
+Point point_at(const Reference& reference, GridPoint at) {
+  const Place place = place_at(reference, plane_point(at));
+  return {at, snapped_heights(reference, place), place.face};
+}
+
+EdgeEnd end_at(const Point& point, HeightLayer layer) {
+  return {at_height(plane_point(point.at), of(point.heights, layer)), point.face};
+}
+
+WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers) {
+  // all layers are the terrain's
+  if (reference.terrain != nullptr && !layers.empty()) layers = layers.first(1);
+  WorstPoint worst;
+  for (const HeightLayer layer : layers) {
+    const WorstPoint here = worst_on_shared_edge(reference, end_at(a, layer), end_at(b, layer), layer);
+    if (here.error_m > worst.error_m) worst = here;
+  }
+  return worst;
+}
+
+// Cuts an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the
+// edge and the heights alone.
+void split_edge(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers,
+                double tolerance_m, std::vector<GridPoint>& points) {
+  const WorstPoint worst = worst_of(reference, a, b, layers);
+  if (worst.error_m <= tolerance_m) return;
+  const Point middle = point_at(reference, grid_point(snapped(worst.at)));
+  if (middle.at == a.at || middle.at == b.at) return;
+  points.push_back(middle.at);
+  split_edge(reference, a, middle, layers, tolerance_m, points);
+  split_edge(reference, middle, b, layers, tolerance_m, points);
+}
+
+// From the lower end to the upper.
+std::vector<GridPoint> path_of(const Reference& reference, const Border& border, std::span<const HeightLayer> layers,
+                               double tolerance_m) {
+  std::vector<GridPoint> path = {border.a, border.b};
+  split_edge(reference, point_at(reference, border.a), point_at(reference, border.b), layers, tolerance_m, path);
+  const auto along = [&](GridPoint p) {
+    return (p.x - border.a.x) * (border.b.x - border.a.x) + (p.y - border.a.y) * (border.b.y - border.a.y);
+  };
+  std::sort(path.begin(), path.end(), [&](GridPoint p, GridPoint q) { return along(p) < along(q); });
+  return path;
+}
+
+constexpr std::array kAllLayers = {HeightLayer::kLand, HeightLayer::kRoad, HeightLayer::kCarriageway,
+                                   HeightLayer::kWater};
+
+// The layers that a border must follow: those of its sides but for what is level.
+std::vector<HeightLayer> layers_beside(const Border& border, std::span<const FaceHeight> heights) {
+  std::vector<HeightLayer> layers;
+  for (const std::uint32_t surface : {border.left, border.right}) {
+    const FaceHeight height = surface == kNoLandCover ? FaceHeight{} : heights[surface];
+    if (!height.level_m && std::ranges::find(layers, height.layer) == layers.end()) layers.push_back(height.layer);
+  }
+  return layers;
+}
+
+}  // namespace
+
+double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell) {
+  const GridPoint min = grid_point(cell.min);
+  if (border.a.x == border.b.x) return border.a.x == min.x ? sides.west_m : sides.east_m;
+  return border.a.y == min.y ? sides.south_m : sides.north_m;
+}
+
+SplitBorders split_at_bends(const Reference& reference, std::span<const Border> borders,
+                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
+  SplitBorders bent;
+  for (const Border& border : borders) {
+    if (border.is_cell_border) {
+      // the neighbour's surfaces may lie on other layers
+      const auto path = path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
+      bent.points.insert(bent.points.end(), path.begin(), path.end());
+      bent.borders.push_back(border);
+      continue;
+    }
+    const auto path = path_of(reference, border, layers_beside(border, heights), inner_m);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      bent.borders.push_back({path[i - 1], path[i], border.left, border.right, false});
+  }
+  return bent;
+}
+
+}  // namespace citykiln::ground

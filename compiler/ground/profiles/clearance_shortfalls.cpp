@@ -1,0 +1,61 @@
+#include "compiler/ground/profiles/clearance_shortfalls.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/ground/profiles/grade_rules.h"
+
+namespace citykiln::ground {
+namespace {
+
+Vec2 place_along(const ProfileGraph& graph, const GraphWay& way, double at_m) {
+  const std::uint32_t i = station_before(graph, way, at_m);
+  const Station &a = graph.stations[way.first + i], &b = graph.stations[way.first + i + 1];
+  const Vec2 from = graph.nodes[a.node].at, to = graph.nodes[b.node].at;
+  return from + (to - from) * std::clamp((at_m - a.at_m) / (b.at_m - a.at_m), 0.0, 1.0);
+}
+
+struct WrittenHeights {
+  const ProfileGraph& graph;
+  const Profiles& profiles;
+  const BelowBridges& below;
+
+  double height_m(std::uint32_t w, double at_m) const {
+    const GraphWay& way = graph.ways[w];
+    const Profile& profile = way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+    if (!profile.empty()) return knot_at(profile, at_m).z_m;
+    // roads without lie at zero, paths on the ground
+    return is_graded(way.track->surface) || way.road == kNone ? 0 : below.ground_m(place_along(graph, way, at_m));
+  }
+
+  double shortfall_m(const Crossing& c) const {
+    const double lower_m = c.lower == kNone ? c.lower_z_m : height_m(c.lower, c.lower_at_m);
+    const double upper_m = c.upper == kNone ? c.upper_z_m : height_m(c.upper, c.upper_at_m);
+    return lower_m + c.wanted_m - upper_m;
+  }
+};
+
+}  // namespace
+
+std::vector<ClearanceShortfall> find_shortfalls(const map::Features& features, const Profiles& profiles,
+                                                const BelowBridges& below) {
+  const ProfileGraph graph = graph_of(features, profiles.roads, {}, Lines::kAll);
+  std::vector<Crossing> crossings = find_crossings(graph, features, below);
+  // what has no profile is told apart by its height
+  const auto pair = [](const Crossing& c) {
+    return std::tuple(c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0, c.upper == kNone ? c.upper_z_m : 0);
+  };
+  std::ranges::stable_sort(crossings, {}, pair);
+  const WrittenHeights heights{graph, profiles, below};
+  const auto id_of = [&](std::uint32_t way) { return way == kNone ? OsmId{} : graph.ways[way].track->id.osm; };
+  std::vector<ClearanceShortfall> shortfalls;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const Crossing& c = crossings[i];
+    if (i == 0 || pair(c) != pair(crossings[i - 1]))
+      shortfalls.push_back({id_of(c.upper), id_of(c.lower), heights.shortfall_m(c)});
+    shortfalls.back().shortfall_m = std::max(shortfalls.back().shortfall_m, heights.shortfall_m(c));
+  }
+  return shortfalls;
+}
+
+}  // namespace citykiln::ground

@@ -1,0 +1,156 @@
+#include "compiler/impostor/atlas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "compiler/materials/material.h"
+
+namespace citykiln::impostor {
+namespace {
+
+using materials::TextureImage;
+
+struct Place {
+  std::uint32_t column = 0, row = 0;  // of the frame
+};
+
+// Frames side by side: where each begins, and how large the sheet is.
+struct Shelves {
+  std::vector<Place> places;
+  std::uint32_t columns = 0, rows = 0;
+};
+
+// The picture, a texel each side, and one more where that is odd.
+std::uint32_t framed(std::uint32_t texels) { return (texels + 3) / 2 * 2; }
+
+std::uint64_t area_of(std::span<const Picture> pictures) {
+  std::uint64_t area = 0;
+  for (const Picture& p : pictures) area += std::uint64_t{framed(p.columns)} * framed(p.rows);
+  return area;
+}
+
+// Even, no less than the widest frame, and about as wide as the sheet will be high.
+std::uint32_t width_of(std::span<const Picture> pictures) {
+  std::uint32_t widest = 2;
+  for (const Picture& p : pictures) widest = std::max(widest, framed(p.columns));
+  const auto square = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(area_of(pictures))));
+  return std::max(widest, (square + 3) / 4 * 4);
+}
+
+// The tallest first; of those the order does not matter to anyone but the eye that looks for a house.
+Shelves shelve(std::span<const Picture> pictures) {
+  std::vector<std::size_t> order(pictures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return pictures[i].rows; });
+  Shelves shelves{std::vector<Place>(pictures.size()), width_of(pictures), 0};
+  std::uint32_t column = 0, row = 0;
+  for (const std::size_t i : order) {
+    const std::uint32_t width = framed(pictures[i].columns);
+    if (column + width > shelves.columns) column = 0, row = shelves.rows;
+    shelves.places[i] = {column, row};
+    column += width;
+    shelves.rows = std::max(shelves.rows, row + framed(pictures[i].rows));
+  }
+  return shelves;
+}
+
+bool fits(const Shelves& shelves) {
+  return std::max(shelves.columns, shelves.rows) <= materials::kMaxImageSide_px &&
+         std::uint64_t{shelves.columns} * shelves.rows <= kMaxAtlasTexels;
+}
+
+TextureImage::Texel srgb_of(const std::array<std::uint16_t, 3>& linear) {
+  TextureImage::Texel srgb{};
+  for (std::size_t c = 0; c < srgb.size(); ++c) srgb[c] = materials::srgb_of_linear(linear[c] / 65535.0);
+  return srgb;
+}
+
+// Of a surface that leans so: along rows, up columns, outwards.
+TextureImage::Texel normal_of(const std::array<std::int16_t, 2>& slope) {
+  const Vec3 normal = unit(Vec3{-slope[0] * kSlopeUnit, slope[1] * kSlopeUnit, 1});
+  const auto byte = [](double part) { return static_cast<std::uint8_t>((part + 1) / 2 * 255 + 0.5); };
+  return {byte(normal.x), byte(normal.y), byte(normal.z)};
+}
+
+void draw(const Picture& picture, Place place, Atlas& atlas) {
+  for (std::uint32_t y = 0; y < framed(picture.rows); ++y)
+    for (std::uint32_t x = 0; x < framed(picture.columns); ++x) {
+      // the frame repeats what is nearest
+      const std::size_t row = std::clamp(y, 1u, picture.rows) - 1, column = std::clamp(x, 1u, picture.columns) - 1;
+      const Texel& texel = picture.texels[row * picture.columns + column];
+      const std::size_t at = std::size_t{place.row + y} * atlas.colour.columns + place.column + x;
+      atlas.colour.texels[at] = srgb_of(texel.light);
+      atlas.surface.texels[at] = {255, texel.roughness, texel.metalness};
+      if (!atlas.emission.texels.empty()) atlas.emission.texels[at] = srgb_of(texel.emission);
+      if (!atlas.normal.texels.empty()) atlas.normal.texels[at] = normal_of(texel.slope);
+    }
+}
+
+TextureImage blank(double texel_m, const Shelves& shelves, TextureImage::Texel texel) {
+  return {texel_m, shelves.columns, shelves.rows,
+          std::vector<TextureImage::Texel>(std::size_t{shelves.columns} * shelves.rows, texel)};
+}
+
+// Pictures, each once, and which of them each one asked for is.
+struct Unique {
+  std::vector<Picture> pictures;
+  std::vector<std::size_t> number;
+};
+
+Unique unique_of(std::span<const Picture> pictures) {
+  std::vector<std::size_t> order(pictures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    const auto compared = pictures[a] <=> pictures[b];
+    return compared != 0 ? compared < 0 : a < b;
+  });
+  // numbered as they first come, so that what is a house's stays together
+  std::vector<std::size_t> first(pictures.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && pictures[order[i]] == pictures[order[i - 1]] ? first[order[i - 1]] : order[i];
+  Unique unique{{}, std::vector<std::size_t>(pictures.size())};
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    unique.number[i] = first[i] == i ? unique.pictures.size() : unique.number[first[i]];
+    if (first[i] == i) unique.pictures.push_back(pictures[i]);
+  }
+  return unique;
+}
+
+template <typename Is>
+bool any_texel(std::span<const Picture> pictures, Is is) {
+  return std::ranges::any_of(pictures, [&](const Picture& p) { return std::ranges::any_of(p.texels, is); });
+}
+
+bool shines(const Texel& texel) { return texel.emission != std::array<std::uint16_t, 3>{}; }
+
+bool leans(const Texel& texel) { return texel.slope != std::array<std::int16_t, 2>{}; }
+
+bool are_single(std::span<const Picture> pictures) {
+  return std::ranges::all_of(pictures, [](const Picture& p) { return p.columns == 1 && p.rows == 1; });
+}
+
+}  // namespace
+
+AtlasLayout lay_out_atlas(std::span<const Picture> pictures, double texel_m) {
+  AtlasLayout layout;
+  if (pictures.empty()) return layout;
+  Unique unique = unique_of(pictures);
+  Shelves shelves = shelve(unique.pictures);
+  while (!fits(shelves) && !are_single(unique.pictures)) {
+    for (Picture& picture : unique.pictures) picture = halved(picture);
+    texel_m *= 2;
+    shelves = shelve(unique.pictures);
+  }
+  layout.atlas = {blank(texel_m, shelves, {}), blank(texel_m, shelves, {255, 255, 0}), {}, {}};
+  if (any_texel(unique.pictures, shines)) layout.atlas.emission = blank(texel_m, shelves, {});
+  if (any_texel(unique.pictures, leans)) layout.atlas.normal = blank(texel_m, shelves, normal_of({}));
+  for (std::size_t i = 0; i < unique.pictures.size(); ++i) draw(unique.pictures[i], shelves.places[i], layout.atlas);
+  for (const std::size_t number : unique.number) {
+    const Place& place = shelves.places[number];
+    layout.at_m.push_back({(place.column + 1) * texel_m, (place.row + 1) * texel_m});
+  }
+  return layout;
+}
+
+}  // namespace citykiln::impostor

@@ -1,0 +1,58 @@
+#include "compiler/impostor/picture.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace citykiln::impostor {
+void TexelSum::add(const Texel& texel) {
+  const std::uint64_t weight = texel.shown;
+  for (std::size_t c = 0; c < light_.size(); ++c)
+    light_[c] += weight * texel.light[c], emission_[c] += weight * texel.emission[c];
+  for (std::size_t c = 0; c < slope_.size(); ++c) slope_[c] += std::int64_t{texel.shown} * texel.slope[c];
+  roughness_ += weight * texel.roughness, metalness_ += weight * texel.metalness, shown_ += weight;
+}
+
+Texel TexelSum::mean(std::uint64_t texels) const {
+  Texel mean;
+  if (shown_ == 0) return mean;
+  const auto share = [&](std::uint64_t sum) { return (2 * sum + shown_) / (2 * shown_); };
+  for (std::size_t c = 0; c < light_.size(); ++c) {
+    mean.light[c] = static_cast<std::uint16_t>(share(light_[c]));
+    mean.emission[c] = static_cast<std::uint16_t>(share(emission_[c]));
+  }
+  for (std::size_t c = 0; c < slope_.size(); ++c) {
+    const auto size = static_cast<std::int64_t>(share(static_cast<std::uint64_t>(std::abs(slope_[c]))));
+    mean.slope[c] = static_cast<std::int16_t>(slope_[c] < 0 ? -size : size);
+  }
+  mean.roughness = static_cast<std::uint8_t>(share(roughness_));
+  mean.metalness = static_cast<std::uint8_t>(share(metalness_));
+  mean.shown = static_cast<std::uint8_t>((shown_ + texels - 1) / texels);
+  return mean;
+}
+
+Texel mean(const Picture& picture) {
+  TexelSum sum;
+  for (const Texel& texel : picture.texels) sum.add(texel);
+  return sum.mean(picture.texels.size());
+}
+
+Picture halved(const Picture& picture) {
+  Picture half{(picture.columns + 1) / 2, (picture.rows + 1) / 2, {}};
+  for (std::size_t row = 0; row < half.rows; ++row)
+    for (std::size_t column = 0; column < half.columns; ++column) {
+      TexelSum sum;
+      for (std::size_t y = 2 * row; y < std::min<std::size_t>(2 * row + 2, picture.rows); ++y)
+        for (std::size_t x = 2 * column; x < std::min<std::size_t>(2 * column + 2, picture.columns); ++x)
+          sum.add(picture.texels[y * picture.columns + x]);
+      half.texels.push_back(sum.mean(4));
+    }
+  return half;
+}
+
+void fill_gaps(Picture& picture) {
+  const Texel all = mean(picture);
+  for (Texel& texel : picture.texels)
+    if (texel.shown == 0) texel = all;
+}
+
+}  // namespace citykiln::impostor

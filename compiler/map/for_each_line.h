@@ -1,0 +1,41 @@
+// The walk that tracks, waterways and barriers share: every way of a kind, its row in the kind's table, its line, what
+// is dropped and why.
+#pragma once
+
+#include "compiler/map/feature_readers.h"
+#include "compiler/map/tag_values.h"
+
+namespace citykiln::map {
+
+/// The row whose `value` is the word; null where there is none.
+template <typename Row, std::size_t n>
+const Row* row_with(const Row (&rows)[n], std::string_view value) {
+  for (const Row& row : rows)
+    if (row.value == value) return &row;
+  return nullptr;
+}
+
+/// Calls make(way, *row, LocatedLine&&) for every way that is_of_kind and that has a row and a length near the region.
+/// Areas with the same tags are left to locate_areas. Keeps the account "map/<account_name>". O(ways).
+template <typename IsOfKind, typename RowOf, typename Make>
+void for_each_line(const ReadContext& context, const char* account_name, IsOfKind is_of_kind, RowOf row_of, Make make) {
+  Account account;
+  for (const source::Way& way : context.osm.ways) {
+    if (!is_of_kind(way) || says_yes(context.tag(way.tags, "area"))) continue;
+    ++account.in;
+    const OsmId id{OsmType::kWay, way.id};
+    const auto* row = row_of(way);
+    LocatedLine line = located(context, way);
+    if (row == nullptr)
+      context.report.drop(account, Code::kUnknownKind, id);
+    else if (line.axis.size() < 2)
+      context.report.drop(account, Code::kNoLength, id);
+    else if (!is_near(context, line.axis))
+      context.report.drop(account, Code::kOutsideBounds, id);
+    else
+      make(way, *row, std::move(line)), ++account.out;
+  }
+  context.report.account("map", account_name) = account;
+}
+
+}  // namespace citykiln::map

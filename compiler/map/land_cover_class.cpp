@@ -1,0 +1,21 @@
+#include "compiler/map/land_cover_class.h"
+
+#include <cstddef>
+
+namespace citykiln::map {
+namespace {
+
+using materials::Material;
+
+constexpr LandCoverValues kTable[] = {
+#define LAND_COVER(name, group, priority, material) \
+  {std::string_view(#name).substr(1), LandCoverGroup::group, priority, Material::material},
+#include "compiler/map/land_cover_classes.inc"
+#undef LAND_COVER
+};
+
+}  // namespace
+
+const LandCoverValues& values_of(LandCoverClass surface) { return kTable[static_cast<std::size_t>(surface)]; }
+
+}  // namespace citykiln::map

@@ -1,0 +1,22 @@
+#include "compiler/materials/texture_cache.h"
+
+namespace citykiln::materials {
+
+std::vector<Texture> TextureCache::textures_of(std::span<const Material> materials, double tolerance_m) const {
+  std::vector<Texture> textures;
+  for (const Material material : materials)
+    if (has_texture(material, tolerance_m)) textures.push_back(texture(material, tolerance_m));
+  return textures;
+}
+
+const Texture& TextureCache::texture(Material material, double tolerance_m) const {
+  // nodes of a map stay where they are
+  Slot& slot = [&]() -> Slot& {
+    const std::lock_guard lock(mutex_);
+    return slots_[{material, tolerance_m}];
+  }();
+  std::call_once(slot.once, [&] { slot.texture = texture_of(material, tolerance_m, seed_); });
+  return slot.texture;
+}
+
+}  // namespace citykiln::materials

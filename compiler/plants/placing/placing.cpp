@@ -1,0 +1,71 @@
+#include "compiler/plants/placing/placing.h"
+
+#include <algorithm>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/geometry/trig.h"
+#include "compiler/plants/plant_size.h"
+
+namespace citykiln::plants {
+namespace {
+
+// Willows and poplars stand so near to water; less than what carving knows of it.
+constexpr double kByWater_m = 12;
+
+bool is_by_water(const ground::GradedTerrain& ground, Vec2 p) {
+  if (boxes_about(ground.shores, p).empty() || !ground.wet_index.box.contains(p)) return false;
+  return clearance_m(ground.wet_index, p, 0, kByWater_m) < kByWater_m;
+}
+
+}  // namespace
+
+void place_plant_along(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+                       Vec2 along, const Draw& draw, OsmId feature) {
+  const auto variant = static_cast<std::uint8_t>(draw.unit(kVariantDraw) * kVariants);
+  const Vec3 foot = snapped(at_height(at, land_m(land.ground, at)));
+  placed[{species, variant}].push_back({foot, along.x, along.y, std::min(height_m, kTallestPlant_m), feature});
+}
+
+void place_plant(PlacedPlants& placed, const PlacingContext& land, Species species, Vec2 at, double height_m,
+                 const Draw& draw, OsmId feature) {
+  place_plant_along(placed, land, species, at, height_m, direction_of(draw.unit(kYawDraw)), draw, feature);
+}
+
+bool is_in_half_open(const Box2& box, Vec2 p) {
+  return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
+}
+
+bool is_blocked_ground(const ground::LandCoverIndex& map, Vec2 p) {
+  const std::uint32_t top = ground::land_cover_at(map, p);
+  if (top == ground::kNoLandCover) return false;
+  const map::LandCoverClass surface = map.surfaces[top].surface;
+  const map::LandCoverGroup group = map::values_of(surface).group;
+  if (surface == map::LandCoverClass::kPedestrianStreet) return false;
+  return group == map::LandCoverGroup::kRoad || group == map::LandCoverGroup::kRail ||
+         group == map::LandCoverGroup::kBuilding || group == map::LandCoverGroup::kWater;
+}
+
+Habitat habitat_of(const PlacingContext& land, Vec2 p) {
+  const map::Heightfield& terrain = land.ground.terrain;
+  return habitat_at(land.latitude_deg, p, height_m_at(terrain, p), normal_at(terrain, p), is_by_water(land.ground, p));
+}
+
+double crown_clearance_m(Species species, double height_m) {
+  constexpr double kRoom_m = 1.5, kLeast_m = 2, kMost_m = 7;
+  return std::clamp(crown_share(species) * height_m / 2 + kRoom_m, kLeast_m, kMost_m);
+}
+
+ObstacleIndex index_obstacles(std::span<const Obstacle> all) {
+  constexpr double kBucket_m = 16;
+  std::vector<Box2> boxes;
+  for (const Obstacle& o : all) boxes.push_back(Box2{o.at, o.at}.widened(o.reach_m));
+  return {all, grid_of(boxes, kBucket_m)};
+}
+
+bool is_near_obstacle(const ObstacleIndex& obstacles, Vec2 p) {
+  return std::ranges::any_of(boxes_about(obstacles.grid, p), [&](std::uint32_t i) {
+    return distance(obstacles.all[i].at, p) < obstacles.all[i].reach_m;
+  });
+}
+
+}  // namespace citykiln::plants

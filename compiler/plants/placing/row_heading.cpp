@@ -1,0 +1,59 @@
+#include "compiler/plants/placing/row_heading.h"
+
+#include <cmath>
+
+#include "compiler/geometry/mathematics.h"
+#include "compiler/geometry/trig.h"
+
+namespace citykiln::plants {
+namespace {
+
+// Flatter fields are laid out by their borders.
+constexpr double kLeastSlope = 0.03;
+
+// Places a side that the slope is asked at.
+constexpr int kPlaces = 16;
+
+int winding_of(const ground::LandCoverPolygon& surface, Vec2 p) {
+  int winding = 0;
+  for (const Ring& ring : surface.rings) winding += winding_number(ring, p);
+  return winding;
+}
+
+Vec2 mean_slope(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain) {
+  Box2 box;
+  for (const Ring& ring : surface.rings)
+    for (const Vec2 p : ring) box.grow(p);
+  Vec2 sum;
+  int places = 0;
+  for (int i = 0; i < kPlaces * kPlaces; ++i) {
+    const Vec2 p = {box.min.x + box.width() * (i % kPlaces + 0.5) / kPlaces,
+                    box.min.y + box.height() * (i / kPlaces + 0.5) / kPlaces};
+    if (winding_of(surface, p) <= 0) continue;
+    const Vec3 normal = map::normal_at(terrain, p);
+    sum = sum + in_plan(normal) * (1 / normal.z), ++places;
+  }
+  return places > 0 ? sum * (1.0 / places) : Vec2{};
+}
+
+Vec2 longest_edge(const ground::LandCoverPolygon& surface) {
+  Vec2 longest{1, 0};
+  double most = 0;
+  for (const Ring& ring : surface.rings)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      if (const Vec2 edge = ring[i] - ring[j]; dot(edge, edge) > most) longest = edge, most = dot(edge, edge);
+  return longest;
+}
+
+}  // namespace
+
+std::uint8_t row_heading(const ground::LandCoverPolygon& surface, const map::Heightfield& terrain) {
+  const Vec2 slope = mean_slope(surface, terrain);
+  const Vec2 along = length(slope) >= kLeastSlope ? left_of(slope) : longest_edge(surface);
+  const double half_turns = arctangent2_deg(along.y, along.x) / 180;
+  return static_cast<std::uint8_t>(static_cast<int>(std::floor(half_turns * 256 + 0.5)) & 255);
+}
+
+Vec2 row_direction(std::uint8_t heading) { return direction_of(heading / 512.0); }
+
+}  // namespace citykiln::plants

@@ -1,0 +1,90 @@
+#include "compiler/props/generate.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/props/drape_line.h"
+
+namespace citykiln::props {
+namespace {
+
+using map::BarrierKind;
+using materials::Material;
+using materials::MaterialMesh;
+
+// The band's foot reaches below the ground, which a coarse level may lower.
+constexpr double kFoot_m = 0.5;
+// A mitre is at most this many times the half width; sharper bends are cut off.
+constexpr double kLongestMitre = 2;
+
+Material material_of(BarrierKind kind) {
+  switch (kind) {
+    case BarrierKind::kHedge:
+      return Material::kHedge;
+    case BarrierKind::kFence:
+      return Material::kTimber;
+    case BarrierKind::kGuardRail:
+      return Material::kPaintedMetal;
+    case BarrierKind::kRetainingWall:
+      return Material::kConcrete;
+    default:
+      return Material::kStone;
+  }
+}
+
+// The way from the axis to the left side at a point, for half a width of 1: square to it, mitred between two pieces;
+// around the end of a closed one too.
+Vec2 side_at(const std::vector<Vec3>& axis, std::size_t i, bool is_closed) {
+  const std::size_t last = axis.size() - 1;
+  const auto direction = [&](std::size_t a) { return unit(in_plan(axis[a + 1] - axis[a])); };
+  const Vec2 before = direction(i > 0       ? i - 1
+                                : is_closed ? last - 1
+                                            : 0),
+             after = direction(i < last    ? i
+                               : is_closed ? 0
+                                           : last - 1);
+  const Vec2 middle = unit(before + after);
+  if (middle == Vec2{}) return left_of(before);
+  return left_of(middle) * std::min(1 / std::max(dot(middle, before), 1e-9), kLongestMitre);
+}
+
+// Four corners a point: left foot, left top, right top, right foot.
+void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
+  const Vec2 left = snapped(in_plan(at) + side), right = snapped(in_plan(at) - side);
+  const double foot = snapped(at.z - kFoot_m), top = snapped(at.z + height_m);
+  for (const Vec3 corner : {at_height(left, foot), at_height(left, top), at_height(right, top), at_height(right, foot)})
+    mesh.positions.push_back(corner);
+}
+
+void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
+}  // namespace
+
+GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {
+  if (barrier.height_m <= tolerance_m) return {{}, barrier.height_m};
+  const std::vector<Vec3> axis = drape_line(barrier.axis, ground);
+  if (axis.size() < 2) return {};
+  const bool is_closed = axis.size() > 3 && axis.front() == axis.back();
+  Mesh band;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    add_profile(band, axis[i], side_at(axis, i, is_closed) * (barrier.width_m / 2), barrier.height_m);
+  for (std::uint32_t i = 0; i + 1 < axis.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k) add_quad(band, 4 * i + k, 4 * i + k + 1, 4 * i + k + 5, 4 * i + k + 4);
+  const auto last = static_cast<std::uint32_t>(4 * (axis.size() - 1));
+  if (!is_closed) {
+    add_quad(band, 3, 2, 1, 0);
+    add_quad(band, last, last + 1, last + 2, last + 3);
+  }
+  return {{{std::move(band), material_of(barrier.kind), materials::kNoTint, barrier.id.osm}}, 0};
+}
+
+Placement place(const StreetLamp& lamp, const ground::GradedTerrain& ground) {
+  const Vec3 foot = at_height(lamp.at, snapped(land_m(ground, lamp.at)));
+  return {foot, lamp.facing.x, lamp.facing.y, lamp.height_m, lamp.feature};
+}
+
+}  // namespace citykiln::props

@@ -1,0 +1,107 @@
+#include "compiler/roads/junctions/layers.h"
+
+#include <algorithm>
+#include <compare>
+#include <map>
+#include <utility>
+
+#include "compiler/roads/plan.h"
+
+namespace citykiln::roads {
+namespace {
+
+using Tracks = std::vector<const map::Track*>;
+
+Tracks tracks_off_ground(const map::Features& features) {
+  Tracks tracks;
+  for (const map::Track& track : features.tracks)
+    if (track.passage != map::Passage::kGround) tracks.push_back(&track);
+  return tracks;
+}
+
+// What the map leaves untold lies next to the ground.
+int told_layer(const map::Track& track) {
+  if (track.layer != 0) return track.layer;
+  return track.passage == map::Passage::kBridge ? 1 : -1;
+}
+
+// A track passes a node.
+struct Passing {
+  map::Passage passage;
+  std::int64_t node_id;
+  std::uint32_t track;
+  auto operator<=>(const Passing&) const = default;
+  bool meets(const Passing& other) const { return passage == other.passage && node_id == other.node_id; }
+};
+
+std::vector<Passing> passings_of(const Tracks& tracks) {
+  std::vector<Passing> passings;
+  for (std::uint32_t t = 0; t < tracks.size(); ++t)
+    for (const std::int64_t node_id : tracks[t]->node_ids) passings.push_back({tracks[t]->passage, node_id, t});
+  std::ranges::sort(passings);
+  return passings;
+}
+
+// Disjoint sets, each named by the first of its members.
+struct Sets {
+  std::vector<std::uint32_t> parent;
+
+  explicit Sets(std::size_t size) : parent(size) {
+    for (std::uint32_t i = 0; i < size; ++i) parent[i] = i;
+  }
+  std::uint32_t find(std::uint32_t i) {
+    for (; parent[i] != i; i = parent[i]) parent[i] = parent[parent[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a), b = find(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+};
+
+// The lowest layer of all that a track meets, and they meet.
+std::vector<int> layers_of(const Tracks& tracks) {
+  Sets sets(tracks.size());
+  const std::vector<Passing> passings = passings_of(tracks);
+  for (std::size_t i = 1; i < passings.size(); ++i)
+    if (passings[i].meets(passings[i - 1])) sets.join(passings[i].track, passings[i - 1].track);
+
+  std::vector<int> lowest, layers;
+  for (const map::Track* track : tracks) lowest.push_back(told_layer(*track));
+  // a set's first member comes before the others
+  for (std::uint32_t t = 0; t < tracks.size(); ++t) {
+    int& of_set = lowest[sets.find(t)];
+    of_set = std::min(of_set, lowest[t]);
+  }
+  for (std::uint32_t t = 0; t < tracks.size(); ++t) layers.push_back(lowest[sets.find(t)]);
+  return layers;
+}
+
+void count(const RoadLayer& layer, Account& account) {
+  for (const Junction& junction : layer.junctions) {
+    account.in += junction.places.size();
+    account.merged += junction.places.size() - 1;
+    ++account.out;
+  }
+}
+
+}  // namespace
+
+std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report) {
+  const Tracks tracks = tracks_off_ground(features);
+  const std::vector<int> layers = layers_of(tracks);
+  std::map<std::pair<int, map::Passage>, std::vector<Road>> roads;
+  for (std::size_t t = 0; t < tracks.size(); ++t) roads[{layers[t], tracks[t]->passage}].push_back(road_of(*tracks[t]));
+
+  std::vector<RoadLayer> planned;
+  Account account;
+  for (auto& [name, of_layer] : roads) {
+    std::vector<Junction> junctions = plan_junctions(of_layer, report);
+    planned.push_back({name.first, name.second, std::move(of_layer), std::move(junctions)});
+    count(planned.back(), account);
+  }
+  report.account("roads", "junction_off_ground") = account;
+  return planned;
+}
+
+}  // namespace citykiln::roads

@@ -1,0 +1,143 @@
+#include "compiler/scene/land_cover.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/ground/plan.h"
+#include "compiler/roads/junctions/corner_pavements.h"
+#include "compiler/roads/junctions/through_road.h"
+#include "compiler/roads/network.h"
+#include "compiler/roads/pieces/islands.h"
+
+namespace citykiln::scene {
+namespace {
+
+using ground::LandCoverPolygon;
+
+// Surfaces that are one object's (the runs of a trimmed road) become one.
+void join_equal(std::vector<LandCoverPolygon>& surfaces) {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < surfaces.size(); ++i) {
+    LandCoverPolygon& last = surfaces[kept];
+    if (last.id == surfaces[i].id && last.surface == surfaces[i].surface && last.piece == surfaces[i].piece) {
+      last.rings.insert(last.rings.end(), surfaces[i].rings.begin(), surfaces[i].rings.end());
+    } else if (++kept != i) {
+      surfaces[kept] = std::move(surfaces[i]);
+    }
+  }
+  surfaces.resize(std::min(surfaces.size(), kept + 1));
+}
+
+void add(LandCoverPolygon surface, std::vector<LandCoverPolygon>& surfaces) {
+  if (!surface.rings.empty()) surfaces.push_back(std::move(surface));
+}
+
+LandCoverPolygon island_surface(const roads::TrafficIsland& island) {
+  // apart from all parts that a way is cut into, and from its junctions
+  constexpr std::uint32_t kIslandPart = 0x40000000u;
+  return {{island.id.osm, island.id.part | kIslandPart}, island.surface, ground::kStripArea_m2, {island.ring}};
+}
+
+// What is no road: areas, islands, junctions, water, buildings.
+std::vector<LandCoverPolygon> surfaces_without_roads(const Chunk& chunk) {
+  std::vector<LandCoverPolygon> surfaces = chunk.surfaces;
+  const auto arms = roads::arms_of(chunk.junctions, chunk.roads);
+  for (std::size_t j = 0; j < chunk.junctions.size(); ++j) {
+    // a manifest that names places where no road passes
+    if (arms[j].empty() || arms[j].size() != chunk.junctions[j].cuts.size()) continue;
+    add(junction_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+    add(corner_pavement_surface(chunk.junctions[j], chunk.roads, arms[j]), surfaces);
+  }
+  for (const roads::TrafficIsland& island : roads::islands_of(chunk.roads)) add(island_surface(island), surfaces);
+  for (const roads::Strip& stream : chunk.watercourses) add(ground::surface_of(stream), surfaces);
+  for (const buildings::Building& building : chunk.buildings)
+    if (building.stands_on_ground) add(footprint_surface(building), surfaces);
+  return surfaces;
+}
+
+void sort_and_join(std::vector<LandCoverPolygon>& surfaces) {
+  std::ranges::stable_sort(surfaces, {},
+                           [](const LandCoverPolygon& s) { return std::tuple(s.id, s.surface, s.piece); });
+  join_equal(surfaces);
+}
+
+// A road's pieces, after those of the roads before it; returns the first run that is free.
+std::uint32_t add_pieces(const roads::Road& road, roads::RoadPieces&& made, std::uint32_t first_run, LandCover& cover) {
+  const auto first_pattern = static_cast<std::uint32_t>(cover.layouts.size());
+  std::uint32_t next_run = first_run;
+  std::ranges::move(made.layouts, std::back_inserter(cover.layouts));
+  for (roads::Piece& piece : made.pieces) {
+    if (piece.layout != roads::kNoMarkingLayout) piece.layout += first_pattern;
+    piece.run += first_run;
+    next_run = std::max(next_run, piece.run + 1);
+    cover.surfaces.push_back({road.id, piece.surface, ground::kStripArea_m2, {piece.ring}});
+    cover.pieces.push_back(std::move(piece));
+    cover.surfaces.back().piece = static_cast<std::uint32_t>(cover.pieces.size());
+    cover.surfaces.back().is_graded = !road.profile.empty();
+  }
+  return next_run;
+}
+
+ObjectId id_of_junction(const roads::Road& main) {
+  // apart from all parts that a way is cut into
+  constexpr std::uint32_t kJunctionPart = 0x80000000u;
+  return {main.id.osm, main.id.part | kJunctionPart};
+}
+
+}  // namespace
+
+ground::LandCoverPolygon junction_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                          std::span<const roads::Arm> arms) {
+  const roads::Road& main = roads::main_road(roads, arms);
+  const bool is_passed = roads::has_through_road(junction, roads, arms);
+  ground::LandCoverPolygon surface{id_of_junction(main), main.surface,
+                                   is_passed ? ground::kPassedJunctionArea_m2 : ground::kJunctionArea_m2,
+                                   roads::stroke(junction, roads, arms)};
+  surface.is_graded =
+      std::ranges::any_of(arms, [&](const roads::Arm& arm) { return !roads[arm.road].profile.empty(); });
+  return surface;
+}
+
+ground::LandCoverPolygon corner_pavement_surface(const roads::Junction& junction, std::span<const roads::Road> roads,
+                                                 std::span<const roads::Arm> arms) {
+  return {id_of_junction(roads::main_road(roads, arms)), map::LandCoverClass::kPavement, ground::kStripArea_m2,
+          roads::stroke_corner_pavements(junction, roads, arms)};
+}
+
+ground::LandCoverPolygon footprint_surface(const buildings::Building& building) {
+  ground::LandCoverPolygon surface{building.id,
+                                   map::LandCoverClass::kBuilding,
+                                   static_cast<std::uint32_t>(std::min(area_m2(building.footprint), 4.0e9)),
+                                   {building.footprint.outer}};
+  surface.rings.insert(surface.rings.end(), building.footprint.holes.begin(), building.footprint.holes.end());
+  return surface;
+}
+
+std::vector<LandCoverPolygon> coarse_land_cover(const Chunk& chunk) {
+  std::vector<LandCoverPolygon> surfaces = surfaces_without_roads(chunk);
+  const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
+  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
+    add(ground::surface_of(chunk.roads[i], ends[i]), surfaces);
+    add(ground::pavement_of(chunk.roads[i], ends[i]), surfaces);
+  }
+  sort_and_join(surfaces);
+  return surfaces;
+}
+
+LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
+  if (tolerance_m >= kRoadDetail_m) return {coarse_land_cover(chunk), {}, {}};
+  LandCover cover{surfaces_without_roads(chunk), {}, {}};
+  const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
+  const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);
+  std::uint32_t next_run = 0;
+  for (std::size_t i = 0; i < chunk.roads.size(); ++i) {
+    const roads::Road& road = chunk.roads[i];
+    const auto stretches = roads::stretches_of(road, gaps[i], header.tile_m);
+    next_run =
+        add_pieces(road, roads::pieces_of(road, ends[i], stretches, header.tile_m, tolerance_m), next_run, cover);
+  }
+  sort_and_join(cover.surfaces);
+  return cover;
+}
+
+}  // namespace citykiln::scene

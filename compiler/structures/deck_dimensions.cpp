@@ -1,0 +1,43 @@
+#include "compiler/structures/deck_dimensions.h"
+
+#include <algorithm>
+
+namespace citykiln::structures {
+namespace {
+
+// Spans of 20 times their thickness are usual for slabs and beams; thinner ones sound hollow, thicker ones are built as
+// something else.
+constexpr double kSlenderness = 20, kThinnest_m = 0.4, kThickest_m = 2;
+// Cantilevers thin out to this.
+constexpr double kEdge_m = 0.45;
+// Parapets of roads (EN 1317: 0.8 to 1.2 m); what holds the ballast or the feet of a railing; railings (EN 1176).
+constexpr double kRoadParapet_m = 1, kBallastWall_m = 0.35, kUpstand_m = 0.125, kRailing_m = 1.125;
+
+}  // namespace
+
+DeckDimensions deck_dimensions(const roads::Road& road, double between_m) {
+  DeckDimensions shape{roads::left_m(road) + roads::raised_left_m(road),
+                       roads::right_m(road) + roads::raised_right_m(road)};
+  shape.thickness_m = std::clamp(between_m / kSlenderness, kThinnest_m, kThickest_m);
+  shape.edge_m = std::min(kEdge_m, shape.thickness_m);
+  const map::LandCoverGroup group = map::values_of(road.surface).group;
+  if (group == map::LandCoverGroup::kRoad) {
+    shape.parapet_m = kRoadParapet_m;
+    return shape;
+  }
+  shape.parapet_m = group == map::LandCoverGroup::kRail ? kBallastWall_m : kUpstand_m;
+  shape.railing_m = kRailing_m;
+  return shape;
+}
+
+double longest_bay_m(const Span& span) {
+  const std::vector<double> along = roads::distances_along(span);
+  double longest_m = 0, last_m = along.front();
+  for (const Pier& pier : span.piers) {
+    longest_m = std::max(longest_m, pier.at_m - last_m);
+    last_m = pier.at_m;
+  }
+  return std::max(longest_m, along.back() - last_m);
+}
+
+}  // namespace citykiln::structures

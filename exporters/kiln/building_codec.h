@@ -1,0 +1,80 @@
+// Buildings in a chunk.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "compiler/buildings/recipe.h"
+#include "compiler/map/building_classes.h"
+#include "exporters/kiln/field_codecs.h"
+
+namespace citykiln::exporters {
+
+void colour(auto& io, std::optional<map::Srgb>& value) {
+  bool is_there = value.has_value();
+  flag(io, "colours", is_there);
+  if (!is_there) return;
+  if (!value) value.emplace();
+  for (std::uint8_t& c : *value) io.number("colour values", c);
+}
+
+void serialise(auto& io, roofs::RoofShape& roof) {
+  enumerator(io, "roof form", roof.form, roofs::Form::kCount);
+  if (roof.form == roofs::Form::kFlat) return;
+  io.metres("roof rise", roof.height_m);
+  bool has_direction = roof.direction.has_value();
+  flags(io, "roof traits", has_direction, roof.is_ridge_across);
+  io.metres("roof eaves", roof.overhang_m);
+  if (!has_direction) return;
+  if (!roof.direction) roof.direction.emplace();
+  io.metres("roof direction", roof.direction->x), io.metres("roof direction", roof.direction->y);
+}
+
+void serialise(auto& io, buildings::FacadeEdge& f) {
+  auto number = 512u * f.doors + 2u * f.buried_storeys + (f.faces_street ? 1 : 0);
+  io.number("front", number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number >> 9 > 0xffff) io.fail("front");
+  f = {(number & 1) != 0, static_cast<std::uint8_t>(number / 2 & 0xff), static_cast<std::uint16_t>(number >> 9)};
+}
+
+void serialise(auto& io, buildings::PartyWall& w, std::size_t edges) {
+  io.number("party edge", w.edge);
+  io.metres("party place", w.from_m), io.metres("party place", w.to_m), io.metres("party top", w.top_m);
+  flags(io, "party traits", w.is_hidden, w.has_windows_above);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (w.edge >= edges || !(w.from_m >= 0 && w.from_m < w.to_m)) io.fail("party edge");
+}
+
+// Heights in order, and a roof that fits: what expanding counts on.
+inline bool has_ordered_heights(const buildings::Building& b) {
+  return b.bottom_m < b.top_m && b.bottom_m <= b.floor_m && b.floor_m <= eaves_m(b) && b.levels > 0 &&
+         b.roof_shape.height_m >= 0 && b.roof_shape.overhang_m >= 0 && b.roof_shape.overhang_m <= 16;
+}
+
+void facade(auto& io, buildings::Building& b) {
+  const std::size_t edges = b.footprint.outer.size();
+  enumerator(io, "style", b.style, buildings::Style::kCount);
+  enumerator(io, "building class", b.building_class, static_cast<std::uint8_t>(map::BuildingClass::kCount));
+  io.number("storeys", b.levels), io.number("year", b.year);
+  flag(io, "shop", b.has_shop);
+  list(io, "fronts", b.fronts, 0, [&](buildings::FacadeEdge& f) { serialise(io, f); });
+  list(io, "party walls", b.party_walls, 0, [&](buildings::PartyWall& w) { serialise(io, w, edges); });
+}
+
+void serialise(auto& io, buildings::Building& b) {
+  id(io, b.id);
+  points(io, "footprint points", b.footprint.outer, 3);
+  list(io, "footprint holes", b.footprint.holes, 0, [&](Ring& hole) { points(io, "hole points", hole, 3); });
+  io.metres("building bottom", b.bottom_m), io.metres("building floor", b.floor_m), io.metres("building top", b.top_m);
+  flag(io, "building stands", b.stands_on_ground);
+  enumerator(io, "wall", b.wall, materials::Material::kCount);
+  enumerator(io, "roof", b.roof, materials::Material::kCount);
+  colour(io, b.wall_colour), colour(io, b.roof_colour);
+  serialise(io, b.roof_shape);
+  facade(io, b);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (!has_ordered_heights(b)) io.fail("building top");
+}
+
+}  // namespace citykiln::exporters

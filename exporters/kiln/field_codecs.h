@@ -1,0 +1,120 @@
+// Fields that many things in a chunk have: numbers within bounds, lists, ids, lines, profiles. Written or read, as the
+// io behind them does; what no chunk can be fails there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "compiler/geometry/profile.h"
+#include "exporters/kiln/chunk_io.h"
+
+namespace citykiln::exporters {
+
+template <typename Enum>
+void enumerator(auto& io, Stream name, Enum& value, Enum count) {
+  auto number = static_cast<std::uint64_t>(value);
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (number >= static_cast<std::uint64_t>(count)) io.fail(name), number = 0;
+    value = static_cast<Enum>(number);
+  }
+}
+
+template <typename Io, typename Object, typename Each>
+void list(Io& io, Stream name, std::vector<Object>& objects, std::size_t least, Each each) {
+  const std::size_t size = io.count(name, objects.size());
+  if constexpr (Io::kReads) {
+    if (size < least) return io.fail(name);
+    // room grows with what is there, not with what the count says
+    objects.reserve(std::min(size, kMaxReserve));
+    for (std::size_t i = 0; i < size && io.wrong.empty(); ++i) each(objects.emplace_back());
+  } else {
+    for (Object& object : objects) each(object);
+  }
+}
+
+void flag(auto& io, Stream name, bool& value) {
+  std::uint8_t number = value ? 1 : 0;
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number > 1) io.fail(name);
+  value = number != 0;
+}
+
+void id(auto& io, ObjectId& id) {
+  enumerator(io, "id type", id.osm.type, static_cast<OsmType>(4));
+  io.delta("id", id.osm.id);
+  io.number("part", id.part);
+}
+
+void points(auto& io, Stream kind, std::vector<Vec2>& axis, std::size_t least) {
+  list(io, kind, axis, least, [&](Vec2& p) { io.point(p); });
+}
+
+// In whole quanta, as a difference to the last one.
+void quanta(auto& io, Stream name, double& value, double quantum) {
+  auto count = static_cast<std::int64_t>(std::floor(value / quantum + 0.5));
+  io.delta(name, count);
+  value = static_cast<double>(count) * quantum;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (std::abs(value) > kMaxCoordinate_m) io.fail(name), value = 0;
+}
+
+// How far from the knot before, in eighths of a metre.
+void knot(auto& io, Knot& k, const Knot* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((k.at_m - from_m) * 8);
+  io.number("knot steps", steps);
+  k.at_m = from_m + static_cast<double>(steps) / 8;
+  quanta(io, "knot height", k.z_m, kProfileQuantum_m);
+  quanta(io, "knot tilt", k.tilt, kTiltQuantum);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if ((before && steps == 0) || k.at_m > kMaxCoordinate_m) io.fail("knot steps");
+}
+
+void profile(auto& io, Profile& p) {
+  std::size_t i = 0;
+  list(io, "knots", p, 0, [&](Knot& k) {
+    knot(io, k, i > 0 ? &p[i - 1] : nullptr);
+    ++i;
+  });
+}
+
+// Whole quarters of a metre, below 64 m.
+void quarters(auto& io, Stream name, double& value) {
+  auto quarters = static_cast<std::uint8_t>(value * 4);
+  io.number(name, quarters);
+  value = quarters / 4.0;
+}
+
+// Several small numbers in one: each takes the bits that its count needs.
+struct MixedRadix {
+  std::uint64_t number;
+  std::uint64_t take(std::uint64_t count) {
+    const std::uint64_t taken = number % count;
+    number /= count;
+    return taken;
+  }
+};
+
+// Steps of 2^-11 m, not below 0: the middle of what is counted in quanta.
+void half_steps(auto& io, Stream name, double& value) {
+  constexpr double kHalf_m = kQuantum_m / 2;
+  auto steps = static_cast<std::uint64_t>(value / kHalf_m);
+  io.number(name, steps);
+  value = static_cast<double>(steps) * kHalf_m;
+}
+
+// Two truths as one number.
+void flags(auto& io, Stream name, bool& first, bool& second) {
+  std::uint8_t number = static_cast<std::uint8_t>((first ? 1 : 0) + (second ? 2 : 0));
+  io.number(name, number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (number > 3) io.fail(name);
+  first = (number & 1) != 0, second = (number & 2) != 0;
+}
+
+}  // namespace citykiln::exporters

@@ -1,0 +1,236 @@
+// Roads, junctions, waterways, bridges and tunnels in a chunk.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/scene/scene.h"
+#include "exporters/kiln/field_codecs.h"
+#include "exporters/kiln/road_kinds.h"
+
+namespace citykiln::exporters {
+
+// Kind, way and whether it is raised, as one number.
+void serialise(auto& io, map::Lane& l) {
+  constexpr std::uint64_t kWays = 3, kRaised = 2;
+  auto number =
+      (static_cast<std::uint64_t>(l.kind) * kWays + static_cast<std::uint64_t>(l.way)) * kRaised + l.is_raised;
+  io.number("lane kind", number);
+  MixedRadix packed{number};
+  l.is_raised = packed.take(kRaised) != 0;
+  l.way = static_cast<map::LaneDirection>(packed.take(kWays));
+  l.kind = static_cast<map::LaneKind>(packed.number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (packed.number >= static_cast<std::uint64_t>(map::LaneKind::kCount)) io.fail("lane kind");
+  io.metres("lane width", l.width_m);
+  io.number("lane turns", l.turns);
+}
+
+void serialise(auto& io, RoadKind& k) {
+  enumerator(io, "road surface", k.surface, map::LandCoverClass::kCount);
+  const bool drives_left = k.side == map::DrivingSide::kLeft;
+  auto traits = static_cast<std::uint64_t>(drives_left | k.is_lit << 1 | k.is_link << 2 | k.is_roundabout << 3);
+  io.number("road traits", traits);
+  k.side = (traits & 1) != 0 ? map::DrivingSide::kLeft : map::DrivingSide::kRight;
+  k.is_lit = (traits & 2) != 0, k.is_link = (traits & 4) != 0, k.is_roundabout = (traits & 8) != 0;
+  half_steps(io, "axis offset", k.section.axis_offset_m);
+  list(io, "lanes", k.section.lanes, 1, [&](map::Lane& l) { serialise(io, l); });
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (traits > 15) io.fail("road traits");
+    if (!is_sound(k.section)) io.fail("lanes");
+  }
+}
+
+// Kind and facing as one number.
+void serialise(auto& io, map::TrackPoint& p) {
+  constexpr std::uint64_t kFacings = 3;
+  io.number("track vertex", p.vertex);
+  auto sign = static_cast<std::uint64_t>(p.kind) * kFacings + static_cast<std::uint64_t>(p.facing + 1);
+  io.number("track sign", sign);
+  MixedRadix packed{sign};
+  p.facing = static_cast<std::int8_t>(static_cast<int>(packed.take(kFacings)) - 1);
+  p.kind = static_cast<map::TrackPointKind>(packed.number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (packed.number >= static_cast<std::uint64_t>(map::TrackPointKind::kCount)) io.fail("track sign");
+}
+
+// Steps of 2^-10 m, not as a difference: mostly zero.
+void passed(auto& io, double& value) {
+  auto steps = static_cast<std::uint64_t>(value / kQuantum_m);
+  io.number("passed", steps);
+  value = static_cast<double>(steps) * kQuantum_m;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (value > kMaxCoordinate_m) io.fail("passed"), value = 0;
+}
+
+void serialise(auto& io, roads::Road& r, std::span<const RoadKind> kinds, std::uint32_t& number) {
+  id(io, r.id);
+  points(io, "road points", r.axis, 2);
+  io.number("road kind", number);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    if (number >= kinds.size()) return io.fail("road kind");
+    set_kind(kinds[number], r);
+  }
+  passed(io, r.start_along_m);
+  list(io, "track points", r.points, 0, [&](map::TrackPoint& p) {
+    serialise(io, p);
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (p.vertex >= r.axis.size()) io.fail("track vertex");
+  });
+  profile(io, r.profile);
+}
+
+// The kinds of all roads of a chunk, bridges and tunnels among them, and which of them is whose, as they come.
+struct KindsOfChunk {
+  RoadKinds kinds;
+  std::size_t next = 0;
+
+  template <typename Io>
+  void road(Io& io, roads::Road& r) {
+    if constexpr (Io::kReads) kinds.of_road.push_back(0);
+    serialise(io, r, kinds.kinds, kinds.of_road[next++]);
+  }
+};
+
+template <typename Io>
+KindsOfChunk kinds_of_chunk(Io& io, const scene::Chunk& c) {
+  KindsOfChunk all;
+  if constexpr (!Io::kReads) {
+    std::vector<roads::Road> roads = c.roads;
+    roads.insert(roads.end(), c.bridges.begin(), c.bridges.end());
+    roads.insert(roads.end(), c.tunnels.begin(), c.tunnels.end());
+    all.kinds = kinds_of(roads);
+  }
+  list(io, "road kinds", all.kinds.kinds, 0, [&](RoadKind& k) { serialise(io, k); });
+  return all;
+}
+
+// How far from the pinch before on its side, in quarters of a metre, and whether the limit runs straight from there.
+void serialise(auto& io, roads::WidthLimit& p, const roads::WidthLimit* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4) * 2 + p.is_wall;
+  io.number("pinch steps", steps);
+  p.is_wall = steps % 2 != 0;
+  p.at_m = from_m + static_cast<double>(steps / 2) / 4;
+  auto half = static_cast<std::int64_t>(p.half_m * 32);
+  io.delta("pinch half", half);
+  p.half_m = static_cast<double>(half) / 32;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads) {
+    const bool follows = before ? p.at_m > from_m : !p.is_wall;
+    if (!follows || p.at_m > kMaxCoordinate_m) io.fail("pinch steps");
+    if (half <= 0 || p.half_m > kMaxCoordinate_m) io.fail("pinch half");
+  }
+}
+
+void width_limits(auto& io, std::vector<roads::WidthLimit>& side) {
+  std::size_t i = 0;
+  list(io, "width_limits", side, 0, [&](roads::WidthLimit& p) {
+    serialise(io, p, i > 0 ? &side[i - 1] : nullptr);
+    ++i;
+  });
+}
+
+// Most roads are not narrowed and take no bytes.
+template <typename Io>
+void narrowings(Io& io, std::vector<roads::Road>& roads) {
+  std::vector<std::uint64_t> narrowed;
+  for (std::size_t i = 0; i < roads.size(); ++i)
+    if (!roads[i].width_limits.is_empty()) narrowed.push_back(i);
+  std::uint64_t next = 0;
+  list(io, "narrowed roads", narrowed, 0, [&](std::uint64_t& road) {
+    std::uint64_t skipped = road - next;
+    io.number("narrowed road", skipped);
+    if constexpr (Io::kReads)
+      if (skipped >= roads.size() - next) return io.fail("narrowed road");
+    road = next + skipped, next = road + 1;
+    width_limits(io, roads[road].width_limits.left), width_limits(io, roads[road].width_limits.right);
+  });
+}
+
+template <typename Io>
+void roads_of(Io& io, std::vector<roads::Road>& roads, KindsOfChunk& kinds) {
+  list(io, "roads", roads, 0, [&](roads::Road& r) { kinds.road(io, r); });
+  narrowings(io, roads);
+}
+
+// What rivers' areas reach is counted in these.
+inline constexpr double kReachStep_m = 16;
+
+void serialise(auto& io, roads::Strip& s) {
+  id(io, s.id);
+  points(io, "road points", s.axis, 2);
+  enumerator(io, "water class", s.surface, map::LandCoverClass::kCount);
+  io.metres("water sides", s.left_m), io.metres("water sides", s.right_m);
+  passed(io, s.start_along_m);
+  profile(io, s.profile);
+  auto reach = static_cast<std::uint64_t>(s.reach_m / kReachStep_m);
+  io.number("water reach", reach);
+  s.reach_m = static_cast<double>(reach) * kReachStep_m;
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (s.reach_m > kMaxCoordinate_m) io.fail("water reach"), s.reach_m = 0;
+}
+
+void serialise(auto& io, roads::Junction& j) {
+  enumerator(io, "junction family", j.family, roads::Family::kOther);
+  points(io, "junction places", j.places, 1);
+  list(io, "junction arms", j.cuts, 1, [&](roads::Cut& cut) {
+    quarters(io, "cut lengths", cut.length_m);
+    quarters(io, "corner radii", cut.radius_m);
+  });
+}
+
+void serialise(auto& io, structures::SpanEnd& end) {
+  enumerator(io, "span ends", end.kind, structures::EndKind::kCount);
+  if (end.kind == structures::EndKind::kGround || end.kind == structures::EndKind::kJoint) io.point(end.beyond);
+  if (end.kind == structures::EndKind::kBesideRoad) quarters(io, "end cut", end.cut_m);
+}
+
+// How far from the pier before, or from the way's beginning, in quarters of a metre.
+void serialise(auto& io, structures::Pier& p, const structures::Pier* before) {
+  const double from_m = before ? before->at_m : 0;
+  auto steps = static_cast<std::uint64_t>((p.at_m - from_m) * 4);
+  io.number("pier step", steps);
+  p.at_m = from_m + static_cast<double>(steps) / 4;
+  quanta(io, "pier foot", p.foot_m, 0.25);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if ((before && steps == 0) || p.at_m > kMaxCoordinate_m) io.fail("pier step");
+}
+
+// As steps from the end of the opening before, in quarters of a metre.
+void openings(auto& io, std::vector<structures::ParapetGap>& side) {
+  double last_m = 0;
+  list(io, "openings", side, 0, [&](structures::ParapetGap& o) {
+    for (double* at_m : {&o.from_m, &o.to_m}) {
+      auto steps = static_cast<std::uint64_t>((*at_m - last_m) * 4);
+      io.number("opening step", steps);
+      last_m = *at_m = last_m + static_cast<double>(steps) / 4;
+    }
+    if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+      if (o.to_m <= o.from_m || o.to_m > kMaxCoordinate_m) io.fail("opening step");
+  });
+}
+
+// From the lowest that a map may tell.
+void layer(auto& io, std::int8_t& value) {
+  constexpr int kLowest = -10, kHighest = 10;
+  auto above = static_cast<std::uint8_t>(value - kLowest);
+  io.number("span layer", above);
+  if constexpr (std::remove_reference_t<decltype(io)>::kReads)
+    if (above > kHighest - kLowest) io.fail("span layer");
+  value = static_cast<std::int8_t>(above + kLowest);
+}
+
+void serialise(auto& io, structures::Span& s, KindsOfChunk& kinds) {
+  kinds.road(io, s);
+  serialise(io, s.from), serialise(io, s.to);
+  flag(io, "bored", s.is_bored);
+  layer(io, s.layer);
+  openings(io, s.left_gaps), openings(io, s.right_gaps);
+  std::size_t i = 0;
+  list(io, "piers", s.piers, 0, [&](structures::Pier& p) {
+    serialise(io, p, i > 0 ? &s.piers[i - 1] : nullptr);
+    ++i;
+  });
+}
+
+}  // namespace citykiln::exporters

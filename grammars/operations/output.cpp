@@ -1,0 +1,23 @@
+// What rules say to the caller: report, print.
+#include "grammars/operations/operations.h"
+
+namespace citykiln::grammars {
+
+void op_report(Execution& execution, const Statement&, Arguments arguments) {
+  Run& run = execution.run;
+  // as many as shapes at most
+  if (run.out.reports.size() > run.options.limits.shapes) return;
+  run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, {}});
+  run.report_births.push_back(execution.shape.birth);
+}
+
+void op_print(Execution& execution, const Statement&, Arguments arguments) {
+  execution.run.depends_on(0);
+  constexpr std::size_t kMostLines = 10'000;
+  if (execution.run.out.printed.size() >= kMostLines) return;
+  std::string line;
+  for (const Argument& argument : arguments) line.append(line.empty() ? "" : " ").append(text_of(argument.value));
+  execution.run.out.printed.push_back(std::move(line));
+}
+
+}  // namespace citykiln::grammars

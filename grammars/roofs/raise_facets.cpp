@@ -1,0 +1,197 @@
+#include "grammars/roofs/raise_facets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "compiler/geometry/snap.h"
+#include "grammars/roofs/plan_cells.h"
+#include "grammars/roofs/plan_columns.h"
+#include "grammars/roofs/plan_heights.h"
+
+namespace citykiln::roofs {
+namespace {
+
+// A stretch of a column.
+struct Stretch {
+  std::uint32_t column;
+  double low_m, high_m;
+};
+
+// Borders that turn less than this (as a sine) go on with the same wall: what rounding bends is a grid step over
+// metres.
+constexpr double kSameWall = 0.02;
+
+class Builder {
+ public:
+  Builder(const PlanCells& plan, std::span<const Facet> facets, const PlanHeights& heights, double thickness_m)
+      : plan_(plan), facets_(facets), heights_(heights), thickness_m_(thickness_m), columns_(plan_columns(plan)) {
+    place_vertices();
+    trace_eaves();
+    for (std::uint32_t c = 0; c < plan.cells.size(); ++c) {
+      cover(c);
+      for (int edge = 0; edge < 3; ++edge) wall_off(c, edge);
+    }
+  }
+
+  Roof take() && { return std::move(roof_); }
+
+ private:
+  // a vertex is named by its column and its height
+  using Level = std::pair<std::uint32_t, double>;
+
+  std::uint32_t column(std::uint32_t cell, int corner) const { return columns_.of_corners[cell][corner]; }
+  double under_m(std::uint32_t cell, int corner) const { return heights_.corners_m[cell][corner]; }
+  double top_m(std::uint32_t cell, int corner) const { return under_m(cell, corner) + thickness_m_; }
+  bool stands(std::uint32_t cell) const { return cell != kNoFacet && plan_.cells[cell].is_over_footprint; }
+  std::uint32_t face_of(std::uint32_t cell) const {
+    const std::uint32_t facet = plan_.cells[cell].facet;
+    return facet == kNoFacet ? kNoFacet : facets_[facet].face;
+  }
+  bool is_border(std::uint32_t cell, int edge) const {
+    return stands(cell) && !stands(plan_.cells[cell].neighbours[edge]);
+  }
+
+  void place_vertices() {
+    for (std::uint32_t c = 0; c < plan_.cells.size(); ++c)
+      for (int i = 0; i < 3; ++i) {
+        levels_.emplace_back(column(c, i), top_m(c, i));
+        if (stands(c)) levels_.emplace_back(column(c, i), 0);
+        // soffits, and walls that end at them
+        if (!stands(c)) levels_.emplace_back(column(c, i), under_m(c, i));
+      }
+    std::sort(levels_.begin(), levels_.end());
+    levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+    for (const auto& [column, z_m] : levels_) {
+      roof_.positions.push_back(at_height(columns_.places[column], z_m));
+      roof_.height_m = std::max(roof_.height_m, z_m);
+    }
+  }
+
+  std::uint32_t vertex(std::uint32_t column, double z_m) const {
+    const auto found = std::lower_bound(levels_.begin(), levels_.end(), Level{column, z_m});
+    assert(found != levels_.end() && *found == Level(column, z_m));
+    return static_cast<std::uint32_t>(found - levels_.begin());
+  }
+
+  // Borders follow each other around the footprint: every column on it has one that starts there.
+  void trace_eaves() {
+    std::vector<std::uint32_t> next(columns_.places.size(), kNoFacet);
+    for (std::uint32_t c = 0; c < plan_.cells.size(); ++c)
+      for (int edge = 0; edge < 3; ++edge)
+        if (is_border(c, edge)) next[column(c, (edge + 1) % 3)] = column(c, (edge + 2) % 3);
+    wall_of_.assign(next.size(), kNoFacet);
+    for (std::uint32_t start = 0; start < next.size(); ++start)
+      if (next[start] != kNoFacet && wall_of_[start] == kNoFacet) trace_ring(start, next);
+  }
+
+  void trace_ring(std::uint32_t start, const std::vector<std::uint32_t>& next) {
+    std::vector<std::uint32_t>& ring = roof_.eaves.emplace_back();
+    Vec2 before{};
+    for (std::uint32_t at = start; wall_of_[at] == kNoFacet; at = next[at]) {
+      const Vec2 along = unit(columns_.places[next[at]] - columns_.places[at]);
+      if (dot(before, along) <= 0 || std::abs(cross(before, along)) > kSameWall) ++walls_;
+      wall_of_[at] = walls_;
+      ring.push_back(vertex(at, 0));
+      before = along;
+    }
+  }
+
+  void add(Triangle triangle, Part part, std::uint32_t face) {
+    roof_.triangles.push_back(triangle);
+    roof_.parts.push_back(part);
+    roof_.faces.push_back(face);
+  }
+
+  // The roof over a cell, and what is below it: the floor, or the soffit.
+  void cover(std::uint32_t c) {
+    Triangle top{}, below{};
+    for (int i = 0; i < 3; ++i) {
+      top[i] = vertex(column(c, i), top_m(c, i));
+      below[i] = vertex(column(c, i), stands(c) ? 0 : under_m(c, i));
+    }
+    add(top, Part::kRoof, face_of(c));
+    if (stands(c)) return roof_.floor.push_back(below);
+    std::swap(below[1], below[2]);
+    add(below, Part::kSoffit, face_of(c));
+  }
+
+  // What stands upright under a cell's edge, looking out of the cell.
+  void wall_off(std::uint32_t c, int edge) {
+    const std::uint32_t beyond = plan_.cells[c].neighbours[edge];
+    const int a = (edge + 1) % 3, b = (edge + 2) % 3;
+    if (beyond == kNoFacet && !stands(c))
+      wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, Part::kEdge,
+           face_of(c));
+    else if (beyond == kNoFacet)
+      wall({column(c, a), 0, top_m(c, a)}, {column(c, b), 0, top_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+    else if (is_border(c, edge))
+      wall({column(c, a), 0, under_m(c, a)}, {column(c, b), 0, under_m(c, b)}, Part::kGable, wall_of_[column(c, a)]);
+    else
+      step_down(c, a, b, beyond);
+  }
+
+  double top_beyond_m(std::uint32_t cell, std::uint32_t point) const {
+    const auto& points = plan_.cells[cell].points;
+    return top_m(cell, static_cast<int>(std::find(points.begin(), points.end(), point) - points.begin()));
+  }
+
+  // Between two sheets, from the higher one down to the lower. Sheets cross nowhere but in points of the plan.
+  void step_down(std::uint32_t c, int a, int b, std::uint32_t beyond) {
+    const Stretch first{column(c, a), top_beyond_m(beyond, plan_.cells[c].points[a]), top_m(c, a)};
+    const Stretch second{column(c, b), top_beyond_m(beyond, plan_.cells[c].points[b]), top_m(c, b)};
+    if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, Part::kGable, ~face_of(c));
+  }
+
+  // All vertices of both columns take part, so that nothing meets the middle of an edge.
+  void wall(const Stretch& left, const Stretch& right, Part part, std::uint32_t face) {
+    std::uint32_t a = vertex(left.column, left.low_m), b = vertex(right.column, right.low_m);
+    const std::uint32_t end_a = vertex(left.column, std::max(left.low_m, left.high_m));
+    const std::uint32_t end_b = vertex(right.column, std::max(right.low_m, right.high_m));
+    while (a < end_a || b < end_b) {
+      const bool is_right = b < end_b && (a == end_a || levels_[b + 1].second <= levels_[a + 1].second);
+      add(is_right ? Triangle{a, b, b + 1} : Triangle{a, b, a + 1}, part, face);
+      ++(is_right ? b : a);
+    }
+  }
+
+  const PlanCells& plan_;
+  std::span<const Facet> facets_;
+  const PlanHeights& heights_;
+  double thickness_m_;
+  PlanColumns columns_;
+  std::vector<Level> levels_;           // sorted; a level's number is its vertex
+  std::vector<std::uint32_t> wall_of_;  // the number of the wall that starts at a column
+  std::uint32_t walls_ = 0;
+  Roof roof_;
+};
+
+}  // namespace
+
+RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan) {
+  const PlanCells cells = plan_cells(footprint, plan.eaves_outline, plan.facets);
+  const PlanHeights heights = plan_heights(cells, plan.facets, plan.flush_m);
+  const double thickness_m = plan.eaves_outline.outer.empty() ? 0 : snapped(plan.thickness_m);
+  return {Builder(cells, plan.facets, heights, thickness_m).take(), heights.uncovered_m2, heights.largest_gap_m};
+}
+
+Mesh closed_body(const Roof& roof, double bottom_m) {
+  Mesh body{roof.positions, {}, roof.triangles};
+  std::vector<std::uint32_t> below(roof.positions.size(), kNoFacet);
+  for (const Triangle& t : roof.floor)
+    for (const std::uint32_t v : t)
+      if (below[v] == kNoFacet) {
+        below[v] = static_cast<std::uint32_t>(body.positions.size());
+        body.positions.push_back(at_height(in_plan(roof.positions[v]), bottom_m));
+      }
+  for (const Triangle& t : roof.floor) body.triangles.push_back({below[t[0]], below[t[2]], below[t[1]]});
+  for (const auto& ring : roof.eaves)
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      body.triangles.push_back({below[ring[j]], below[ring[i]], ring[i]});
+      body.triangles.push_back({below[ring[j]], ring[i], ring[j]});
+    }
+  return body;
+}
+
+}  // namespace citykiln::roofs

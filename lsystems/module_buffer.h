@@ -1,0 +1,47 @@
+// A string of modules while it is written: memory stays when it is written again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "lsystems/module_string.h"
+
+namespace citykiln::lsystems {
+
+struct ModuleBuffer {
+  ModuleString room;  ///< As large as ever needed; the string is its beginning.
+  std::size_t size = 0, value_count = 0;
+  std::size_t most = 0;  ///< Symbols; four times as many values.
+
+  std::span<const Kind> kinds() const { return {room.kinds.data(), size}; }
+  std::span<const double> values() const { return {room.values.data(), value_count}; }
+
+  /// Room for so many more, or false where there is to be none.
+  bool make_room(std::size_t symbols, std::size_t values) {
+    if (size + symbols <= room.kinds.size() && value_count + values <= room.values.size())
+      return size + symbols <= most;
+    return grow(symbols, values);
+  }
+
+  bool grow(std::size_t symbols, std::size_t values) {
+    if (size + symbols > most || value_count + values > 4 * most) return false;
+    const auto larger = [](std::size_t had, std::size_t needed, std::size_t limit) {
+      return needed <= had ? had : std::min(limit, std::max(2 * needed, std::size_t{256}));
+    };
+    room.kinds.resize(larger(room.kinds.size(), size + symbols, std::max(most, size + symbols)));
+    room.values.resize(larger(room.values.size(), value_count + values, std::max(4 * most, value_count + values)));
+    return true;
+  }
+
+  /// Copies of a run; there is room.
+  void append(std::span<const Kind> kinds, std::span<const double> values) {
+    if (!kinds.empty()) std::memcpy(room.kinds.data() + size, kinds.data(), kinds.size_bytes());
+    if (!values.empty()) std::memcpy(room.values.data() + value_count, values.data(), values.size_bytes());
+    size += kinds.size();
+    value_count += values.size();
+  }
+};
+
+}  // namespace citykiln::lsystems

@@ -1,0 +1,24 @@
+#include "preview/facade_atlas_texture.h"
+
+namespace citykiln::preview {
+namespace {
+
+constexpr std::size_t kLevels = 2;
+
+}  // namespace
+
+FacadeAtlasTexture::FacadeAtlasTexture(const impostor::Atlas& atlas)
+    : atlas_(&atlas),
+      colour_(atlas.colour, TexelMeaning::kColours, WrapMode::kClamp, kLevels),
+      surface_(atlas.surface, TexelMeaning::kNumbers, WrapMode::kClamp, kLevels) {
+  if (!atlas.emission.texels.empty())
+    emission_.emplace(atlas.emission, TexelMeaning::kColours, WrapMode::kClamp, kLevels);
+  if (!atlas.normal.texels.empty()) normal_.emplace(atlas.normal, TexelMeaning::kNormals, WrapMode::kClamp, kLevels);
+}
+
+Vec3 FacadeAtlasTexture::normal(const TextureFootprint& patch) const {
+  const auto [u, v, out] = normal_->mean(patch);
+  return unit(Vec3{u, v, out});
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,27 @@
+#include "preview/material_texture.h"
+
+namespace citykiln::preview {
+
+MaterialTexture::MaterialTexture(const materials::Texture& texture)
+    : texture_(&texture), factor_(colour_factor(texture)) {
+  using materials::Material;
+  const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
+  if (!texture.colour.texels.empty()) colour_.emplace(texture.colour, TexelMeaning::kColours, WrapMode::kRepeat);
+  if (!texture.normal.texels.empty() && !is_water)
+    normal_.emplace(texture.normal, TexelMeaning::kNormals, WrapMode::kRepeat);
+}
+
+std::array<double, 3> MaterialTexture::colour(const TextureFootprint& patch) const {
+  if (!colour_) return factor_;
+  std::array<double, 3> mean = colour_->mean(patch);
+  for (std::size_t c = 0; c < 3; ++c) mean[c] *= factor_[c];
+  return mean;
+}
+
+Vec3 MaterialTexture::normal(const TextureFootprint& patch) const {
+  if (!normal_) return {0, 0, 1};
+  const auto [u, v, out] = normal_->mean(patch);
+  return unit(Vec3{u, v, out});
+}
+
+}  // namespace citykiln::preview

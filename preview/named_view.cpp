@@ -1,0 +1,117 @@
+// From outside, a view's direction is given and its distance is solved for; inside, places are tried by looking about.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "preview/preview.h"
+#include "preview/scene_grid.h"
+#include "preview/street_view.h"
+
+namespace citykiln::preview {
+namespace {
+
+// Pictures are at least this wide for their height; wider ones show more at the sides.
+constexpr double kAspect = 16.0 / 9;
+
+// How many in a hundred of the scene's columns may lie outside a side of the picture: a lone peak or a stray far tile
+// must not make everything else small.
+constexpr double kOutside = 0.01;
+
+// Room at the edges.
+constexpr double kMargin = 0.94;
+
+struct View {
+  const char* name;
+  Vec3 towards_eye;  ///< From the scene.
+  double fov_deg;
+};
+
+constexpr View kOutsideViews[] = {
+    {"overview", {0.52, -0.85, 0.62}, 35}, {"top", {0, 0, 1}, 35},    {"north", {0, 1, 0.5}, 35},
+    {"south", {0, -1, 0.5}, 35},           {"east", {1, 0, 0.5}, 35}, {"west", {-1, 0, 0.5}, 35}};
+
+// The largest of the values, leaving out the share that may lie outside.
+double largest(std::vector<double>& values) {
+  const auto nth = values.end() - 1 - static_cast<std::ptrdiff_t>(kOutside * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// Two opposite planes of a camera's frustum, pushed in until they touch the points: where the eye must be across and,
+// at most, along the view.
+struct Wedge {
+  double across, along;
+};
+
+Wedge wedge_about(const std::vector<Vec3>& points, Vec3 across, Vec3 forward, double half_slope) {
+  std::vector<double> plus, minus;
+  for (const Vec3& p : points) {
+    plus.push_back(dot(p, across) - half_slope * dot(p, forward));
+    minus.push_back(-dot(p, across) - half_slope * dot(p, forward));
+  }
+  const double a = largest(plus), b = largest(minus);
+  return {(a - b) / 2, -(a + b) / (2 * half_slope)};
+}
+
+Camera outside_view(const SceneGrid& relief, const View& view) {
+  const Vec3 forward = unit(view.towards_eye) * -1,
+             pole = view.towards_eye.x == 0 && view.towards_eye.y == 0 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 right = unit(cross(forward, pole)), up = cross(right, forward);
+  const double slope = std::tan(view.fov_deg * std::numbers::pi / 360) * kMargin;
+  const std::vector<Vec3> points = relief.points();
+  const Wedge sideways = wedge_about(points, right, forward, slope * kAspect),
+              upright = wedge_about(points, up, forward, slope);
+  const double along = std::min(sideways.along, upright.along);
+  const Vec3 eye = right * sideways.across + up * upright.across + forward * along;
+  return {eye, eye + forward * std::max(1.0, dot(relief.core_point() - eye, forward)), view.fov_deg};
+}
+
+// How high an eye must stand to look at a target past the hills on the way and over the roofs below it.
+double clear_height_m(const SceneGrid& relief, Vec2 from, Vec3 target) {
+  constexpr double kOverHills_m = 40, kOverRoofs_m = 30;
+  constexpr int kSteps = 16;
+  double height = std::max(target.z, relief.highest_m(from) + kOverRoofs_m);
+  for (int step = 1; step < kSteps; ++step) {
+    const double share = static_cast<double>(step) / kSteps;
+    const double hill = relief.lowest_m(from + (in_plan(target) - from) * share) + kOverHills_m * (1 - share);
+    height = std::max(height, target.z + (hill - target.z) / (1 - share));
+  }
+  return height;
+}
+
+// Over the roofs into the densest part, from the side that needs the least height; among equals from the south-west.
+Camera low_view(const SceneGrid& relief) {
+  constexpr Vec2 kSides[] = {{-0.6, -0.8}, {0.7, -0.7}, {0, -1}, {-1, 0}, {1, 0}, {-0.7, 0.7}, {0.7, 0.7}, {0, 1}};
+  // as a man on a hill sees a town: some 15 degrees down
+  constexpr double kAway_m = 550, kRise = 0.27, kStoreys = 1.6;
+  const Vec3 ground = relief.core_point();
+  const double tall_m = std::max(0.0, relief.highest_m(in_plan(ground)) - ground.z);
+  const double away_m = std::max(kAway_m, kStoreys * tall_m);
+  const Vec3 target = ground + Vec3{0, 0, tall_m / 3};
+  Camera best{{}, target, 45};
+  best.eye.z = std::numeric_limits<double>::infinity();
+  for (const Vec2 side : kSides) {
+    const Vec2 from = in_plan(target) + unit(side) * away_m;
+    const double height = std::max(target.z + kRise * away_m, clear_height_m(relief, from, target));
+    // a few metres less are no reason to go round the town
+    if (height < best.eye.z - 20) best.eye = at_height(from, height);
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<Camera> named_view(std::span<const bake::BakedTile> tiles, const std::string& name) {
+  const SceneGrid relief(tiles);
+  if (name == "street") return street_view(tiles, relief);
+  if (name == "low") return low_view(relief);
+  std::string known = "street, low";
+  for (const View& view : kOutsideViews) {
+    if (name == view.name) return outside_view(relief, view);
+    known += std::string(", ") + view.name;
+  }
+  return Error{"--view " + name, "expected one of " + known};
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,134 @@
+#include "preview/scene_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace citykiln::preview {
+namespace {
+
+using materials::Material;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+Vec3 point_of(const bake::BakedTile& tile, const bake::Float3& p) { return tile.origin + Vec3{p[0], p[1], p[2]}; }
+
+bool is_finite(Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+Box2 box_of(std::span<const bake::BakedTile> tiles) {
+  Box2 box;
+  for (const bake::BakedTile& tile : tiles)
+    for (const bake::Primitive& primitive : tile.primitives)
+      for (const bake::Float3& p : primitive.positions)
+        if (is_finite(point_of(tile, p))) box.grow(in_plan(point_of(tile, p)));
+  return box.is_empty() ? Box2{{-100, -100}, {100, 100}} : box;
+}
+
+}  // namespace
+
+bool is_built(Material material) {
+  switch (material) {
+    case Material::kPlaster:
+    case Material::kBrick:
+    case Material::kStone:
+    case Material::kTimber:
+    case Material::kGlassFacade:
+    case Material::kMetalCladding:
+    case Material::kRoofTile:
+    case Material::kSlate:
+    case Material::kFlatRoof:
+    case Material::kMetalRoof:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_street(Material material) {
+  return material == Material::kAsphalt || material == Material::kOldAsphalt || material == Material::kPaving;
+}
+
+SceneGrid::SceneGrid(std::span<const bake::BakedTile> tiles)
+    : box_(box_of(tiles)), columns_(kAcross * kAcross, {kFar, -kFar}) {
+  for (const bake::BakedTile& tile : tiles)
+    for (const bake::Primitive& primitive : tile.primitives) add(tile, primitive);
+  find_core();
+}
+
+std::size_t SceneGrid::column_at(Vec2 at) const {
+  const auto step = [](double v, double low, double size) {
+    return std::clamp(static_cast<int>((v - low) / std::max(size, 1e-3) * kAcross), 0, kAcross - 1);
+  };
+  return static_cast<std::size_t>(step(at.y, box_.min.y, box_.height()) * kAcross +
+                                  step(at.x, box_.min.x, box_.width()));
+}
+
+Vec2 SceneGrid::middle_of(std::size_t column) const {
+  const double x = static_cast<double>(column % kAcross) + 0.5, y = static_cast<double>(column / kAcross) + 0.5;
+  return box_.min + Vec2{box_.width() * x / kAcross, box_.height() * y / kAcross};
+}
+
+void SceneGrid::add(const bake::BakedTile& tile, const bake::Primitive& primitive) {
+  for (const bake::Float3& position : primitive.positions) {
+    const Vec3 p = point_of(tile, position);
+    if (!is_finite(p)) continue;
+    Column& column = columns_[column_at(in_plan(p))];
+    column.low_m = std::min(column.low_m, p.z);
+    column.high_m = std::max(column.high_m, p.z);
+  }
+  if (!is_built(primitive.material)) return;
+  for (const auto& t : primitive.triangles) {
+    const Vec3 a = point_of(tile, primitive.positions[t[0]]), b = point_of(tile, primitive.positions[t[1]]);
+    const Vec3 c = point_of(tile, primitive.positions[t[2]]);
+    if (is_finite(a) && is_finite(b) && is_finite(c))
+      columns_[column_at(in_plan(a + b + c) * (1.0 / 3))].built_m2 += length(cross(b - a, c - a)) / 2;
+  }
+}
+
+std::vector<Vec3> SceneGrid::points() const {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].low_m > columns_[i].high_m) continue;
+    points.push_back(at_height(middle_of(i), columns_[i].low_m));
+    points.push_back(at_height(middle_of(i), columns_[i].high_m));
+  }
+  if (points.empty()) points = {{box_.min.x, box_.min.y, 0}, {box_.max.x, box_.max.y, 10}};
+  return points;
+}
+
+double SceneGrid::built_about(std::size_t column, int reach) const {
+  const int x = static_cast<int>(column) % kAcross, y = static_cast<int>(column) / kAcross;
+  double sum = 0;
+  for (int j = std::max(y - reach, 0); j <= std::min(y + reach, kAcross - 1); ++j)
+    for (int i = std::max(x - reach, 0); i <= std::min(x + reach, kAcross - 1); ++i)
+      sum += columns_[j * kAcross + i].built_m2;
+  return sum;
+}
+
+void SceneGrid::find_core() {
+  // a window of some 300 m
+  const double column_m = std::max(box_.width(), box_.height()) / kAcross;
+  const int reach = std::clamp(static_cast<int>(150 / std::max(column_m, 1e-3)), 1, 12);
+  std::size_t best = columns_.size();
+  double most = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (const double built = built_about(i, reach); built > most) most = built, best = i;
+  const Vec2 at = best < columns_.size() ? middle_of(best) : box_.centre();
+  // the lowest of the column: the street, not the roof
+  const std::vector<Vec3> all = points();
+  const auto nearest =
+      std::ranges::min_element(all, {}, [&](const Vec3& p) { return std::pair(distance(in_plan(p), at), p.z); });
+  core_ = at_height(at, nearest->z);
+}
+
+double SceneGrid::highest_m(Vec2 at) const {
+  if (!box_.contains(at)) return -kFar;
+  return columns_[column_at(at)].high_m;
+}
+
+double SceneGrid::lowest_m(Vec2 at) const {
+  const Column& column = columns_[column_at(at)];
+  return box_.contains(at) && column.low_m <= column.high_m ? column.low_m : -kFar;
+}
+
+}  // namespace citykiln::preview

@@ -1,0 +1,46 @@
+// The curve is Stephen Hill's fit of the ACES reference and output transforms ("BakingLab", 2016).
+#include "preview/tone_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace citykiln::preview {
+namespace {
+
+using Row = std::array<double, 3>;
+using Matrix = std::array<Row, 3>;
+
+constexpr Matrix kIntoFilm = {{{0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}}};
+constexpr Matrix kOutOfFilm = {
+    {{1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}}};
+
+// In the sky's unit, a clear zenith of 1, a matt wall of 0.18 in the midday sun shines with about 1.1: this puts that
+// grey a little above 0.18 of the screen's white, as one exposes for streets half in the shade, and a white wall just
+// below white.
+constexpr double kExposure = 0.85;
+
+double times(const Row& row, const Row& v) { return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]; }
+Row times(const Matrix& m, const Row& v) { return {times(m[0], v), times(m[1], v), times(m[2], v)}; }
+
+double curve(double v) { return (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081); }
+
+std::uint8_t srgb_byte(double v) {
+  const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::clamp(encoded, 0.0, 1.0) * 255 + 0.5);
+}
+
+}  // namespace
+
+std::array<std::uint8_t, 3> tone_map(const float* rgb) {
+  Row light;
+  for (int c = 0; c < 3; ++c) {
+    const double v = std::isfinite(rgb[c]) ? std::max(0.0f, rgb[c]) : 0;
+    light[c] = v * kExposure;
+  }
+  Row film = times(kIntoFilm, light);
+  for (double& c : film) c = curve(c);
+  const Row shown = times(kOutOfFilm, film);
+  return {srgb_byte(shown[0]), srgb_byte(shown[1]), srgb_byte(shown[2])};
+}
+
+}  // namespace citykiln::preview

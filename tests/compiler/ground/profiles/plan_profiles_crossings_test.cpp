@@ -1,0 +1,301 @@
+// Where ways cross each other: bridges, tunnels, and what leads up and down to them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compiler/ground/profiles/crossings.h"
+#include "compiler/ground/profiles/grade_rules.h"
+#include "compiler/ground/profiles/initial_heights.h"
+#include "compiler/ground/profiles/plan_profiles.h"
+#include "compiler/ground/profiles/profile_knots.h"
+#include "tests/compiler/ground/profiles/made_network.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::LandCoverClass;
+using map::Passage;
+
+constexpr auto kStreet = LandCoverClass::kResidentialRoad;
+
+// A road, a bridge of it over x from -30 to 30, and another below along y.
+map::Features crossing(Passage passage, int layer, LandCoverClass upper = kStreet, LandCoverClass lower = kStreet) {
+  map::Features f;
+  f.tracks = {track(1, {{-800, 0}, {-30, 0}}, upper), track(2, {{-30, 0}, {30, 0}}, upper, passage, layer),
+              track(3, {{30, 0}, {800, 0}}, upper), track(4, {{0, -800}, {0, 800}}, lower)};
+  return f;
+}
+
+double gap_m(const Planned& p) {
+  return height_m(p.profiles.off_ground[0], 30) - height_m(p.profiles.roads.back().profile, 800);
+}
+
+TEST(Profiles, ABridgeClearsWhatItCrossesAndItsApproachesKeepTheirLimit) {
+  for (const int layer : {0, 1, 5}) {
+    for (const auto upper : {kStreet, LandCoverClass::kMotorwayRoad, LandCoverClass::kRailway}) {
+      for (const double slope : {0.0, 0.01}) {
+        const Planned p = planned(crossing(Passage::kBridge, layer, upper),
+                                  index_road_influence([&](double x, double) { return 40 + x * slope; }));
+        EXPECT_GE(gap_m(p), kClearanceOverRoad_m - 0.1);
+        EXPECT_LE(gap_m(p), kClearanceOverRoad_m + 0.6);
+        EXPECT_EQ(p.measures.over_m, 0);
+        EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 0), 40 - 800 * slope, 0.5);
+        EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+      }
+    }
+  }
+  const Planned p = planned(crossing(Passage::kBridge, 1, kStreet, LandCoverClass::kRailway),
+                            index_road_influence([](double, double) { return 40; }));
+  EXPECT_GE(gap_m(p), kClearanceOverRail_m - 0.1);
+}
+
+TEST(Profiles, ARampEndsOnASlopeToo) {
+  const Planned p =
+      planned(crossing(Passage::kBridge, 1), index_road_influence([](double x, double) { return 300 + 0.12 * x; }));
+  EXPECT_GE(gap_m(p), kClearanceOverRoad_m - 0.3);
+  for (const double at : {400.0, 600.0}) {
+    EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 770 - at), 300 - 0.12 * (at + 30), 0.3);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, at), 300 + 0.12 * (at + 30), 0.3);
+  }
+}
+
+TEST(Profiles, OnlyWhatIsLiftedAgainMayBeSteeper) {
+  // a bridge on a slope so steep that its limit takes back some of the lift, far from hilly streets
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    map::Features f = street_grid(seed, 8, {-1400, -480});
+    const std::size_t streets = f.tracks.size();
+    for (map::Track t : crossing(Passage::kBridge, 1).tracks) {
+      for (Vec2& p : t.axis) p.x += 1000;
+      t.id.osm.id += 100;
+      f.tracks.push_back(std::move(t));
+    }
+    const map::Heightfield hills = hilly_field(seed, 40, 6);
+    const Planned p = planned(f, index_road_influence([&](double x, double y) {
+                                return x < 0 ? height_m_at(hills, {x, y}) : 120 + 0.17 * std::max(0.0, x - 100);
+                              }));
+    EXPECT_GE(height_m(p.profiles.off_ground[0], 30) - height_m(p.profiles.roads.back().profile, 800),
+              kClearanceOverRoad_m - kShortfallMargin_m);
+    for (std::size_t i = 0; i < streets; ++i) {
+      const Profile& profile = p.profiles.roads[i].profile;
+      const double limit = grade_rule_of(p.profiles.roads[i].surface).limit;
+      for (std::size_t k = 1; k < profile.size(); ++k)
+        EXPECT_LE(std::abs(profile[k].z_m - profile[k - 1].z_m),
+                  limit * (profile[k].at_m - profile[k - 1].at_m) + 2 * kKnotError_m)
+            << seed;
+    }
+  }
+}
+
+TEST(Profiles, ATunnelGoesBelowWhatItCrossesWithItsApproaches) {
+  const Planned p = planned(crossing(Passage::kTunnel, 0), index_road_influence([](double, double) { return 40; }));
+  EXPECT_LE(gap_m(p), -kClearanceOverRoad_m + 0.1);
+  EXPECT_NEAR(height_m(p.profiles.roads.back().profile, 800), 40, 0.01);
+  EXPECT_EQ(p.measures.over_m, 0);
+}
+
+TEST(Profiles, ATunnelThatGoesDownIsDiagnosed) {
+  const Planned flat = planned(crossing(Passage::kTunnel, 0), index_road_influence([](double, double) { return 40; }));
+  const auto found = std::ranges::find(flat.report.diagnoses(), Code::kTunnelLowered, &Diagnosis::code);
+  ASSERT_NE(found, flat.report.diagnoses().end());
+  EXPECT_EQ(found->object, (OsmId{OsmType::kWay, 2}));
+  EXPECT_NEAR(found->size, kClearanceOverRoad_m, 0.5);
+  const Planned bridge =
+      planned(crossing(Passage::kBridge, 1), index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(bridge.report.counts().count(Code::kTunnelLowered), 0u);
+}
+
+TEST(Profiles, ALongTunnelGoesDownBetweenItsMouthsAlone) {
+  map::Features f = crossing(Passage::kTunnel, -1);
+  f.tracks[0] = track(1, {{-800, 0}, {-300, 0}});
+  f.tracks[1] = track(2, {{-300, 0}, {300, 0}}, kStreet, Passage::kTunnel, -1);
+  f.tracks[2] = track(3, {{300, 0}, {800, 0}});
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_NEAR(height_m(p.profiles.off_ground[0], 300), 33, 0.5);
+  EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 490), 40, 0.1);
+}
+
+TEST(Profiles, ABridgeThatCrossesNothingIsNoHump) {
+  for (const int layer : {-2, 0, 1, 5}) {
+    map::Features f = crossing(Passage::kBridge, layer);
+    f.tracks.pop_back();
+    const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+    for (const Knot& k : p.profiles.off_ground[0]) EXPECT_EQ(k.z_m, 40);
+  }
+}
+
+TEST(Profiles, AShortTunnelInFlatLandIsNoPit) {
+  map::Features f = crossing(Passage::kTunnel, -1);
+  f.tracks.pop_back();
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_GT(height_m(p.profiles.off_ground[0], 30), 40 - kTunnelCover_m);
+  for (const roads::Road& road : p.profiles.roads)
+    for (const Knot& k : road.profile) EXPECT_EQ(k.z_m, 40);
+}
+
+TEST(Profiles, ALayerWithoutABridgeIsGround) {
+  const Planned p = planned(crossing(Passage::kGround, 3), index_road_influence([](double, double) { return 40; }));
+  for (const roads::Road& road : p.profiles.roads)
+    for (const Knot& k : road.profile) EXPECT_EQ(k.z_m, 40);
+}
+
+TEST(Profiles, ABridgeRunsStraightOverAValley) {
+  map::Features f = crossing(Passage::kBridge, 1);
+  f.tracks[0] = track(1, {{-800, 0}, {-200, 0}});
+  f.tracks[1] = track(2, {{-200, 0}, {200, 0}}, kStreet, Passage::kBridge, 1);
+  f.tracks[2] = track(3, {{200, 0}, {800, 0}});
+  const Planned p =
+      planned(f, index_road_influence([](double x, double) { return std::abs(x) >= 192 ? 100 + x / 40 : 40; }));
+  for (double at = 0; at <= 400; at += 8)
+    EXPECT_NEAR(height_m(p.profiles.off_ground[0], at), 100 + (at - 200) / 40, 2.0) << at;
+}
+
+TEST(Profiles, AStackClearsStoreyByStorey) {
+  map::Features f;
+  f.tracks = {track(1, {{-800, 0}, {800, 0}})};
+  const Vec2 directions[] = {{0, 1}, {0.6, 0.8}, {-0.6, 0.8}};
+  for (int k = 0; k < 3; ++k) {
+    const auto at = [&](double run_m) {
+      return Vec2{std::floor(directions[k].x * run_m * 128) / 128, std::floor(directions[k].y * run_m * 128) / 128};
+    };
+    f.tracks.push_back(track(10 * k + 10, {at(-800), at(-150)}));
+    f.tracks.push_back(track(10 * k + 11, {at(-150), at(150)}, kStreet, Passage::kBridge, k + 1));
+    f.tracks.push_back(track(10 * k + 12, {at(150), at(800)}));
+  }
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  for (int k = 0; k < 3; ++k)
+    EXPECT_GE(height_m(p.profiles.off_ground[static_cast<std::size_t>(k)], 150),
+              40 + kClearanceOverRoad_m * (k + 1) - 0.2);
+  EXPECT_LT(p.measures.largest_shortfall_m, kShortfallMargin_m);
+  EXPECT_EQ(p.measures.over_m, 0);
+}
+
+constexpr auto kFootway = LandCoverClass::kPavedFootPath;
+
+TEST(Profiles, DiagnoseAClearanceThatIsNotMet) {
+  // it comes down on paths too long to climb with it
+  map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(p.report.counts().at(Code::kClearanceNotMet), 1u);
+  EXPECT_EQ(p.measures.shortfalls, 1u);
+  EXPECT_NEAR(p.measures.largest_shortfall_m, kClearanceOverRoad_m - 0.06 * 30, 0.5);
+}
+
+TEST(Profiles, ABridgesEndThatMeetsNothingMayRise) {
+  map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
+  f.tracks.erase(f.tracks.begin());
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(p.report.counts().at(Code::kBridgeWithoutGround), 1u);
+  EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
+  EXPECT_GT(p.profiles.off_ground[0].front().z_m, 43);
+}
+
+// A footway along x, `passage` from -10 to 10, steps of 16 m and long paths beyond; a street along y.
+map::Features footbridge(Passage passage, int layer) {
+  map::Features f;
+  f.tracks = {track(1, {{-1500, 0}, {-26, 0}}, kFootway),
+              track(2, {{-26, 0}, {-10, 0}}, LandCoverClass::kSteps),
+              track(3, {{-10, 0}, {10, 0}}, kFootway, passage, layer),
+              track(4, {{10, 0}, {26, 0}}, LandCoverClass::kSteps),
+              track(5, {{26, 0}, {1500, 0}}, kFootway),
+              track(6, {{0, -300}, {0, 300}})};
+  return f;
+}
+
+TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
+  for (const auto& [passage, layer] : {std::pair(Passage::kBridge, 1), std::pair(Passage::kTunnel, -1)}) {
+    const Planned p = planned(footbridge(passage, layer), index_road_influence([](double, double) { return 40; }));
+    EXPECT_EQ(p.measures.crossings, 1u);
+    EXPECT_LE(p.measures.largest_shortfall_m, kShortfallMargin_m);
+    const double rise_m = height_m(p.profiles.off_ground[0], 0) - 40;
+    EXPECT_GT(rise_m * layer, 1.5);
+    // the street stays, the steps join the deck and the ground
+    for (const Knot& k : p.profiles.roads[4].profile) EXPECT_EQ(k.z_m, 40);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 16), 40 + rise_m, kKnotError_m);
+    EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 0), 40, 0.5);
+    EXPECT_TRUE(p.profiles.roads[0].profile.empty());
+  }
+}
+
+TEST(Profiles, AFootbridgeGoesStraightFromCrestToCrest) {
+  map::Features f;
+  f.tracks = {track(1, {{-90, 0}, {-60, 0}}, LandCoverClass::kSteps),
+              track(2, {{-60, 0}, {60, 0}}, kFootway, Passage::kBridge, 1),
+              track(3, {{60, 0}, {90, 0}}, LandCoverClass::kSteps), track(4, {{-40, -300}, {-40, 300}}),
+              track(5, {{40, -300}, {40, 300}})};
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.shortfalls, 0u);
+  for (double at = 20; at <= 100; at += 4) EXPECT_GT(height_m(p.profiles.off_ground[0], at), 44.7) << at;
+}
+
+TEST(Profiles, PathsThatNeedNotClimbKeepNone) {
+  map::Features f = footbridge(Passage::kBridge, 1);
+  f.tracks.pop_back();
+  const Planned p = planned(f, hilly_field(3, 40, 4));
+  for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
+}
+
+TEST(Profiles, APathGoesDownUnderABridgeThatCannotRise) {
+  map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[3] = track(4, {{0, -100}, {0, 100}}, kFootway);
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.shortfalls, 0u);
+  EXPECT_LT(height_m(p.profiles.roads[2].profile, 100), 39);
+  EXPECT_NEAR(height_m(p.profiles.roads[2].profile, 0), 40, kKnotError_m);
+}
+
+TEST(Profiles, ATunnelGoesDownUnderABridgeThatCannotRise) {
+  map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
+  f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
+  f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
+  f.tracks[3] = track(4, {{0, -800}, {0, -30}});
+  f.tracks.push_back(track(5, {{0, -30}, {0, 30}}, kStreet, Passage::kTunnel, -1));
+  f.tracks.push_back(track(6, {{0, 30}, {0, 800}}));
+  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  EXPECT_EQ(p.measures.shortfalls, 0u);
+}
+
+TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
+  // a bridge ends on its own street, a lane's width beside another
+  map::Features f;
+  f.tracks = {track(1, {{-300, 4}, {-30, 4}}), track(2, {{-30, 4}, {30, 4}}, kStreet, Passage::kBridge, 1),
+              track(3, {{30, 4}, {300, 4}}), track(4, {{20, 0}, {300, 0}})};
+  EXPECT_EQ(planned(f, index_road_influence([](double, double) { return 40; })).measures.crossings, 0u);
+  // all along, it does
+  f.tracks[3] = track(4, {{-300, 0}, {300, 0}});
+  f.tracks[1] = track(2, {{-30, 4}, {-10, 40}, {10, 40}, {30, 4}}, kStreet, Passage::kBridge, 1);
+  f.tracks.push_back(track(5, {{-300, 38}, {300, 38}}));
+  EXPECT_GE(planned(f, index_road_influence([](double, double) { return 40; })).measures.crossings, 1u);
+}
+
+TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
+  map::Features f;
+  f.tracks = {track(1, {{-100, 0}, {-40, 0}}, LandCoverClass::kPavedFootPath),
+              track(2, {{-40, 0}, {40, 0}}, LandCoverClass::kPavedFootPath, Passage::kBridge, 1),
+              track(3, {{40, 0}, {100, 0}}, LandCoverClass::kPavedFootPath), track(4, {{0, -300}, {0, 300}})};
+  const map::Heightfield heights = index_road_influence([](double x, double) { return 40 + x / 50; });
+  const Planned p = planned(f, heights);
+  EXPECT_NEAR(p.profiles.off_ground[0].front().z_m, height_m_at(heights, {-40, 0}), kProfileQuantum_m);
+  EXPECT_NEAR(p.profiles.off_ground[0].back().z_m, height_m_at(heights, {40, 0}), kProfileQuantum_m);
+  EXPECT_GE(height_m(p.profiles.off_ground[0], 40) - height_m(p.profiles.roads[2].profile, 300),
+            kClearanceOverRoad_m - kThinDeck_m - 0.1);
+}
+
+TEST(Profiles, BridgesClearStandingWater) {
+  map::Features f = crossing(Passage::kBridge, 1);
+  f.tracks.pop_back();
+  LandCoverPolygon lake{
+      {{OsmType::kWay, 99}, 0}, LandCoverClass::kLake, 800, {{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}}};
+  lake.level_m = 39.5;
+  Report report;
+  const auto roads = roads::plan(f, report);
+  const map::Heightfield heights = index_road_influence([](double, double) { return 40; });
+  const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&lake, 1), heights, report);
+  EXPECT_GE(height_m(p.off_ground[0], 30), 39.5 + kClearanceOverWater_m - 0.05);
+}
+
+}  // namespace
+}  // namespace citykiln::ground

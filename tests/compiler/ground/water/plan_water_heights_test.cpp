@@ -1,0 +1,281 @@
+#include "compiler/ground/water/plan_water_heights.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compiler/contract/draw.h"
+#include "compiler/ground/water/measure_waters.h"
+#include "compiler/ground/water/river_heights.h"
+#include "compiler/ground/water/standing_water.h"
+#include "tests/compiler/ground/water/made_water.h"
+
+namespace citykiln::ground {
+namespace {
+
+using map::LandCoverClass;
+
+std::size_t count_of(const Report& report, Code code) {
+  return static_cast<std::size_t>(std::ranges::count(report.diagnoses(), code, &Diagnosis::code));
+}
+
+double largest(const Report& report, Code code) {
+  double size = 0;
+  for (const Diagnosis& d : report.diagnoses())
+    if (d.code == code) size = std::max(size, d.size);
+  return size;
+}
+
+// Falls to the south, and is rough.
+map::Heightfield rough_land(std::uint64_t seed, double fall, double rough_m) {
+  const Draw draw(seed, StableId{7}, "land");
+  return made_land([&](Vec2 p) {
+    const auto index = static_cast<std::uint32_t>(p.x / 32 * 129 + p.y / 32);
+    return 100 + p.y * fall + draw.between(-rough_m, rough_m, index);
+  });
+}
+
+// Lines between points of a lattice that others use too, in whatever direction: meetings, partings, circles.
+std::vector<roads::Strip> random_network(std::uint64_t seed, int count) {
+  const Draw draw(seed, StableId{8}, "streams");
+  std::vector<roads::Strip> streams;
+  std::uint32_t index = 0;
+  for (int s = 0; s < count; ++s) {
+    Polyline axis;
+    const auto points = 2 + draw.below(4, index++);
+    while (axis.size() < points) {
+      const Vec2 p{300.125 + 500.5 * draw.below(8, index), 300 + 499.25 * draw.below(8, index + 1)};
+      index += 2;
+      if (axis.empty() || axis.back() != p) axis.push_back(p);
+    }
+    streams.push_back(made_stream(s + 1, axis));
+  }
+  return streams;
+}
+
+std::vector<LandCoverPolygon> random_lakes(std::uint64_t seed, int count) {
+  const Draw draw(seed, StableId{9}, "lakes");
+  std::vector<LandCoverPolygon> lakes;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(3 * i);
+    const Vec2 centre = snapped(Vec2{draw.between(300, 3700, index), draw.between(300, 3700, index + 1)});
+    const LandCoverClass surface = i == 0 ? LandCoverClass::kSea : LandCoverClass::kLake;
+    lakes.push_back(made_water(1000 + i, surface, made_shore(centre, 16 + 16 * draw.below(16, index + 2))));
+  }
+  return lakes;
+}
+
+TEST(LevelWaters, RiversNeverRiseInAnyNetwork) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const map::Heightfield land = rough_land(seed, seed % 3 * 0.03, 5.0 * static_cast<double>(seed % 5));
+    Report report;
+    const Waters waters = plan_water_heights(random_lakes(seed, static_cast<int>(seed % 7)),
+                                             random_network(seed, 3 + static_cast<int>(seed % 30)), {}, land, report);
+    const WaterMeasures measures = measure_waters(waters.surfaces, waters.streams, land);
+    EXPECT_EQ(measures.streams_that_rise, 0u) << seed << ": " << measures.largest_rise_m;
+    for (const LandCoverPolygon& s : waters.surfaces)
+      if (s.surface == LandCoverClass::kSea) {
+        EXPECT_EQ(s.level_m, 0);
+      }
+  }
+}
+
+TEST(LevelWaters, RiversHaveALakesLevelWithinIt) {
+  const map::Heightfield land = rough_land(3, 0.02, 3);
+  Report report;
+  const Waters waters =
+      plan_water_heights({made_water(1, LandCoverClass::kLake, made_shore({2000, 2000}, 200))},
+                         {made_stream(2, {{2010, 3500}, {2000, 2100}, {1990, 1000}})}, {}, land, report);
+  const double level_m = waters.surfaces[0].level_m.value();
+  const Profile& profile = waters.streams[0].profile;
+  for (const double y : {2200.0, 2100.0, 1900.0, 1800.0}) {
+    double at_m = 0;
+    at_m = y >= 2100 ? (3500 - y) * std::sqrt(1 + 100.0 / (1400 * 1400))
+                     : distance({2010, 3500}, {2000, 2100}) + (2100 - y) * std::sqrt(1 + 100.0 / (1100 * 1100));
+    EXPECT_NEAR(knot_at(profile, at_m).z_m, level_m, 1e-6) << y;
+  }
+  EXPECT_GT(profile.front().z_m, level_m + 10);
+  EXPECT_LT(profile.back().z_m, level_m - 10);
+}
+
+TEST(LevelWaters, OrderDoesNotMatter) {
+  const map::Heightfield land = rough_land(5, 0.01, 6);
+  std::vector<LandCoverPolygon> lakes = random_lakes(5, 6);
+  std::vector<roads::Strip> streams = random_network(5, 25);
+  Report report, other;
+  const Waters first = plan_water_heights(lakes, streams, {}, land, report);
+  std::ranges::reverse(lakes);
+  std::ranges::reverse(streams);
+  Waters second = plan_water_heights(lakes, streams, {}, land, other);
+  std::ranges::reverse(second.surfaces);
+  EXPECT_TRUE(first.surfaces == second.surfaces);
+  EXPECT_TRUE(first.streams == second.streams);
+}
+
+TEST(LevelWaters, NoLakeStandsAboveMostOfItsShore) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const map::Heightfield land = rough_land(seed, 0.05, 20);
+    Report report;
+    const Waters waters = plan_water_heights(random_lakes(seed + 100, 4), {}, {}, land, report);
+    for (const LandCoverPolygon& lake : waters.surfaces) {
+      if (lake.surface != LandCoverClass::kLake) continue;
+      double below = 0, all = 0;
+      for (const Vec2 p : lake.rings[0]) ++all, below += height_m_at(land, p) < *lake.level_m;
+      EXPECT_LE(below / all, 0.45) << seed;
+    }
+  }
+}
+
+TEST(LevelWaters, TreesSpikesAndPitsOnAShoreDoNotMoveALake) {
+  const auto plain = [](Vec2 p) { return 500 + 0.02 * std::abs(p.x - 2000) + 0.02 * std::abs(p.y - 2000); };
+  const std::vector<LandCoverPolygon> lake = {made_water(1, LandCoverClass::kLake, made_shore({2000, 2000}, 400))};
+  Report report;
+  const double level_m = *plan_water_heights(lake, {}, {}, made_land(plain), report).surfaces[0].level_m;
+  const auto rough = [&](Vec2 p) {
+    if (p.x == 1600 && p.y == 1984) return 900.0;          // a spike
+    if (p.x == 2016 && p.y == 2400) return -32768.0 / 64;  // a void that nobody filled
+    return plain(p) + (p.x > 2300 ? 25 : 0);               // trees on the east shore
+  };
+  EXPECT_NEAR(*plan_water_heights(lake, {}, {}, made_land(rough), report).surfaces[0].level_m, level_m, 1.5);
+}
+
+TEST(LevelWaters, ANodeInTheSkyIsLeftOutOfItsLake) {
+  const map::Heightfield land = made_land([](Vec2 p) { return 200 + 0.3 * p.y; });
+  Ring shore = made_shore({2000, 2000}, 64);
+  const Ring whole = shore;
+  shore.insert(shore.begin() + 24, {2003, 300});
+  Report report, other;
+  const Waters spiked = plan_water_heights({made_water(1, LandCoverClass::kLake, shore)}, {}, {}, land, report);
+  const Waters plain = plan_water_heights({made_water(1, LandCoverClass::kLake, whole)}, {}, {}, land, other);
+  EXPECT_EQ(count_of(report, Code::kShoreSpike), 1u);
+  EXPECT_EQ(spiked.surfaces[0].rings, plain.surfaces[0].rings);
+  EXPECT_NEAR(*spiked.surfaces[0].level_m, *plain.surfaces[0].level_m, 2);
+}
+
+TEST(LevelWaters, WatersThatShareABorderShareALevelUnlessADamPartsThem) {
+  const Ring west = {{1000, 1000}, {1500, 1000}, {1500, 1500}, {1000, 1500}};
+  const Ring east = {{1500, 1000}, {2000, 1000}, {2000, 1500}, {1500, 1500}};
+  const std::vector<LandCoverPolygon> both = {made_water(1, LandCoverClass::kLake, west),
+                                              made_water(2, LandCoverClass::kBasin, east)};
+  Report report;
+  const Waters near = plan_water_heights(both, {}, {}, made_land([](Vec2 p) { return 50 + p.x / 200; }), report);
+  EXPECT_EQ(near.surfaces[0].level_m, near.surfaces[1].level_m);
+  const Waters parted =
+      plan_water_heights(both, {}, {}, made_land([](Vec2 p) { return p.x < 1500 ? 100.0 : 50.0; }), report);
+  EXPECT_GT(*parted.surfaces[0].level_m, *parted.surfaces[1].level_m + kDam_m);
+}
+
+TEST(LevelWaters, DocksAtTheSeaAreAtItsLevel) {
+  const Ring sea = {{0, 0}, {2000, 0}, {2000, 1500}, {0, 1500}},
+             dock = {{2000, 0}, {2500, 0}, {2500, 1500}, {2000, 1500}};
+  const auto level_of_dock = [&](double quay_m) {
+    Report report;
+    const std::vector<LandCoverPolygon> both = {made_water(1, LandCoverClass::kSea, sea),
+                                                made_water(2, LandCoverClass::kDock, dock)};
+    return *plan_water_heights(both, {}, {}, made_land([&](Vec2 p) { return p.x > 1990 ? quay_m : 1; }), report)
+                .surfaces[1]
+                .level_m;
+  };
+  EXPECT_EQ(level_of_dock(5), 0);
+  EXPECT_EQ(level_of_dock(40), 40);
+}
+
+TEST(LevelWaters, ARiverMappedUphillIsTurned) {
+  const map::Heightfield land = rough_land(4, 0.05, 2);
+  Report report;
+  const Waters waters =
+      plan_water_heights({}, {made_stream(1, {{1000, 500}, {1100, 1800}, {1000, 3000}})}, {}, land, report);
+  EXPECT_EQ(count_of(report, Code::kWaterwayReversed), 1u);
+  EXPECT_GT(largest(report, Code::kWaterwayReversed), 50);
+  EXPECT_EQ(waters.streams[0].axis.front(), (Vec2{1000, 3000}));
+  EXPECT_EQ(measure_waters(waters.surfaces, waters.streams, land).streams_that_rise, 0u);
+  EXPECT_EQ(count_of(report, Code::kRiverOffTerrain), 0u);
+}
+
+TEST(LevelWaters, ARiverThatRunsInACircleLiesLevel) {
+  Report report;
+  const Waters moat = plan_water_heights({}, {made_stream(1, {{1000, 1000}, {1100, 1000}, {1100, 1100}, {1000, 1000}})},
+                                         {}, rough_land(4, 0, 2), report);
+  EXPECT_EQ(moat.streams[0].profile.size(), 1u);
+  EXPECT_EQ(count_of(report, Code::kWaterwayCycle), 1u);
+}
+
+TEST(LevelWaters, APitInTheLandSinksNoRiverForLong) {
+  const auto even = [](Vec2 p) { return 100 + 0.01 * p.y; };
+  const auto pitted = [&](Vec2 p) { return even(p) - (p.x == 1600 && p.y == 2016 ? 80 : 0); };
+  const std::vector<roads::Strip> river = {made_stream(1, {{1600, 3900}, {1600, 100}})};
+  Report report;
+  const Profile plain = plan_water_heights({}, river, {}, made_land(even), report).streams[0].profile;
+  const Profile sunk = plan_water_heights({}, river, {}, made_land(pitted), report).streams[0].profile;
+  for (double at_m = 0; at_m <= 3800; at_m += 10) {
+    const double off_m = std::abs(knot_at(plain, at_m).z_m - knot_at(sunk, at_m).z_m);
+    EXPECT_LE(off_m, kAboveCost * 64 * 0.01 + 0.1) << at_m;
+    if (std::abs(at_m - 1884) > 700) {
+      EXPECT_LE(off_m, 0.1) << at_m;
+    }
+  }
+}
+
+TEST(LevelWaters, AnEvenFallHasNoSteps) {
+  Report report;
+  const Waters waters = plan_water_heights({}, {made_stream(1, {{1010, 3900}, {1300, 100}})}, {},
+                                           made_land([](Vec2 p) { return 100 + 0.03125 * p.y; }), report);
+  EXPECT_LE(waters.streams[0].profile.size(), 3u);
+  // and on rough land no more than the roughness between neighbouring knots
+  const map::Heightfield rough = rough_land(11, 0.05, 3);
+  const Profile p =
+      plan_water_heights({}, {made_stream(1, {{1010, 3900}, {1300, 100}})}, {}, rough, report).streams[0].profile;
+  for (std::size_t i = 0; i + 1 < p.size(); ++i)
+    EXPECT_LT((p[i].z_m - p[i + 1].z_m) / (p[i + 1].at_m - p[i].at_m), 0.2);
+}
+
+TEST(LevelWaters, CulvertsPassTheirHeightOn) {
+  const map::Heightfield land = made_land([](Vec2 p) { return p.y > 2000 ? 50.0 : 60.0; });
+  const std::vector<roads::Strip> two = {made_stream(1, {{1000, 3000}, {1000, 2100}}),
+                                         made_stream(2, {{1000, 1900}, {1000, 500}})};
+  const std::vector<Polyline> culvert = {{{1000, 2100}, {1000, 1900}}};
+  Report report;
+  const Waters waters = plan_water_heights({}, two, culvert, land, report);
+  EXPECT_GE(waters.streams[0].profile.back().z_m, waters.streams[1].profile.front().z_m);
+}
+
+TEST(LevelWaters, LandAwayFromWaterDoesNotMatter) {
+  const std::vector<LandCoverPolygon> lake = {made_water(1, LandCoverClass::kLake, made_shore({1000, 1000}, 200))};
+  const std::vector<roads::Strip> river = {made_stream(2, {{1000, 3000}, {1010, 1800}, {1000, 1100}})};
+  const auto even = [](Vec2 p) { return 100 + 0.01 * p.y; };
+  const auto other = [&](Vec2 p) { return p.x > 1400 ? 700.0 : even(p); };
+  Report report;
+  const Waters a = plan_water_heights(lake, river, {}, made_land(even), report);
+  const Waters b = plan_water_heights(lake, river, {}, made_land(other), report);
+  EXPECT_TRUE(a.surfaces == b.surfaces);
+  EXPECT_TRUE(a.streams == b.streams);
+}
+
+TEST(LevelWaters, WithoutHeightsNothingIsWritten) {
+  const std::vector<LandCoverPolygon> lakes = random_lakes(5, 6);
+  const std::vector<roads::Strip> streams = random_network(5, 25);
+  Report report;
+  const Waters waters = plan_water_heights(lakes, streams, {}, made_land([](Vec2) { return 0; }), report);
+  EXPECT_TRUE(waters.surfaces == lakes);
+  EXPECT_TRUE(waters.streams == streams);
+  EXPECT_TRUE(report.diagnoses().empty());
+}
+
+TEST(LevelWaters, AreasWithoutAxisAreLevelOthersHaveTheReachOfTheirBanks) {
+  const map::Heightfield land = rough_land(6, 0.002, 1);
+  const Ring with = {{1000, 3900}, {900, 100}, {1300, 100}, {1400, 3900}},
+             without = {{2000, 2000}, {2300, 2000}, {2300, 2400}};
+  Report report;
+  const Waters waters = plan_water_heights(
+      {made_water(1, LandCoverClass::kRiver, with), made_water(2, LandCoverClass::kRiver, without)},
+      {made_stream(3, {{1200, 4000}, {1100, 0}}), made_stream(4, {{3000, 4000}, {3000, 0}})}, {}, land, report);
+  EXPECT_FALSE(waters.surfaces[0].level_m.has_value());
+  EXPECT_TRUE(waters.surfaces[1].level_m.has_value());
+  EXPECT_EQ(count_of(report, Code::kRiverAreaWithoutAxis), 1u);
+  EXPECT_GE(waters.streams[0].reach_m, 200);
+  EXPECT_LE(waters.streams[0].reach_m, 320);
+  EXPECT_EQ(waters.streams[1].reach_m, 0);
+}
+
+}  // namespace
+}  // namespace citykiln::ground

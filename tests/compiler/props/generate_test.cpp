@@ -1,0 +1,132 @@
+#include "compiler/props/generate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/geometry/snap.h"
+#include "compiler/props/drape_line.h"
+#include "compiler/props/plan.h"
+
+namespace citykiln::props {
+namespace {
+
+// Hills whose faces all differ.
+map::Heightfield hills() {
+  map::Heightfield field{{-64, -64}, {16, 16}, 9, 9, {}, 0};
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 9; ++i) field.heights.push_back((i * i * 37 + j * 211 + i * j * 53) % 900);
+  return field;
+}
+
+// Nothing is carved.
+ground::GradedTerrain hilly() { return ground::GradedTerrain(hills()); }
+
+Barrier wall(Polyline axis) { return {{{OsmType::kWay, 3}, 0}, std::move(axis), map::BarrierKind::kWall, 2, 0.5}; }
+
+std::map<std::pair<Vec3, Vec3>, int> open_edges(const Mesh& mesh) {
+  std::map<std::pair<Vec3, Vec3>, int> edges;
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 a = mesh.positions[t[i]], b = mesh.positions[t[(i + 1) % 3]];
+      if (a < b)
+        ++edges[{a, b}];
+      else
+        --edges[{b, a}];
+    }
+  std::erase_if(edges, [](const auto& edge) { return edge.second == 0; });
+  return edges;
+}
+
+TEST(FollowGround, LiesOnTheGroundAllAlong) {
+  const map::Heightfield field = hills();
+  const Polyline line = {{-60.5, -50}, {33.25, 41}, {50, -62}, {-64, -64}, {16, 16}, {16, 60}, {90, 70}};
+  const std::vector<Vec3> points = drape_line(line, hilly());
+  for (std::size_t i = 1; i < points.size(); ++i)
+    for (int k = 0; k <= 8; ++k) {
+      const Vec3 p = points[i - 1] + (points[i] - points[i - 1]) * (k / 8.0);
+      if (!field.box().contains(in_plan(p))) continue;
+      EXPECT_NEAR(p.z, height_m_at(field, in_plan(p)), 0.004);
+    }
+}
+
+TEST(FollowGround, KeepsTheLinesPointsAndRepeatsNone) {
+  const Polyline line = {{-60.5, -50}, {33.25, 41}, {33.25, 41}, {48, 48}};
+  const std::vector<Vec3> points = drape_line(line, hilly());
+  EXPECT_EQ(in_plan(points.front()), line.front());
+  EXPECT_EQ(in_plan(points.back()), line.back());
+  for (const Vec2 p : line)
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](Vec3 q) { return in_plan(q) == p; }));
+  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_NE(in_plan(points[i - 1]), in_plan(points[i]));
+}
+
+TEST(Expand, IsOpenOnlyUnderTheGround) {
+  const map::Heightfield field = hills();
+  for (const Polyline& axis :
+       {Polyline{{-60, -50}, {20, 30}, {50, 31}}, Polyline{{-30, -30}, {30, -30}, {30, 30}, {-30, -30}}}) {
+    const GeneratedProp e = generate(wall(axis), hilly(), 0.02);
+    ASSERT_EQ(e.meshes.size(), 1u);
+    for (const auto& [edge, count] : open_edges(e.meshes[0].mesh))
+      for (const Vec3 p : {edge.first, edge.second}) EXPECT_LT(p.z, height_m_at(field, in_plan(p)));
+  }
+}
+
+TEST(Expand, StandsAsWideAndHighAsTold) {
+  map::Heightfield flat = hills();
+  std::fill(flat.heights.begin(), flat.heights.end(), 640);
+  const Mesh mesh = generate(wall({{0, 3}, {40, 3}}), ground::GradedTerrain(std::move(flat)), 0.02).meshes[0].mesh;
+  for (const Vec3 p : mesh.positions) {
+    EXPECT_TRUE(p.y == 2.75 || p.y == 3.25);
+    EXPECT_TRUE(p.z == 12 || p.z < 10);
+    EXPECT_EQ(p, snapped(p));
+  }
+  // all faces outward
+  double six = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    six += dot(mesh.positions[a] - Vec3{20, 3, 9.5},
+               cross(mesh.positions[b] - Vec3{20, 3, 9.5}, mesh.positions[c] - Vec3{20, 3, 9.5}));
+  EXPECT_NEAR(six / 6, 40 * 0.5 * 2.5, 40 * 0.5 * 0.01);
+}
+
+TEST(Expand, DropsWhatIsLowerThanTheToleranceAndIsTotal) {
+  const GeneratedProp dropped = generate(wall({{0, 0}, {9, 0}}), hilly(), 2.5);
+  EXPECT_TRUE(dropped.meshes.empty());
+  EXPECT_EQ(dropped.error_m, 2);
+  EXPECT_TRUE(generate(wall({}), hilly(), 0.1).meshes.empty());
+  EXPECT_TRUE(generate(wall({{1, 1}, {1, 1}}), hilly(), 0.1).meshes.empty());
+  EXPECT_FALSE(generate(wall({{0, 0}, {9, 0}, {0, 0}}), hilly(), 0.1).meshes.empty());
+}
+
+TEST(Place, StandsLampsOnTheGroundAndTurnsThem) {
+  const StreetLamp lamp{{5, 7}, {0.6, -0.8}, 6, LampKind::kArm, {OsmType::kNode, 8}};
+  const Placement p = place(lamp, hilly());
+  EXPECT_NEAR(p.at.z, height_m_at(hills(), {5, 7}), 0.0005);
+  EXPECT_EQ(p.scale, 6);
+  EXPECT_EQ(p.cos_yaw, 0.6);
+  EXPECT_EQ(p.sin_yaw, -0.8);
+  EXPECT_EQ(p.feature, lamp.feature);
+}
+
+TEST(Plan, MakesLampsAndBarriersAndCountsTheRest) {
+  map::Features f;
+  f.barriers = {{{{OsmType::kWay, 9}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kHedge, 1.5, 0.75},
+                {{{OsmType::kWay, 2}, 0}, {{0, 0}, {1, 1}}, map::BarrierKind::kWall, 1.5, 0.75}};
+  f.points = {{{{OsmType::kNode, 1}, 0}, {1, 2}, map::PointKind::kTree},
+              {{{OsmType::kNode, 2}, 0}, {3, 4}, map::PointKind::kBench},
+              {{{OsmType::kNode, 3}, 0}, {5, 4}, map::PointKind::kStreetLamp},
+              {{{OsmType::kNode, 4}, 0}, {6, 4}, map::PointKind::kStreetLamp, 9}};
+  Report report;
+  const Props props = plan(f, report);
+  ASSERT_EQ(props.barriers.size(), 2u);
+  EXPECT_LT(props.barriers[0].id, props.barriers[1].id);
+  ASSERT_EQ(props.lamps.size(), 2u);
+  EXPECT_EQ(props.lamps[0].height_m, 0);
+  EXPECT_EQ(props.lamps[1].height_m, 9);
+  EXPECT_EQ(report.ledger().at("props/point").in, 3u);
+  EXPECT_EQ(report.counts()[Code::kNotModelled], 1u);
+  EXPECT_TRUE(report.balances());
+}
+
+}  // namespace
+}  // namespace citykiln::props
