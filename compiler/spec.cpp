@@ -30,7 +30,7 @@ Error expected(std::string_view what, std::string_view found) {
   return {"", fmt::format("expected {}, found \"{}\"", what, found)};
 }
 
-/// Puts the value of a result where it belongs, or hands the error on.
+/// Stores the value of a result in `target`, or returns its error.
 template <typename T, typename Target>
 Result<Done> put(Result<T> result, Target& target) {
   if (!result) return result.error();
@@ -44,8 +44,7 @@ Result<bool> parse_switch(std::string_view text) {
   return expected("true or false", text);
 }
 
-// ---- one function a setting, in the order of the table
-// -------------------------------------------------------------------------------
+// ---- one function for each setting, in the order of the table ----
 
 Result<Done> set_map(CompileSpec& spec, std::string_view text) {
   spec.map_path = text;
@@ -81,7 +80,7 @@ Result<Done> set_origin(CompileSpec& spec, std::string_view text) {
 
 Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
   Result<double> tile_m = parse_number(text);
-  // a chunk's float32 offsets are exact to 16 km (kQuantum_m)
+  // offsets inside a chunk are float32, which is exact up to 16 km (kQuantum_m)
   if (!tile_m || *tile_m < map::kCell_m || *tile_m > 16384 || std::fmod(*tile_m, map::kCell_m) != 0) {
     return expected("a whole multiple of 128 m, at most 16384", text);
   }
@@ -141,7 +140,7 @@ Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_time(CompileSpec& spec, std::string_view text) {
-  // whether a time parses does not depend on the place
+  // any place will do: parsing does not depend on it
   const Result<sky::Sky> sky = sky::plan({}, std::string(text));
   if (!sky) return sky.error();
   spec.time = text;
@@ -196,7 +195,7 @@ constexpr Setting kSettings[] = {
     {"strict", "", "exit 2 where data was mended or dropped", false, set_strict},
 };
 
-/// How a JSON value would be written on the command line.
+/// The value as it would be written on the command line.
 std::string text_of(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
@@ -205,7 +204,7 @@ std::string text_of(const json& value) {
   return text;
 }
 
-/// "spec.json:3:14" for the byte (from 1) of a text.
+/// Returns "spec.json:3:14" for a byte offset of the text, counted from 1.
 std::string place_of(const std::string& path, std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
@@ -336,7 +335,7 @@ Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least) {
   std::int64_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = problem == std::errc() && end == text.data() + text.size();
-  // what counts threads, pixels or paths fits into an int
+  // counts of threads, pixels and paths are ints
   if (!is_whole || number < least || number > 0x7fffffff)
     return expected(fmt::format("a whole number from {} on", least), text);
   return number;

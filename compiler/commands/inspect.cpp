@@ -23,8 +23,7 @@ struct Request {
   std::string path, layer, geojson_path;
 };
 
-// ---- what is in it
-// -----------------------------------------------------------------------------------------------------------------------
+// ---- descriptions ----
 
 Json chunk_of(const scene::Chunk& chunk) {
   return {{"tile", to_string(chunk.tile)},
@@ -93,20 +92,19 @@ Json describe(const source::OsmData& osm, const Report& report) {
   return json;
 }
 
-/// Name and value a line; what is nested, one line an item.
-void say(const Json& json, const Console& console) {
+/// Prints one line for each name and value, and one line for each item of a list of objects.
+void print_line(const Json& json, const Console& console) {
   for (const auto& [key, value] : json.items()) {
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
-      console.say(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
+      console.print_line(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
       continue;
     }
-    console.say(fmt::format("{:<20} {}", key, value.size()));
-    for (const Json& item : value) console.say("  " + item.dump());
+    console.print_line(fmt::format("{:<20} {}", key, value.size()));
+    for (const Json& item : value) console.print_line("  " + item.dump());
   }
 }
 
-// ---- files and layers
-// --------------------------------------------------------------------------------------------------------------------
+// ---- files and layers ----
 
 Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
                          const std::vector<std::string>& attributions) {
@@ -155,11 +153,11 @@ Result<Exit> run(const Request& request, const Console& console) {
                                                              : inspect_map(request);
   if (!json) return json.error();
   if (!request.geojson_path.empty()) {
-    console.say(fmt::format("{}: layer {}", request.geojson_path, request.layer));
+    console.print_line(fmt::format("{}: layer {}", request.geojson_path, request.layer));
     return Exit::kDone;
   }
-  say(*json, console);
-  console.answer(json->dump(1));
+  print_line(*json, console);
+  console.print_json(json->dump(1));
   return Exit::kDone;
 }
 
@@ -169,9 +167,10 @@ Verb inspect_verb() {
   const auto request = std::make_shared<Request>();
   Verb verb{"inspect", "says what is in a manifest, a .glb or a map; draws layers of it for QGIS", {}, {}};
   verb.options = {
-      {"file", "FILE", "a .kiln, a .glb or a map", false, into(request->path)},
-      {"--layer", "NAME", "roads, junctions, areas, buildings or plants", false, into(request->layer)},
-      {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false, into(request->geojson_path)},
+      {"file", "FILE", "a .kiln, a .glb or a map", false, store_text(request->path)},
+      {"--layer", "NAME", "roads, junctions, areas, buildings or plants", false, store_text(request->layer)},
+      {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false,
+       store_text(request->geojson_path)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;

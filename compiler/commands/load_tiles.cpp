@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_progress) {
+Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
   Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
   if (!scene) return scene.error();
   if (!request.time.empty()) {
@@ -28,20 +28,20 @@ Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_pr
   loaded.header = scene->header;
   Report report;
   const std::vector<double> ladder_m = {request.tolerance_m};
-  const Result<Done> fired = fire(*scene, ladder_m, request.threads, report, on_progress,
-                                  [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                    loaded.tiles.push_back(tile);
-                                    return Done{};
-                                  });
-  if (!fired) return fired.error();
+  const Result<Done> baked = bake_scene(*scene, ladder_m, request.threads, report, on_progress,
+                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+                                          loaded.tiles.push_back(tile);
+                                          return Done{};
+                                        });
+  if (!baked) return baked.error();
   return loaded;
 }
 
-/// The header of the manifest that lies where a run puts it, if one does.
+/// The header of the manifest at this path, if there is one.
 Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path, scene::TileKey tile) {
   std::error_code none;
   if (!fs::exists(manifest_path, none)) return std::optional<scene::Header>();
-  // one chunk is enough to know what holds for all
+  // reads a single chunk, since only the header is needed
   const Result<scene::Scene> scene = exporters::read_manifest(manifest_path.string(), std::vector{tile});
   if (!scene) return scene.error();
   return std::optional(scene->header);
@@ -85,9 +85,9 @@ Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progr
   const bool is_manifest = first.ends_with(".kiln"), is_folder = fs::is_directory(first, none);
   if ((is_manifest || is_folder) && request.paths.size() > 1)
     return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
-  if (is_manifest) return fire_manifest(request, on_progress);
+  if (is_manifest) return bake_manifest(request, on_progress);
   if (is_folder) return read_folder(request, on_progress);
-  // OUT/glb/0_0_L0.glb has its manifest at OUT/scene.kiln
+  // the manifest of OUT/glb/0_0_L0.glb is OUT/scene.kiln
   return read_files(request.paths, fs::path(first).parent_path() / ".." / "scene.kiln", on_progress);
 }
 

@@ -1,4 +1,4 @@
-#include "compiler/commands/eye_options.h"
+#include "compiler/commands/view_options.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace citykiln::commands {
 
-std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& point) {
+std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>& point) {
   return [&point](const std::string& text) -> Result<Done> {
     const Result<std::vector<double>> n = parse_numbers(text, 3);
     if (!n) return n.error();
@@ -20,11 +20,11 @@ std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& 
   };
 }
 
-Result<Done> take_size(const std::string& text, PictureSize& size) {
+Result<Done> parse_size(const std::string& text, PictureSize& size) {
   const std::size_t cross = text.find('x');
   const Result<std::int64_t> width = parse_whole(text.substr(0, cross), 1);
   const Result<std::int64_t> height = parse_whole(cross == std::string::npos ? "" : text.substr(cross + 1), 1);
-  // a wider picture would not fit into memory
+  // a limit on memory
   if (!width || !height || *width > 32768 || *height > 32768) {
     return Error{"", fmt::format("expected pixels as WxH, at most 32768 each, found \"{}\"", text)};
   }
@@ -32,7 +32,7 @@ Result<Done> take_size(const std::string& text, PictureSize& size) {
   return Done{};
 }
 
-Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg) {
+Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg) {
   const Result<double> given = parse_number(text);
   if (!given || *given <= 0 || *given >= 180)
     return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
@@ -40,7 +40,7 @@ Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg) {
   return Done{};
 }
 
-Result<Done> take_positive(const std::string& text, double& number) {
+Result<Done> parse_positive(const std::string& text, double& number) {
   const Result<double> given = parse_number(text);
   if (!given || *given <= 0) return Error{"", fmt::format("expected a number above 0, found \"{}\"", text)};
   number = *given;
