@@ -59,17 +59,17 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   scene::Recipes recipes;
 
   // read the map, project it to the plane and classify its elements
-  timer.enter("read");
+  timer.enter("read map");
   const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
   if (!osm) return osm.error();
-  timer.enter("locate");
+  timer.enter("project and classify");
   const source::LonLatBox box = map::choose_box(*osm, spec.map);
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(box)));
   const map::Features features = map::locate(*osm, plane, box, spec.map, report);
-  if (is_empty(features)) return Error{spec.map_path, "holds nothing to compile"};
+  if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
   // resample the heightmaps
-  timer.enter("heights");
+  timer.enter("terrain heights");
   std::vector<std::string> credits;
   Result<map::Heightfield> heights = read_heights(spec, plane, features.region, credits, report);
   if (!heights) return heights.error();
@@ -82,20 +82,20 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
   // junctions off the ground are counted in the ledger; they have no recipes yet
   roads::plan_layers(features, report);
-  timer.enter("ground");
+  timer.enter("land cover and water");
   recipes.surfaces = ground::plan(features, report);
   recipes.watercourses = ground::plan_streams(features, report);
   ground::Waters waters = ground::plan_water_heights(std::move(recipes.surfaces), std::move(recipes.watercourses),
                                                      ground::covered_waterways(features), recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
-  timer.enter("profiles");
+  timer.enter("road heights");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
                                                     recipes.watercourses, recipes.surfaces, recipes.heights, report);
   const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
 
   // plan bridges and tunnels, then the objects that stand on the ground
-  timer.enter("structures");
+  timer.enter("bridges and tunnels");
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
   recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
   const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
@@ -109,7 +109,7 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   recipes.props = props::plan(features, report);
 
   // describe the sky and the sources, and sort all recipes into tiles
-  timer.enter("assemble");
+  timer.enter("sort into tiles");
   Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
@@ -242,8 +242,8 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
   if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
     return Error{spec.rasters.front().path,
-                 fmt::format("covers nothing of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f}", window.west,
-                             window.south, window.east, window.north)};
+                 fmt::format("does not cover any part of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f} (W,S,E,N)",
+                             window.west, window.south, window.east, window.north)};
   }
   return heights;
 }
@@ -283,7 +283,7 @@ Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::Ti
   const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
   for (const scene::TileKey tile : only) {
     if (std::ranges::binary_search(tiles, tile)) continue;
-    return Error{"--only", fmt::format("the map has no tile {}; its tiles run from {} to {}", to_string(tile),
+    return Error{"--only", fmt::format("the map has no tile {}; its tiles are {} to {}", to_string(tile),
                                        to_string(tiles.front()), to_string(tiles.back()))};
   }
   return Done{};

@@ -224,7 +224,7 @@ Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   const std::vector<House> houses = houses_of(*scene);
-  if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
+  if (houses.empty()) return Error{request.maps.front(), "has no buildings with rules"};
   std::vector<Chart> charts = empty_charts(houses.size());
   std::vector<Finest> finest;
   for (const House& house : houses) finest.push_back(finest_of(house, request.threads));

@@ -91,9 +91,9 @@ double border_vertices_of(std::span<const ground::LandCoverPolygon> surfaces, co
     near.push_back(ground::trimmed_to(surface, cell.widened(1)));
     if (near.back().rings.empty()) near.pop_back();
   }
-  const ground::Layers layers = ground::land_cover_near(near, cell);
+  const ground::NearbyCover layers = ground::land_cover_near(near, cell);
   const ground::Partition all = ground::partition_all_rings(layers, {}, {}, cell);
-  const auto borders = ground::visible_borders(all, ground::joints_of(layers, all.arrangement, cell));
+  const auto borders = ground::visible_borders(all, ground::ring_joints(layers, all.arrangement, cell));
   const auto none = [](GridPoint) { return false; };
   std::set<GridPoint> vertices;
   for (const ground::Border& border : ground::simplify_borders(borders, tolerance_m, none).borders) {

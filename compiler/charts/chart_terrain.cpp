@@ -43,7 +43,8 @@ Result<source::LonLatBox> box_of(const ChartRequest& request, const source::Rast
     const map::LonLat north_west = corner_of_tile(z, x, y), south_east = corner_of_tile(z, x + 1, y + 1);
     return source::LonLatBox{north_west.lon_deg, south_east.lat_deg, south_east.lon_deg, north_west.lat_deg};
   }
-  if (!raster.system_wkt.empty()) return Error{spec.path, "lies in a projection: say which part with --bbox W,S,E,N"};
+  if (!raster.system_wkt.empty())
+    return Error{spec.path, "has projected coordinates; choose a part with --bbox W,S,E,N"};
   const auto& g = raster.from_grid;
   return source::LonLatBox{g[0], g[3] + g[5] * (raster.rows - 1), g[0] + g[1] * (raster.columns - 1), g[3]};
 }
@@ -85,7 +86,8 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   map::Plane plane(map::default_origin(*box));
   const Box2 region = whole_cells_in(*box, plane, request.cell_m);
   if (region.is_empty())
-    return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
+    return Error{spec->path,
+                 fmt::format("does not contain a whole cell of {} m; choose a smaller --cell", request.cell_m)};
 
   Report ignored;
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};

@@ -63,7 +63,7 @@ Result<Done> draw(const Chart& chart, const std::string& svg_path) {
   if (status == 0) std::filesystem::rename(beside, svg_path, problem);
   if (status == 0 && !problem) return Done{};
   std::filesystem::remove(beside, problem);
-  return Error{svg_path, "could not be drawn: is gnuplot installed (apt-get install gnuplot-nox)?"};
+  return Error{svg_path, "cannot be drawn; is gnuplot installed (apt-get install gnuplot-nox)?"};
 }
 
 }  // namespace

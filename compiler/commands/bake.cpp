@@ -61,7 +61,7 @@ Result<double> write_one_file(const Request& request, const scene::Header& heade
 Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
-  if (scene->chunks.empty()) return Error{request.manifest_path, "holds no tile"};
+  if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
   const Result<bake::BakedTile> tile =
       bake_as_one_tile(*scene, *request.tolerance_m, request.spec.threads, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
@@ -98,7 +98,7 @@ Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene
     std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes),
                       std::back_inserter(parts));
   }
-  if (parts.empty()) return Error{"", "the scene has none of the tiles asked for"};
+  if (parts.empty()) return Error{"", "the scene has none of the requested tiles"};
   return join_tiles(parts);
 }
 
@@ -111,9 +111,9 @@ Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   if (!tile) return Error{request.out_path, tile.error().message};
   const Result<double> error_m = write_one_file(request, scene->header, *tile);
   if (!error_m) return error_m.error();
-  console.print_line(fmt::format(
-      "{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m", request.out_path,
-      exporters::triangles_of(*tile), tile->viewpoint->pixel_error, view->pixel_error, view->finest_m));
+  console.print_line(fmt::format("{}: {} triangles, error {:.3g} pixels ({:.3g} requested; no finer than {:.4g} m)",
+                                 request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
+                                 view->pixel_error, view->finest_m));
   console.print_json(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
                                  exporters::triangles_of(*tile), *error_m, view->focal_px,
                                  tile->viewpoint->pixel_error));
@@ -142,16 +142,17 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.manifest_path.empty()) return Error{"", "no manifest is given"};
+  if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
   if (request.out_path.empty())
-    return Error{"", "no output is given (-o FILE.glb with --tolerance or --eye, -o FOLDER without)"};
+    return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
   if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
 Result<Done> parse_tolerance(const std::string& text, std::optional<double>& tolerance_m) {
   const Result<double> number = parse_number(text);
-  if (!number || *number <= 0) return Error{"--tolerance", fmt::format("expected metres above 0, found \"{}\"", text)};
+  if (!number || *number <= 0)
+    return Error{"--tolerance", fmt::format("expected metres above 0, such as 0.1, found \"{}\"", text)};
   tolerance_m = *number;
   return Done{};
 }
@@ -175,20 +176,24 @@ void add_settings(Verb& verb, Request& request) {
 
 Verb bake_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"bake", "fires a manifest: to one file, or to a folder as compile does", {}, {}};
+  Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
   verb.options = {
-      {"manifest", "SCENE.kiln", "the manifest", false, store_text(request->manifest_path)},
-      {"--tolerance", "M", "largest deviation in metres of the one file; with an eye the least asked for (0.02)", false,
-       [request](const std::string& text) { return parse_tolerance(text, request->tolerance_m); }},
-      {"-o,--out", "FILE.glb|FOLDER", "where it goes", false, store_text(request->out_path)},
-      {"--eye", "X,Y,Z", "one file for an eye there, metres of the plane: near finely, far coarsely", false,
-       store_point(request->eye)},
-      {"--eye-lonlat", "LON,LAT,HEIGHT", "the same, degrees and metres", false, store_point(request->eye_lonlat)},
-      {"--pixel-error", "PIXELS", "largest deviation on its picture (1)", false,
+      {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
+      {"--tolerance", "M",
+       "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
+       false, [request](const std::string& text) { return parse_tolerance(text, request->tolerance_m); }},
+      {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
+       store_text(request->out_path)},
+      {"--eye", "X,Y,Z",
+       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150; detail falls with distance",
+       false, store_point(request->eye)},
+      {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
+       store_point(request->eye_lonlat)},
+      {"--pixel-error", "PIXELS", "with --eye: largest error on the picture in pixels (default: 1)", false,
        [request = request.get()](const std::string& text) { return parse_positive(text, request->pixel_error); }},
-      {"--size", "WxH", "pixels of its picture (1280x720)", false,
+      {"--size", "WxH", "with --eye: size of the picture in pixels (default: 1280x720)", false,
        [request = request.get()](const std::string& text) { return parse_size(text, request->size); }},
-      {"--fov", "DEG", "vertical field of view (45)", false,
+      {"--fov", "DEG", "with --eye: vertical field of view in degrees (default: 45)", false,
        [request = request.get()](const std::string& text) { return parse_fov(text, request->fov_deg); }},
   };
   add_settings(verb, *request);

@@ -41,7 +41,7 @@ void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults&
     const verify::Rises rises = verify::measure_rises(chunk);
     results.rivers.test_all(
         rises.streams, rises.rising == 0,
-        fmt::format("{}: {} streams, by {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
+        fmt::format("{}: {} watercourses, by up to {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
     const verify::Grades grades = verify::measure_grades(scene.header, chunk);
     results.grades.length_m += grades.length_m, results.grades.over_m += grades.over_m;
   }
@@ -104,7 +104,8 @@ struct Request {
 };
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.folder.empty()) return Error{"", "no folder of a run is given"};
+  if (request.folder.empty())
+    return Error{"", "no folder is given; expected the output folder of compile, such as out"};
   const Result<verify::LoadedRun> loaded = open_subject(request.folder);
   if (!loaded) return loaded.error();
   verify::CheckResults recipes;
@@ -116,7 +117,7 @@ Result<Exit> run(const Request& request, const Console& console) {
   print(*results, console);
   for (const verify::Check* check : verify::all_of(*results)) {
     if (!check->failures.empty())
-      return Error{request.folder, fmt::format("breaks a promise: {} ({})", check->claim, check->failures.front())};
+      return Error{request.folder, fmt::format("fails the check \"{}\": {}", check->claim, check->failures.front())};
   }
   return Exit::kDone;
 }
@@ -125,8 +126,8 @@ Result<Exit> run(const Request& request, const Console& console) {
 
 Verb check_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"check", "measures again every promise that a run's outputs make", {}, {}};
-  verb.options = {{"folder", "OUT", "the folder of a run, with its manifest", false, store_text(request->folder)},
+  Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
+  verb.options = {{"folder", "OUT", "output folder of compile, with its manifest", false, store_text(request->folder)},
                   threads_option(request->threads)};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;

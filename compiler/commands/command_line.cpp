@@ -33,8 +33,8 @@ void declare(CLI::App& app, const Option& option) {
 CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {
   CLI::App& command = *app.add_subcommand(verb.name, verb.help);
   for (const Option& option : verb.options) declare(command, option);
-  command.add_flag("--json", console.is_json, "answer in JSON");
-  command.add_flag("--quiet", console.is_quiet, "say nothing but errors");
+  command.add_flag("--json", console.is_json, "print the result as one JSON document");
+  command.add_flag("--quiet", console.is_quiet, "print errors only");
   return command;
 }
 
@@ -60,7 +60,7 @@ int run(const CLI::App& command, const Verb& verb, const Console& console) {
 }  // namespace
 
 int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
-  CLI::App app("citykiln compiles maps into worlds", "citykiln");
+  CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
   Console console;

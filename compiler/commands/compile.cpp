@@ -66,7 +66,7 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
       spec.is_strict && verify::has_mended_or_dropped(compiled->report) ? Exit::kStrictViolation : Exit::kDone;
 
   StageTimer timer(on_progress);
-  timer.enter("bake, write, measure heights");
+  timer.enter("bake and write");
   Result<verify::WrittenFiles> written = verify::WrittenFiles{};
   verify::HeightReport heights{{}, compiled->profiles};
   run_concurrently(
@@ -105,10 +105,11 @@ Option option_of(const Setting& setting, Request& request) {
 
 Verb compile_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"compile", "makes a scene of a map, and fires its tiles", {}, {}};
+  Verb verb{"compile", "compiles a map to a manifest and bakes its tiles", {}, {}};
   for (const Setting& setting : settings()) verb.options.push_back(option_of(setting, *request));
-  verb.options.push_back({"--spec", "FILE", "settings from a JSON file; those given here come after it", false,
-                          store_text(request->spec_path)});
+  verb.options.push_back({"--spec", "FILE",
+                          "JSON file of settings, such as {\"tile\": 512}; settings on the command line override it",
+                          false, store_text(request->spec_path)});
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

@@ -29,7 +29,7 @@ Json chunk_of(const scene::Chunk& chunk) {
   return {{"tile", to_string(chunk.tile)},
           {"heights", fmt::format("{} x {} every {} by {} m", chunk.heights.columns, chunk.heights.rows,
                                   chunk.heights.step_m.x, chunk.heights.step_m.y)},
-          {"surfaces", chunk.surfaces.size()},
+          {"land_cover_polygons", chunk.surfaces.size()},
           {"roads", chunk.roads.size()},
           {"junctions", chunk.junctions.size()},
           {"bridges", chunk.bridges.size()},
@@ -124,7 +124,7 @@ Result<Json> inspect_manifest(const Request& request) {
 }
 
 Result<Json> inspect_tile(const Request& request) {
-  if (!request.layer.empty()) return Error{request.path, "layers are drawn from a map or a manifest"};
+  if (!request.layer.empty()) return Error{request.path, "--layer needs a map or a manifest (.kiln), not a .glb"};
   const Result<bake::BakedTile> tile = exporters::read_glb(request.path);
   if (!tile) return tile.error();
   return describe(*tile);
@@ -146,8 +146,9 @@ Result<Json> inspect_map(const Request& request) {
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.path.empty()) return Error{"", "no file is given"};
-  if (request.layer.empty() != request.geojson_path.empty()) return Error{"", "--layer and --geojson belong together"};
+  if (request.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb or a map"};
+  if (request.layer.empty() != request.geojson_path.empty())
+    return Error{"", "--layer and --geojson must be given together"};
   const Result<Json> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
                             : request.path.ends_with(".glb") ? inspect_tile(request)
                                                              : inspect_map(request);
@@ -165,11 +166,13 @@ Result<Exit> run(const Request& request, const Console& console) {
 
 Verb inspect_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"inspect", "says what is in a manifest, a .glb or a map; draws layers of it for QGIS", {}, {}};
+  Verb verb{
+      "inspect", "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON", {}, {}};
   verb.options = {
-      {"file", "FILE", "a .kiln, a .glb or a map", false, store_text(request->path)},
-      {"--layer", "NAME", "roads, junctions, areas, buildings or plants", false, store_text(request->layer)},
-      {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false,
+      {"file", "FILE", "file to inspect: a .kiln, a .glb or a map", false, store_text(request->path)},
+      {"--layer", "NAME", "layer to write: roads, junctions, areas, buildings or plants", false,
+       store_text(request->layer)},
+      {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
        store_text(request->geojson_path)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };

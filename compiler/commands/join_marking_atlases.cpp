@@ -125,10 +125,10 @@ Result<JoinedMarkingAtlases> side_by_side(std::span<const TextureImage* const> s
   }
   if (std::max(placed.columns, placed.rows) > materials::kMaxImageSide_px ||
       placed.columns * placed.rows > materials::kMaxImageTexels)
-    return Error{"",
-                 fmt::format("the tiles' sheets would be {} by {} texels as one, too many: bake fewer tiles, or to a "
-                             "folder",
-                             placed.columns, placed.rows)};
+    return Error{
+        "", fmt::format("the joined marking atlas would be too large ({} by {} texels); bake fewer tiles, or bake to a "
+                        "folder",
+                        placed.columns, placed.rows)};
   if (placed.sheets.empty()) return joined;
   joined.sheet.texel_m = placed.sheets.front()->texel_m;
   joined.sheet.columns = static_cast<std::uint32_t>(placed.columns);
@@ -156,7 +156,9 @@ Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const TextureImage* 
     Result<JoinedMarkingAtlases> joined = side_by_side(sheets);
     if (joined || !are_alike(sheets)) return joined;
   }
-  if (!are_alike(sheets)) return Error{"", "sheets of different lengths cannot be in one file: bake to a folder"};
+  if (!are_alike(sheets))
+    return Error{"",
+                 "the tiles' marking atlases have different lengths and do not fit into one file; bake to a folder"};
   const std::uint32_t rows = common_rows(sheets);
   std::vector<TextureImage> coarser;
   for (const TextureImage* sheet : sheets)

@@ -146,9 +146,9 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
       joined.viewpoint = tile.viewpoint;
   }
   if (reach_m > kExactReach_m) {
-    return Error{
-        "", fmt::format("{:.0f} km are too wide for one file, which is exact to 16 km: bake fewer tiles, or a folder",
-                        reach_m / 1000)};
+    return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
+                                 "tiles, or bake to a folder",
+                                 reach_m / 1000)};
   }
   return joined;
 }

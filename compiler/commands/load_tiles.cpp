@@ -51,7 +51,7 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
                           const OnProgress& on_progress) {
   Loaded loaded;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    on_progress("read", static_cast<double>(i) / static_cast<double>(paths.size()));
+    on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
     Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
     if (!tile) return tile.error();
     loaded.tiles.push_back(std::move(*tile));
@@ -72,19 +72,20 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
     if (tile.level == request.level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
-  if (paths.empty()) return Error{folder, fmt::format("holds no such tile at level {}", request.level)};
+  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {}", request.level)};
   return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
 }
 
 }  // namespace
 
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
-  if (request.paths.empty()) return Error{"", "no manifest, folder or .glb is given"};
+  if (request.paths.empty())
+    return Error{"", "no input is given; expected a manifest, a folder of a run, or .glb files"};
   const std::string& first = request.paths.front();
   std::error_code none;
   const bool is_manifest = first.ends_with(".kiln"), is_folder = fs::is_directory(first, none);
   if ((is_manifest || is_folder) && request.paths.size() > 1)
-    return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
+    return Error{first, "cannot be combined with other inputs; give one manifest, one folder, or .glb files"};
   if (is_manifest) return bake_manifest(request, on_progress);
   if (is_folder) return read_folder(request, on_progress);
   // the manifest of OUT/glb/0_0_L0.glb is OUT/scene.kiln

@@ -15,27 +15,28 @@ using Json = nlohmann::ordered_json;
 Json print_check(const verify::Check& check, const Console& console) {
   const bool holds = check.failures.empty();
   console.print_line(
-      fmt::format("{} {}: {}", holds ? "holds " : "BROKEN", check.claim,
+      fmt::format("{} {}: {}", holds ? "holds" : "FAILS", check.claim,
                   holds ? fmt::format("not falsified by {} tests", check.tests) : check.failures.front()));
   if (check.failures.size() > 1)
-    console.print_line(fmt::format("       and {} breaches more", check.failures.size() - 1));
-  return {{"claim", check.claim}, {"tests", check.tests}, {"failures", check.failures}};
+    console.print_line(fmt::format("      and {} more failures", check.failures.size() - 1));
+  return {{"guarantee", check.claim}, {"tests", check.tests}, {"failures", check.failures}};
 }
 
 Json print_measure(const verify::Grades& grades, const Console& console) {
-  console.print_line(fmt::format("stated {:.1f} km of {:.1f} km of graded roads are over their class's limit",
+  console.print_line(fmt::format("info  {:.1f} km of {:.1f} km of graded roads exceed the grade limit of their class",
                                  grades.over_m / 1000, grades.length_m / 1000));
-  return {{"print_measure", "length of graded roads over their class's limit"},
+  return {{"measure", "length of graded roads over the grade limit of their class"},
           {"length_m", grades.length_m},
           {"over_m", grades.over_m}};
 }
 
 Json print_measure(const verify::Clearances& c, const Console& console) {
   console.print_line(fmt::format(
-      "stated {} of {} crossings lack clearance, {} over 1 m, {} over 3 m; most, {:.2f} m, {} over {} at {}, {}",
+      "info  {} of {} crossings have too little clearance, {} by over 1 m, {} by over 3 m; the largest shortfall is "
+      "{:.2f} m, {} over {} at {}, {}",
       c.shortfalls, c.crossings, c.shortfalls_over_1_m, c.shortfalls_over_3_m, c.largest_shortfall_m,
       to_string(c.upper), to_string(c.lower), c.at.x, c.at.y));
-  return {{"print_measure", "crossings that lack clearance"},
+  return {{"measure", "crossings with too little clearance"},
           {"crossings", c.crossings},
           {"shortfalls", c.shortfalls},
           {"shortfalls_over_1_m", c.shortfalls_over_1_m},
@@ -49,10 +50,10 @@ Json print_measure(const verify::Clearances& c, const Console& console) {
 Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
   const double share = static_cast<double>(f.over) / static_cast<double>(std::max<std::uint64_t>(f.places, 1));
   console.print_line(
-      fmt::format("stated {:.2f} % of {} places stray from the carved heights by over {} m, the worst by {:.2f} m at "
+      fmt::format("info  {:.2f} % of {} places on the ground mesh deviate by over {} m, the largest by {:.2f} m at "
                   "{:.2f}, {:.2f}",
                   100 * share, f.places, 2 * ground::kReferenceError_m, f.largest_m, f.at.x, f.at.y));
-  return {{"print_measure", "places where the triangulated ground strays from the carved heights"},
+  return {{"measure", "places where the ground mesh deviates from the graded terrain"},
           {"places", f.places},
           {"over", f.over},
           {"largest_m", f.largest_m}};

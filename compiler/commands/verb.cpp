@@ -28,7 +28,7 @@ std::function<Result<Done>(const std::string&)> store_whole(int& number, int lea
 }
 
 Option threads_option(int& threads) {
-  return {"--threads", "N", "0: as many as the machine has (0)", false, store_whole(threads, 0)};
+  return {"--threads", "N", "number of threads; 0 uses all processors (default: 0)", false, store_whole(threads, 0)};
 }
 
 }  // namespace citykiln::commands

@@ -26,7 +26,7 @@ Result<Done> parse_size(const std::string& text, PictureSize& size) {
   const Result<std::int64_t> height = parse_whole(cross == std::string::npos ? "" : text.substr(cross + 1), 1);
   // a limit on memory
   if (!width || !height || *width > 32768 || *height > 32768) {
-    return Error{"", fmt::format("expected pixels as WxH, at most 32768 each, found \"{}\"", text)};
+    return Error{"", fmt::format("expected a size in pixels such as 1280x720, at most 32768 each, found \"{}\"", text)};
   }
   size = {static_cast<int>(*width), static_cast<int>(*height)};
   return Done{};
@@ -35,7 +35,7 @@ Result<Done> parse_size(const std::string& text, PictureSize& size) {
 Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg) {
   const Result<double> given = parse_number(text);
   if (!given || *given <= 0 || *given >= 180)
-    return Error{"", fmt::format("expected degrees between 0 and 180, found \"{}\"", text)};
+    return Error{"", fmt::format("expected degrees between 0 and 180, such as 45, found \"{}\"", text)};
   fov_deg = *given;
   return Done{};
 }
@@ -50,7 +50,8 @@ Result<Done> parse_positive(const std::string& text, double& number) {
 Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
                                      const std::optional<scene::Header>& header) {
   if (in_plane || !lonlat) return in_plane;
-  if (!header) return Error{"--eye-lonlat", "needs the scene's origin: give the manifest, or the folder that holds it"};
+  if (!header)
+    return Error{"--eye-lonlat", "needs the scene's origin: give the manifest, or the folder that contains it"};
   const Vec2 at = map::Plane(header->origin).forward({lonlat->x, lonlat->y});
   return std::optional<Vec3>(at_height(at, lonlat->z));
 }

@@ -84,12 +84,12 @@ Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow&
   const int bands = dataset.GetRasterCount();
   GDALRasterBand& first = *dataset.GetRasterBand(1);
   if (spec.encoding.empty()) {
-    if (first.GetColorTable()) return Error{spec.path, "a picture with a palette holds no heights"};
-    if (bands > 2) return Error{spec.path, "a coloured picture needs encoding=terrarium or encoding=mapbox"};
+    if (first.GetColorTable()) return Error{spec.path, "a picture with a colour palette contains no heights"};
+    if (bands > 2) return Error{spec.path, "a colour picture needs encoding=terrarium or encoding=mapbox"};
     return read_plain(dataset, window, spec);
   }
   if (bands < 3 || first.GetRasterDataType() != GDT_Byte) {
-    return Error{spec.path, "encoding=" + spec.encoding + " needs three bands of 8 bits"};
+    return Error{spec.path, "encoding=" + spec.encoding + " needs three bands with 8 bits each"};
   }
   return read_coloured(dataset, window, spec);
 }

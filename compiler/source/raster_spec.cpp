@@ -100,7 +100,8 @@ Result<RasterSpec> parse_raster_spec(std::string_view text) {
   const std::vector<std::string_view> pieces = split(text, ',');
   RasterSpec spec;
   spec.path = pieces.front();
-  if (spec.path.empty()) return Error{std::string(text), "expected a heightmap's file name first"};
+  if (spec.path.empty())
+    return Error{std::string(text), "expected the file name of a heightmap first, such as N43E007.hgt"};
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const std::size_t equals = pieces[i].find('=');
     const std::string_view key = pieces[i].substr(0, equals);

@@ -112,7 +112,7 @@ Result<ToRasterSystem> to_system_of(const Raster& raster) {
   const OGRSpatialReference from = wgs84(), to = system_from(raster.system_wkt);
   const std::shared_ptr<OGRCoordinateTransformation> transform(OGRCreateCoordinateTransformation(&from, &to));
   if (!transform)
-    return Error{raster.file_name, "its reference system cannot be reached from WGS84: " + quiet.last_message()};
+    return Error{raster.file_name, "its reference system cannot be converted from WGS84: " + quiet.last_message()};
   return ToRasterSystem([transform](double& x, double& y) {
     const QuietGdal quiet_call;
     if (!transform->Transform(1, &x, &y)) x = y = std::numeric_limits<double>::quiet_NaN();

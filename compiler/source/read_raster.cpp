@@ -67,7 +67,7 @@ Result<GDALDatasetUniquePtr> open(const std::string& path) {
     const bool is_hgt = has_suffix(*name, ".hgt");
     return Error{path, is_hgt
                            ? "not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt"
-                           : "not a heightmap that can be read: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
+                           : "not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
   }
   return dataset;
 }
@@ -110,14 +110,14 @@ std::optional<Error> place(GDALDataset& dataset, const RasterSpec& spec, Raster&
   const QuietGdal quiet;
   std::array<double, 6> corner{};
   if (dataset.GetGeoTransform(corner.data()) != CE_None) {
-    return Error{spec.path, "the file does not say where it lies; give bounds=W/S/E/N or tile=Z/X/Y"};
+    return Error{spec.path, "the file has no georeference; add bounds=W/S/E/N or tile=Z/X/Y"};
   }
   raster.from_grid = centres(corner);
   const OGRSpatialReference* system = dataset.GetSpatialRef();
   if (system && !system->IsLocal()) {
     raster.system_wkt = system_wkt_of(*system);
   } else if (!lies_on_earth(raster)) {
-    return Error{spec.path, "the file names no reference system and its coordinates are not degrees"};
+    return Error{spec.path, "the file has no reference system and its coordinates are not degrees"};
   }
   return std::nullopt;
 }

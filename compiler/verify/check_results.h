@@ -26,17 +26,17 @@ struct Check {
 };
 
 struct CheckResults {
-  Check ledger{"in + split = out + merged + dropped in every account", 0, {}};
-  Check glb_bytes{"every .glb is what the manifest bakes, byte for byte", 0, {}};
-  Check area{"the plan area of the ground's faces is the plan area of the tile", 0, {}};
-  Check height{"the ground is nowhere farther from its heights than error_m", 0, {}};
+  Check ledger{"every account of the ledger balances: in + split = out + merged + dropped", 0, {}};
+  Check glb_bytes{"every .glb has exactly the bytes that baking the manifest gives", 0, {}};
+  Check area{"the ground's faces cover the plan area of the tile exactly once", 0, {}};
+  Check height{"the ground is within error_m of the graded terrain", 0, {}};
   Check seams{"neighbouring tiles have the same border edges", 0, {}};
-  Check jumps{"roads, bridges and tunnels meet at the same height, to 1 cm", 0, {}};
-  Check roads{"the ground is nowhere farther from a road's profile than error_m", 0, {}};
-  Check rivers{"no river rises", 0, {}};
-  Check lakes{"standing water is level", 0, {}};
-  Check footing{"under no corner of a building is a gap over 5 cm, or over error_m where that is more", 0, {}};
-  Check trunks{"no trunk stands in a road, a rail, a building or water", 0, {}};
+  Check jumps{"roads, bridges and tunnels have equal heights where they meet, within 1 cm", 0, {}};
+  Check roads{"the ground is within error_m of the roads' height profiles", 0, {}};
+  Check rivers{"no watercourse flows uphill", 0, {}};
+  Check lakes{"lakes are level", 0, {}};
+  Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
+  Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
   // stated, not judged
   Grades grades;
   ReferenceErrors reference_errors;

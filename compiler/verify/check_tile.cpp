@@ -204,7 +204,7 @@ Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenT
   const scene::Scene& scene = loaded.scene;
   const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
   if (chunk == scene.chunks.end())
-    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not have"};
+    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
   const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes);

@@ -304,7 +304,7 @@ class Measurer {
   void cross_water(const Line& line) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-      for (const roads::Strip& stream : chunk_.streams) cross_stream({&line, i, {}}, stream);
+      for (const roads::Strip& stream : chunk_.watercourses) cross_stream({&line, i, {}}, stream);
       for (const ground::LandCoverPolygon& water : chunk_.surfaces)
         if (water.level_m) cross_standing({&line, i, {}}, water);
     }

@@ -28,7 +28,7 @@ const materials::Material kUnderHouses = map::values_of(map::LandCoverClass::kBu
 
 bool stands(const NonGroundObjects& non_ground, OsmId feature, materials::Material material) {
   if (std::ranges::binary_search(non_ground.off_ground, feature)) return true;
-  if (material == materials::Material::kStone && std::ranges::binary_search(non_ground.steps, feature)) return true;
+  if (material == materials::Material::kStone && std::ranges::binary_search(non_ground.stairs, feature)) return true;
   return material != kUnderHouses && std::ranges::binary_search(non_ground.building_ids, feature) &&
          !std::ranges::binary_search(non_ground.land_cover_materials, std::pair{feature, material});
 }

@@ -73,7 +73,7 @@ std::vector<OsmId> steps_of(const scene::Scene& scene) {
 NonGroundObjects find_non_ground_objects(const scene::Scene& scene) {
   NonGroundObjects non_ground{leaving_of(scene), houses_of(scene)};
   non_ground.land_cover_materials = fields_of(scene, non_ground.building_ids);
-  non_ground.steps = steps_of(scene);
+  non_ground.stairs = steps_of(scene);
   return non_ground;
 }
 

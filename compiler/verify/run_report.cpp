@@ -52,9 +52,9 @@ Json diagnoses_of(const Report& report) {
     Json objects = Json::array();
     for (const OsmId object : tally.objects) objects.push_back(to_string(object));
     diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))},
-                                             {"what", text_of(code)},
+                                             {"meaning", text_of(code)},
                                              {"count", tally.count},
-                                             {"largest", tally.largest},
+                                             {"largest_size", tally.largest},
                                              {"objects", objects}};
   }
   return diagnoses;
@@ -76,7 +76,7 @@ Json counts_of(const scene::Scene& scene) {
   return {{"tiles", scene.chunks.size()},
           {"roads", different(scene, &scene::Chunk::roads)},
           {"junctions", junctions},
-          {"surfaces", different(scene, &scene::Chunk::surfaces)},
+          {"land_cover_polygons", different(scene, &scene::Chunk::surfaces)},
           {"bridges", different(scene, &scene::Chunk::bridges)},
           {"tunnels", different(scene, &scene::Chunk::tunnels)},
           {"buildings", different(scene, &scene::Chunk::buildings)},
@@ -126,17 +126,17 @@ Json clearances_of(const auto& measured) {
 Json heights_of(const HeightReport& heights) {
   const HeightMeasures& m = heights.recipes;
   Json json = {{"graded_length_m", m.grades.length_m},
-               {"over_grade_limit_m", m.grades.over_m},
+               {"length_over_grade_limit_m", m.grades.over_m},
                {"share_over_grade_limit", share(m.grades.over_m, m.grades.length_m)},
-               {"largest_jump_m", m.jumps.largest_m},
+               {"largest_height_step_m", m.jumps.largest_m},
                {"largest_gap_road_to_ground_m", m.road_faces.largest_gap_m},
-               {"streams_that_rise", m.rises.rising},
-               {"largest_rise_m", m.rises.largest_m},
-               {"standing_waters_not_level", m.lakes.not_level},
-               {"buildings_with_a_gap", m.footing.floating},
-               {"largest_gap_under_a_building_m", std::max(0.0, m.footing.largest_gap_m)}};
+               {"watercourses_flowing_uphill", m.rises.rising},
+               {"largest_uphill_rise_m", m.rises.largest_m},
+               {"lakes_not_level", m.lakes.not_level},
+               {"buildings_above_ground", m.footing.floating},
+               {"largest_gap_below_building_m", std::max(0.0, m.footing.largest_gap_m)}};
   json["clearances"] = clearances_of(m.clearances);
-  if (heights.planned) json["clearances_as_planned"] = clearances_of(*heights.planned);
+  if (heights.planned) json["planned_clearances"] = clearances_of(*heights.planned);
   return json;
 }
 
@@ -256,11 +256,11 @@ bool has_mended_or_dropped(const Report& report) {
 Result<RunRecord> read_report(const std::string& folder) {
   const std::string path = folder + "/report.json";
   std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path, "cannot be read: not the folder of a finished run"};
+  if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
     return record_of(Json::parse(file));
   } catch (const nlohmann::json::exception&) {
-    return Error{path, "is not a report of this program"};
+    return Error{path, "is not a report written by citykiln"};
   }
 }
 
