@@ -19,7 +19,7 @@ namespace {
 
 const std::filesystem::path kData = CITYKILN_DATA;
 
-Result<Compiled> compiled_village() {
+Result<CompileResult> compiled_village() {
   CompileSpec spec;
   spec.map_path = (kData / "andorra/cut-canillo-village.osm.pbf").string();
   Result<source::RasterSpec> raster = source::parse_raster_spec((kData / "andorra/N42E001.hgt").string());
@@ -89,7 +89,7 @@ class ViewReal : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(kData / "andorra/cut-canillo-village.osm.pbf")) GTEST_SKIP() << "absent";
-    Result<Compiled> compiled = compiled_village();
+    Result<CompileResult> compiled = compiled_village();
     ASSERT_TRUE(compiled);
     scene = std::move(compiled->scene);
     view = view_of(scene);
