@@ -1,5 +1,5 @@
-// Includes tinygltf with the same switches everywhere: no picture reading, no file access, and without its JSON library,
-// which only tinygltf_library.cpp needs.
+// Includes tinygltf with the same switches everywhere: no picture reading, no file access, and without its JSON
+// library, which only tinygltf_library.cpp needs.
 #pragma once
 
 #define TINYGLTF_NO_STB_IMAGE
