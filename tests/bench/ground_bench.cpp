@@ -1,4 +1,4 @@
-// The ground of one cell, borders off: triangles and time over the tolerance.
+// Meshes the ground of one cell without borders: triangles and time by tolerance.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ map::Heightfield hills() {
   return field;
 }
 
-void expand_bare_cell(benchmark::State& state) {
+void generate_bare_cell(benchmark::State& state) {
   const GradedTerrain ground(hills());
   const double tolerance_m = static_cast<double>(state.range(0)) / 100;
   std::size_t triangles = 0;
@@ -29,7 +29,7 @@ void expand_bare_cell(benchmark::State& state) {
   }
   state.counters["triangles"] = static_cast<double>(triangles);
 }
-BENCHMARK(expand_bare_cell)
+BENCHMARK(generate_bare_cell)
     ->ArgName("tolerance_cm")
     ->Arg(10)
     ->Arg(50)

@@ -1,5 +1,4 @@
-// Measuring a mesh against the raw field and against the same heights as a reference: what a triangle of a coarser mesh
-// costs.
+// Measures a mesh against a height field and against a reference mesh of the same heights: the time for each triangle.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -21,7 +20,7 @@ map::Heightfield hills() {
   return field;
 }
 
-// A mesh as it is midway: right triangles of this width, off the grid's lines, jittered.
+// Jittered right triangles of this width, off the lines of the height grid, like a mesh during simplification.
 std::vector<std::array<Vec3, 3>> triangles(double width_m) {
   std::vector<std::array<Vec3, 3>> all;
   const Draw draw(1, StableId{1}, "jitter");
