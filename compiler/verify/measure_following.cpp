@@ -25,7 +25,8 @@ Following measure_following(const ground::GradedTerrain& graded, std::span<const
     const ground::FaceHeight face =
         surface == ground::kNoLandCover ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
     if (face.level_m) continue;
-    const double off_m = std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
+    const double off_m =
+        std::abs(layer_height_m(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
     ++following.places, following.over += off_m > 2 * ground::kReferenceError_m;
     if (off_m > following.largest_m) following.largest_m = off_m, following.at = p;
   }

@@ -23,7 +23,8 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
         if (box.contains(p))
-          off_m = std::max(off_m, std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
+          off_m = std::max(
+              off_m, std::abs(layer_height_m(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
     ++lakes.waters;
     lakes.not_level += off_m > kQuantum_m;
     if (off_m > lakes.largest_m) lakes.largest_m = off_m, lakes.worst = surface.id.osm;
@@ -33,7 +34,7 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
-    return {of(heights_at(graded, p), ground::HeightLayer::kRoad)};
+    return {layer_height_m(heights_at(graded, p), ground::HeightLayer::kRoad)};
   });
 }
 
