@@ -1,5 +1,6 @@
 #include "compiler/scene/graded_terrain.h"
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/scene/land_cover.h"
 
 namespace citykiln::scene {
@@ -11,7 +12,7 @@ ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk
                                                   .streams = chunk.watercourses,
                                                   .surfaces = surfaces,
                                                   .box = box_of(header, chunk.tile).widened(ground::kGrading_m),
-                                                  .has_kerbs = tolerance_m < kRoadDetail_m},
+                                                  .has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m)},
                                                  chunk.bridges, chunk.tunnels);
 }
 
