@@ -1,5 +1,5 @@
-// Whole houses, from their recipes to their meshes: masses, roofs, rules and triangles, at the tolerances of the
-// levels. L0 is to give 3 million triangles a second and core.
+// Generation of houses from their recipes: masses, roofs, rules and meshes, at the tolerances of the levels. Target: 3
+// million triangles a second and core at all detail.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -10,9 +10,9 @@
 namespace citykiln::buildings {
 namespace {
 
-constexpr int kHouses = 24;  // no two of a size, so that nothing is derived for all
+constexpr int kHouses = 24;  // of different sizes, so that nothing is shared
 
-// the i-th along a street that runs at an angle to the axes, `wide` metres on average
+// The i-th house along a street at an angle to the axes, `wide` metres on average.
 Building house(Style style, roofs::Form form, double wide_m, int levels, int i) {
   Building b;
   b.id = {{OsmType::kWay, 1000 + i}, 0};

@@ -1,4 +1,4 @@
-// Roofs: how many a second, and the straight skeleton in doubles against exact numbers, over real footprints.
+// Roofs a second, and the straight skeleton in doubles compared with exact numbers, over real footprints.
 #include <benchmark/benchmark.h>
 
 #include "bench_data.h"
@@ -32,8 +32,8 @@ void RoofOverARectangle(benchmark::State& state) {
 }
 BENCHMARK(RoofOverARectangle)->DenseRange(0, static_cast<int>(Form::kCount) - 1)->Unit(benchmark::kMicrosecond);
 
-// All buildings of a town, hipped, by the skeleton alone. SmallVector, but in an old town's shapes: helsinki; many
-// houses: reinickendorf.
+// All buildings of a town, hipped, by the skeleton alone: few in the shapes of an old town in helsinki, many houses in
+// reinickendorf.
 void HippedBySkeleton(benchmark::State& state, const std::string& file, SkeletonKernel kernel) {
   const std::string path = data_or_skip(state, file);
   if (path.empty()) return;
