@@ -1,5 +1,5 @@
-// Derivation of houses at the tolerances of the levels. Targets: 3 million triangles a second and core at all detail,
-// and less time at coarser levels.
+// Derives houses by whole rule files, from footprint to terminals, at the tolerances of the levels. Goal: 3 million
+// triangles per second and core at level 0, and less time at coarser levels.
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -21,21 +21,22 @@ Result<std::string> file_at(const std::string& path) {
 
 Result<std::string> beside(const std::string& file) { return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file); }
 
-/// A program and its options.
+/// The input of one derivation.
 struct House {
   Result<Program> program;
   double width_m, depth_m;
   DeriveOptions options;
 };
 
-// A house of an old town without roof: a shop and five floors of windows with reveals, frames and sills.
+// A house of an old town: a shop, and five floors of windows with reveals, frames and sills. No roof; see
+// roof_bench.cpp.
 House old_town() {
   House house{read_rules("grammars/town_house.cga", beside), 18, 12, {}};
   house.options.attributes = {{"height", 21.0}, {"levels", 6.0}};
   return house;
 }
 
-// Ten floors of windows and balconies with railings.
+// Ten floors of windows, and of balconies with railings.
 House flats() { return {read_rules("bench/flats.cga", beside), 24, 14, {}}; }
 
 std::uint64_t triangles_of(const Derivation& derivation) {
@@ -69,7 +70,7 @@ void read_house(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_rules("grammars/town_house.cga", beside));
 }
 
-// Tolerances in millimetres; saves: 0 nothing, 1 memoise, 2 prune_early too.
+// tolerance in millimetres; saves: 0 nothing, 1 memoise, 2 prune_early too
 const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {0, 1, 2}};
 BENCHMARK(derive_old_town)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
 BENCHMARK(derive_flats)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);

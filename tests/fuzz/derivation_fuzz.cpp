@@ -1,4 +1,4 @@
-// Derivations of valid rules on any footprint keep the guarantees of derive.h (derivation_claims.h).
+// Derives valid rules on any footprint and checks the guarantees of derive.h (derivation_claims.h).
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
-// Any text gives a program or one error line, and any program a derivation within its limits whose reports do not depend
-// on the tolerance.
+// Parses any text to a program or one error line. Any program derives within its limits, and its derivation at a
+// tolerance reports the same counts.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Clearances are measured twice: the report has what the recipes in memory say, `check` what the manifest says when it is read again. And what
-the planner counted while it had the map is nearly the same: it tells a water by its level, and looks along lines at other places."""
+"""`check` measures the same clearances from the manifest as `compile` reports from the recipes in memory. The planner's own count is
+within 10 %: it samples lines at other places, and finds water by its level."""
 import json
 import unittest
 
@@ -18,13 +18,13 @@ class ClearancesReal(ProgramTest):
             with self.subTest(map_path):
                 folder = self.compiled(f"place{number}", self.data(map_path), "--dem", self.data(dem), "--emit", "kiln")
                 done = run("check", folder, "--json")
-                stated = [s for s in json.loads(done.stdout) if s.get("stated") == "crossings that lack clearance"]
+                stated = [s for s in json.loads(done.stdout) if s.get("measure") == "crossings with too little clearance"]
                 self.assertEqual(len(stated), 1)
                 heights = report_of(folder)["heights"]
                 self.assertGreater(heights["clearances"]["crossings"], 50)
                 for figure in FIGURES:
                     self.assertEqual(stated[0][figure], heights["clearances"][figure], figure)
-                planned = heights["clearances_as_planned"]
+                planned = heights["planned_clearances"]
                 self.assertLess(abs(planned["crossings"] - heights["clearances"]["crossings"]), 0.1 * planned["crossings"])
 
 
