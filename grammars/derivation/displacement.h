@@ -70,8 +70,8 @@ struct NodeTrace {
 /// the group's children. That point is within own.back of the child's result. If the child vanished, it is within its
 /// distance to a convex face or an edge of a sibling that did not, and from there within own.back of the sibling's
 /// result. The distance to a convex set is convex, so it is largest at a vertex of the vanished child's hull. Every
-/// group gives a bound, so the smallest is taken; likewise every sibling. Only the 256 siblings before and after are
-/// tried, which keeps the cost linear.
+/// group gives a bound, so the smallest is taken, and the same holds for siblings. Only the 256 siblings before and
+/// after are tried, which keeps the cost linear.
 NodeTrace combine(std::span<const ChildTrace> children);
 
 }  // namespace citykiln::grammars

@@ -72,7 +72,7 @@ template <typename Result, typename Make>
 Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
   if (!context.run.spend(1)) return otherwise;
   if (context.depth >= kMostDepth) {
-    context.run.warn(expression.position, "values ask for each other without end");
+    context.run.warn(expression.position, "values refer to each other without end");
     return otherwise;
   }
   ++context.depth;
@@ -140,7 +140,7 @@ Value evaluate_builtin(const Expression& call, Context& context) {
     if (*letters == '/') ++letters;
     const char letter = *letters++;
     const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
-    if (!fits) context.run.warn(call.operands[i].position, "a value of another kind than '" + call.text + "' asks for");
+    if (!fits) context.run.warn(call.operands[i].position, "an argument of '" + call.text + "' has the wrong type");
     n[i] = number_of(v[i]);
     if (letter == 's') s[i] = text_of(v[i]);
   }
@@ -385,7 +385,7 @@ Value attribute_value(std::uint32_t index, Context& context) {
   if (const auto found = changed.find(index); found != changed.end()) return found->second;
   if (run.attributes[index]) return *run.attributes[index];
   if (run.attribute_under_way[index]) {
-    run.warn(run.program.attributes[index].position, "the attribute's value asks for itself");
+    run.warn(run.program.attributes[index].position, "the attribute's value refers to itself");
     return 0.0;
   }
   run.attribute_under_way[index] = true;

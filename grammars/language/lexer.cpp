@@ -98,7 +98,7 @@ struct Lexer {
       return;
     }
     const bool printable = peek() > ' ' && peek() < 0x7f;
-    fail(position(), printable ? fmt::format("no word begins with '{}'", peek()) : "no word begins with this byte");
+    fail(position(), printable ? fmt::format("no token begins with '{}'", peek()) : "no token begins with this byte");
   }
 
   void take_token() {

@@ -49,7 +49,7 @@ std::vector<Key> keys_of(Execution& execution, const Statement& statement, const
       key.word = selector.key.text;
       if (!is_among(key.word, words))
         execution.run.warn(selector.position,
-                           "'" + statement.name + "' knows no '" + selector.key.text + "'; it knows" + words);
+                           "'" + statement.name + "' has no selector '" + selector.key.text + "'; selectors:" + words);
     } else {
       const double index = number_of(evaluate(selector.key, context));
       key.index = static_cast<std::size_t>(std::clamp(index, 0.0, 1e9));

@@ -91,8 +91,7 @@ void op_texture(Execution& execution, const Statement&, Arguments arguments) {
 }
 
 void op_setup_projection(Execution& execution, const Statement& statement, Arguments arguments) {
-  if (number_of(arguments[0].value) != 0)
-    return execution.run.warn(statement.position, "uv set 0 is the only one that is built");
+  if (number_of(arguments[0].value) != 0) return execution.run.warn(statement.position, "only uv set 0 is implemented");
   const Scope& scope = execution.shape.scope;
   const Directions axes = directions_of(scope, word_of(arguments[1]));
   const double width_m = texture_size_m(arguments[2], size_along(scope, axes.u));

@@ -22,7 +22,7 @@ struct Appearance {
   auto operator<=>(const Appearance&) const = default;
 };
 
-/// Texture coordinates as an affine function of position: u = dot(p - origin, u_per_m), v likewise. The texture covers
+/// Texture coordinates as an affine function of position: u = dot(p - origin, u_per_m), and v alike. The texture covers
 /// 0 to 1.
 struct TextureProjection {
   Vec3 origin;

@@ -161,7 +161,7 @@ TEST(Comp, AFacesScopeStandsOnItsFoot) {
 }
 
 TEST(Comp, SaysWhichWordItDoesNotKnow) {
-  EXPECT_NE(first_warning("Lot --> extrude(1) comp(f) { forehead : A }").find("'comp' knows no 'forehead'"),
+  EXPECT_NE(first_warning("Lot --> extrude(1) comp(f) { forehead : A }").find("'comp' has no selector 'forehead'"),
             std::string::npos);
 }
 
