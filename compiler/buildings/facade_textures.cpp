@@ -171,13 +171,13 @@ struct Dressing {
 FacadeMeshes texture_facades(const grammars::Derivation& derivation, const impostor::Model& looks, double texel_m,
                              double tolerance_m, OsmId feature) {
   std::vector<Appearance> own;
-  for (const grammars::Appearance& look : derivation.looks) {
+  for (const grammars::Appearance& look : derivation.appearances) {
     const SurfaceMaterial dress = surface_material_of(look);
     own.push_back({dress.material, dress.tint});
   }
   Dressing dressing{looks, texel_m, tolerance_m, feature};
   for (const grammars::Terminal& terminal : derivation.terminals)
-    for (const Face& face : terminal.faces) dressing.add(face, own[terminal.look], terminal.out_m);
+    for (const Face& face : terminal.faces) dressing.add(face, own[terminal.appearance], terminal.out_m);
   for (auto& [appearance, mesh] : dressing.plain)
     if (!mesh.mesh.triangles.empty()) dressing.dressed.meshes.push_back(std::move(mesh));
   return std::move(dressing.dressed);

@@ -82,7 +82,7 @@ grammars::Derivation derive_on(const Building& building, const MassModel& mass, 
   options.tolerance_m = tolerance_m;
   options.keep_start = true, options.ids = false;
   // where pictures show what is left out, looks are theirs; what moves little is known ahead
-  options.keep_appearances = keep_appearances, options.ahead = true;
+  options.keep_appearances = keep_appearances, options.prune_early = true;
   // roofs that rules put up are whole on every level: what a level leaves out of them the derivation certifies
   options.roofs = grammars::form_roofs(kQuantum_m);
   options.limits.shapes = kMostShapes, options.limits.steps = kMostSteps;

@@ -132,7 +132,7 @@ struct Dress {
 void reserve_points(const grammars::Derivation& derivation, std::span<const Dress> dress_of_look) {
   std::vector<std::size_t> points(dress_of_look.size());
   for (const grammars::Terminal& terminal : derivation.terminals)
-    points[terminal.look] += grammars::vertex_count(terminal.faces);
+    points[terminal.appearance] += grammars::vertex_count(terminal.faces);
   for (std::size_t look = 0; look < points.size(); ++look) {
     const auto [dressed, has_places] = dress_of_look[look];
     const std::size_t all = dressed->mesh.positions.capacity() + points[look];
@@ -165,7 +165,7 @@ void add_face(const Face& face, materials::MaterialMesh& dressed) {
 
 std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation& derivation, OsmId feature) {
   std::vector<SurfaceMaterial> dress;
-  for (const grammars::Appearance& look : derivation.looks) dress.push_back(surface_material_of(look));
+  for (const grammars::Appearance& look : derivation.appearances) dress.push_back(surface_material_of(look));
   std::map<SurfaceMaterial, materials::MaterialMesh> mesh_of;
   for (const SurfaceMaterial& each : dress)
     mesh_of.try_emplace(each, materials::MaterialMesh{{}, each.material, each.tint, feature});
@@ -174,7 +174,7 @@ std::vector<materials::MaterialMesh> terminal_meshes(const grammars::Derivation&
     dress_of_look.push_back({&mesh_of[each], materials::has_texture(each.material, 0)});
   reserve_points(derivation, dress_of_look);
   for (const grammars::Terminal& terminal : derivation.terminals) {
-    const auto [dressed, has_places] = dress_of_look[terminal.look];
+    const auto [dressed, has_places] = dress_of_look[terminal.appearance];
     for (const Face& face : terminal.faces) add_face(face, has_places, *dressed);
   }
   std::vector<materials::MaterialMesh> meshes;
