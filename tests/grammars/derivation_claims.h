@@ -48,10 +48,10 @@ std::string broken_claim(const Program& program, const Shape& shape, DeriveOptio
   if (!is_finite(whole) || !is_finite(cut)) return "a vertex is not finite";
   if (!are_same(whole, derive(program, shape, options))) return "twice is not the same";
   if (!(cut.error_m <= tolerance_m) || whole.error_m != 0) return "the error is over the tolerance";
-  if (!ahead && (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
+  if (!prune_early && (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
     return "a tolerance changes what is counted";
   // with fewer shapes a limit may not apply
-  if (ahead && !whole.limits.empty()) return "";
+  if (prune_early && !whole.limits.empty()) return "";
   if (cut.terminals.empty() != whole.terminals.empty()) return "all is gone at a tolerance";
   const auto fine = triangles_of(whole), coarse = triangles_of(cut);
   if (!is_sound || fine.empty() || coarse.empty() || fine.size() > 1500 || has_assets(whole)) return "";
