@@ -77,7 +77,7 @@ struct Network {
 // Outlines in the order of their junctions, named after their main roads.
 void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
                    const Network& network, Layer& layer) {
-  const auto outlines = roads::outline(junctions, roads, 0);
+  const auto outlines = roads::outline_junctions(junctions, roads, 0);
   const auto arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);

@@ -49,7 +49,7 @@ constexpr PointRow kShop{"shop", "", PointKind::kShop};
 constexpr PointRow kEntrance{"entrance", "", PointKind::kEntrance};
 constexpr PointRow kAddress{"addr:housenumber", "", PointKind::kAddress};
 
-// Ways that carry a key, by a table of its values.
+// Calls make() for ways with a key, by a table of its values.
 template <typename Row, std::size_t n, typename Make>
 void for_each_with_key(const ReadContext& context, std::string_view key, const Row (&rows)[n], Make make) {
   const auto value = [&](const source::Way& way) { return context.tag(way.tags, key); };
@@ -68,7 +68,7 @@ const PointRow* point_row(const ReadContext& context, source::Range tags) {
 
 constexpr double kTallest_m = 400;
 
-// What a tree or shrub is; a shrub is no tree, whatever it is called.
+// The plant tags of a tree or shrub; natural=shrub wins over names of trees.
 PlantTags growth_of(const ReadContext& context, OsmId id, source::Range tags) {
   PlantTags plant_tags = read_plant_tags(context, id, tags);
   if (context.tag(tags, "natural") == "shrub") plant_tags.kind = PlantKind::kBush;
@@ -79,7 +79,8 @@ struct PowerRow {
   std::string_view value;
   double corridor_m;
 };
-// Pylons carry wires some 8 m out, which swing; poles of minor lines hardly more than a metre.
+// Width of the corridor by value of power=*: pylons hold wires some 8 m out that swing, poles of minor lines little
+// more than 1 m.
 constexpr PowerRow kPowerLines[] = {{"line", 24}, {"minor_line", 8}};
 
 }  // namespace

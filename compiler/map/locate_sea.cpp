@@ -6,7 +6,7 @@
 namespace citykiln::map {
 namespace {
 
-// The sea is closed along a box this much wider than the region, so that its sides are never seen.
+// The sea is closed along a box this much wider than the region, which puts its sides out of sight.
 constexpr double kBeyond_m = 256;
 
 }  // namespace
@@ -27,7 +27,7 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
     ways.push_back({id, std::move(line.axis), nodes.front().id, nodes.back().id});
     ++account.merged;
   }
-  // all sea is one object's: that of the lowest coastline, its polygons numbered from west to east
+  // the sea is one object with the id of its lowest coastline; its polygons are numbered from west to east
   OsmId first;
   for (const CoastWay& way : ways)
     if (first.type == OsmType::kNone || way.id < first) first = way.id;

@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// A number at the front of the text, which then begins behind it.
+// Takes a number off the front of the text.
 std::optional<double> take_number(std::string_view& text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   std::string digits(text.substr(0, text.find_first_not_of("0123456789.,-+")));
@@ -65,7 +65,7 @@ std::optional<Srgb> hex_colour(std::string_view digits) {
   return Srgb{*r, *g, *b};
 }
 
-// "south-west" → "SW"; letters alone are initials already.
+// "south-west" becomes "SW"; texts of up to three letters are initials already.
 std::string initials_of(std::string_view value) {
   std::string wind;
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

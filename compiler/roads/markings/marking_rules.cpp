@@ -5,6 +5,10 @@
 // MUTCD 3B and RMS-2.
 #include "compiler/roads/markings/marking_rules.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+
 namespace citykiln::roads {
 namespace {
 
@@ -30,30 +34,19 @@ LineMeasures measures_of(const MarkingLayout& layout) {
 }
 
 bool is_quiet(const MarkingLayout& layout) {
-  switch (layout.surface) {
-    case LandCoverClass::kMotorwayRoad:
-    case LandCoverClass::kPrimaryRoad:
-    case LandCoverClass::kSecondaryRoad:
-    case LandCoverClass::kTertiaryRoad:
-      return false;
-    default:
-      return true;
-  }
+  constexpr std::array kBusy = {LandCoverClass::kMotorwayRoad, LandCoverClass::kPrimaryRoad,
+                                LandCoverClass::kSecondaryRoad, LandCoverClass::kTertiaryRoad};
+  return std::ranges::find(kBusy, layout.surface) == kBusy.end();
 }
 
 bool takes_paint(const MarkingLayout& layout) {
-  switch (map::values_of(layout.surface).material) {
-    case materials::Material::kAsphalt:
-    case materials::Material::kOldAsphalt:
-    case materials::Material::kPaving:
-    case materials::Material::kConcrete:
-      return true;
-    default:
-      return false;
-  }
+  using materials::Material;
+  constexpr std::array kHard = {Material::kAsphalt, Material::kOldAsphalt, Material::kPaving, Material::kConcrete};
+  return std::ranges::find(kHard, map::values_of(layout.surface).material) != kHard.end();
 }
 
 LaneSpan arriving_span(const MarkingLayout& layout, std::size_t index) {
+  assert(index < layout.lanes.size());
   const map::Lane& lane = layout.lanes[index];
   const double low_m = lane_sides_m(layout)[index], high_m = low_m + lane.width_m, middle_m = (low_m + high_m) / 2;
   if (lane.way == map::LaneDirection::kBackward) return {0, 0};

@@ -1,6 +1,7 @@
 #include "compiler/roads/pieces/lane_strips.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::roads {
 namespace {
@@ -8,19 +9,12 @@ namespace {
 using map::LandCoverClass;
 using map::LaneKind;
 
+// Raised buffers become pavement: no tag says whether they are planted, and crossings lead over them.
 LandCoverClass surface_of(const Road& road, const map::Lane& lane) {
-  if (!lane.is_raised) return lane.kind == LaneKind::kParking ? LandCoverClass::kParkingLane : road.surface;
-  switch (lane.kind) {
-    case LaneKind::kCycle:
-      return LandCoverClass::kCycleTrack;
-    case LaneKind::kParking:
-      return LandCoverClass::kParkingLane;
-    case LaneKind::kVerge:
-      return LandCoverClass::kVerge;
-    default:
-      // raised buffers too: no tag says whether they are planted, and crossings lead over them
-      return LandCoverClass::kPavement;
-  }
+  if (lane.kind == LaneKind::kParking) return LandCoverClass::kParkingLane;
+  if (!lane.is_raised) return road.surface;
+  if (lane.kind == LaneKind::kCycle) return LandCoverClass::kCycleTrack;
+  return lane.kind == LaneKind::kVerge ? LandCoverClass::kVerge : LandCoverClass::kPavement;
 }
 
 // Groups neighbouring lanes of one land cover class, left to right.
@@ -92,6 +86,7 @@ std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, 
 }  // namespace
 
 std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m) {
+  assert(tolerance_m >= 0);
   std::vector<LaneStrip> strips = yielded(road, with_kerbs(runs_of(road)), tolerance_m);
   std::erase_if(strips, [](const LaneStrip& s) { return width_m(s) <= 0; });
   return strips;
