@@ -20,28 +20,16 @@ struct MaterialRow {
   std::string_view value;
   Material material;
 };
-constexpr MaterialRow kWalls[] = {{"brick", Material::kBrick},
-                                  {"bricks", Material::kBrick},
-                                  {"concrete", Material::kConcrete},
-                                  {"stone", Material::kStone},
-                                  {"sandstone", Material::kStone},
-                                  {"limestone", Material::kStone},
-                                  {"granite", Material::kStone},
-                                  {"wood", Material::kTimber},
-                                  {"timber_framing", Material::kPlaster},
-                                  {"plaster", Material::kPlaster},
-                                  {"cement_block", Material::kConcrete},
-                                  {"glass", Material::kGlassFacade},
-                                  {"mirror", Material::kGlassFacade},
-                                  {"metal", Material::kMetalCladding},
-                                  {"steel", Material::kMetalCladding},
-                                  {"metal_plates", Material::kMetalCladding}};
+constexpr MaterialRow kWalls[] = {
+#define WALL(value, material) {value, Material::material},
+#include "compiler/map/building_materials.inc"
+#undef WALL
+};
 constexpr MaterialRow kRoofs[] = {
-    {"roof_tiles", Material::kRoofTile}, {"tile", Material::kRoofTile},     {"tiles", Material::kRoofTile},
-    {"slate", Material::kSlate},         {"metal", Material::kMetalRoof},   {"copper", Material::kMetalRoof},
-    {"zinc", Material::kMetalRoof},      {"concrete", Material::kFlatRoof}, {"tar_paper", Material::kFlatRoof},
-    {"gravel", Material::kFlatRoof},     {"eternit", Material::kSlate},     {"grass", Material::kGrass},
-    {"glass", Material::kGlassFacade}};
+#define ROOF(value, material) {value, Material::material},
+#include "compiler/map/building_materials.inc"
+#undef ROOF
+};
 
 template <std::size_t n>
 std::optional<Material> material_of(std::string_view value, const MaterialRow (&rows)[n]) {

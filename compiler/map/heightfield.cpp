@@ -80,7 +80,12 @@ Heightfield window_of(const Heightfield& field, const Box2& box) {
   const int i0 = first(box.min.x, min.x, step.x, field.columns), j0 = first(box.min.y, min.y, step.y, field.rows);
   const int i1 = std::max(i0 + 1, last(box.max.x, min.x, step.x, field.columns));
   const int j1 = std::max(j0 + 1, last(box.max.y, min.y, step.y, field.rows));
-  Heightfield window{field.vertex(i0, j0), step, i1 - i0 + 1, j1 - j0 + 1, {}, field.resampling_error_m};
+  Heightfield window{.min = field.vertex(i0, j0),
+                     .step_m = step,
+                     .columns = i1 - i0 + 1,
+                     .rows = j1 - j0 + 1,
+                     .heights = {},
+                     .resampling_error_m = field.resampling_error_m};
   for (int j = j0; j <= j1; ++j) {
     const auto row = field.heights.begin() + static_cast<std::ptrdiff_t>(j) * field.columns;
     window.heights.insert(window.heights.end(), row + i0, row + i1 + 1);

@@ -100,11 +100,11 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
     const std::vector<LocatedPolygon> polygons = located(context, area);
     const PlantTags plant_tags = growth_on(context, area, row->surface);
     for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
-      areas.push_back({{area.from, polygon.part},
-                       polygon.polygon,
-                       refined(context, area.tags, row->surface, plant_tags),
-                       polygon.area_m2,
-                       plant_tags});
+      areas.push_back({.id = {area.from, polygon.part},
+                       .polygon = polygon.polygon,
+                       .surface = refined(context, area.tags, row->surface, plant_tags),
+                       .area_m2 = polygon.area_m2,
+                       .plant_tags = plant_tags});
     });
   }
   context.report.account("map", "area") = account;

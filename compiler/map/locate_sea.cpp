@@ -38,8 +38,10 @@ std::vector<AreaFeature> locate_sea(const ReadContext& context) {
   std::vector<AreaFeature> areas;
   for (Polygon& polygon : sea.polygons) {
     const double area = area_m2(polygon);
-    areas.push_back(
-        {{first, static_cast<std::uint32_t>(areas.size())}, std::move(polygon), LandCoverClass::kSea, area});
+    areas.push_back({.id = {first, static_cast<std::uint32_t>(areas.size())},
+                     .polygon = std::move(polygon),
+                     .surface = LandCoverClass::kSea,
+                     .area_m2 = area});
   }
   account.split = account.out = areas.size();
   context.report.account("map", "coastline") = account;

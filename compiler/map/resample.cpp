@@ -51,7 +51,7 @@ Heightfield empty_field(const Box2& region, Vec2 step_m, Vec2 anchor) {
   const auto beyond = [](double v, double step) { return std::ceil(v / step) + 1; };
   const Vec2 low = region.min - anchor, high = region.max - anchor;
   const double west = before(low.x, step_m.x), south = before(low.y, step_m.y);
-  Heightfield field{anchor + Vec2{west * step_m.x, south * step_m.y}, step_m, 0, 0, {}, 0};
+  Heightfield field{.min = anchor + Vec2{west * step_m.x, south * step_m.y}, .step_m = step_m, .heights = {}};
   field.columns = static_cast<int>(beyond(high.x, step_m.x) - west) + 1;
   field.rows = static_cast<int>(beyond(high.y, step_m.y) - south) + 1;
   return field;

@@ -12,16 +12,11 @@ struct MarkRow {
   std::string_view key, value;
   TrackPointKind kind;
 };
-constexpr MarkRow kMarks[] = {{"highway", "traffic_signals", TrackPointKind::kSignals},
-                              {"highway", "stop", TrackPointKind::kStop},
-                              {"highway", "give_way", TrackPointKind::kGiveWay},
-                              {"railway", "level_crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "tram_level_crossing", TrackPointKind::kLevelCrossing},
-                              {"railway", "tram_crossing", TrackPointKind::kLevelCrossing},
-                              {"highway", "turning_circle", TrackPointKind::kTurningCircle},
-                              {"highway", "turning_loop", TrackPointKind::kTurningCircle},
-                              {"highway", "mini_roundabout", TrackPointKind::kMiniRoundabout}};
+constexpr MarkRow kMarks[] = {
+#define TRACK_POINT(key, value, kind) {key, value, TrackPointKind::kind},
+#include "compiler/map/line_rules.inc"
+#undef TRACK_POINT
+};
 
 // The first word of crossing:markings decides: zebra:double, ladder:skewed.
 bool is_striped(std::string_view markings) {

@@ -51,6 +51,8 @@ double max_offset_m(const Road& road) {
   return 1.5 * std::max(left_m(road) + raised_left_m(road), right_m(road) + raised_right_m(road));
 }
 
-Strip carriageway_of(const Road& road) { return {road.id, road.axis, road.surface, left_m(road), right_m(road)}; }
+Strip carriageway_of(const Road& road) {
+  return {.id = road.id, .axis = road.axis, .surface = road.surface, .left_m = left_m(road), .right_m = right_m(road)};
+}
 
 }  // namespace citykiln::roads

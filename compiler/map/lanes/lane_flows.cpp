@@ -10,7 +10,7 @@ namespace {
 using Lanes = std::vector<Lane>;
 
 Lanes plain_lanes(int count, LaneKind kind, LaneDirection way) {
-  return Lanes(static_cast<std::size_t>(count), Lane{kind, way, 0, 0, false});
+  return Lanes(static_cast<std::size_t>(count), Lane{.kind = kind, .way = way});
 }
 
 bool has_cycle_lane_beside(const LaneTags& tags, Flow flow) {
@@ -38,7 +38,7 @@ Lanes listed_flow(const LaneList& list, LaneKind kind, LaneDirection way) {
   for (const ListedLane& listed : list.lanes) {
     const LaneKind own = listed.kind == LaneKind::kDriving ? kind : listed.kind;
     const double width_m = listed.width_m == 0 && own == LaneKind::kCycle ? kCycleLane_m : listed.width_m;
-    lanes.push_back({own, way, width_m, listed.turns, false});
+    lanes.push_back({.kind = own, .way = way, .width_m = width_m, .turns = listed.turns});
   }
   return lanes;
 }
@@ -58,7 +58,7 @@ void reserve_for_buses(MovingLanes& moving, Flow flow, bool at_outer_edge) {
       std::find_if(lanes.begin(), lanes.end(), is_driven)->kind = LaneKind::kBus;
     return;
   }
-  const Lane bus{LaneKind::kBus, way_of(flow), 0, 0, false};
+  const Lane bus{.kind = LaneKind::kBus, .way = way_of(flow)};
   lanes.insert(at_outer_edge ? lanes.end() : lanes.begin(), bus);
   moving.counted += 1;
 }

@@ -69,8 +69,9 @@ void add_cycleway(const LaneTags& tags, Flow flow, bool is_raised, std::vector<R
   const double usual_m = way == LaneDirection::kBoth ? kTwoWayCycling_m : is_raised ? kCycleTrack_m : kCycleLane_m;
   const double width_m = snapped(tags.width_beside(flow, "cycleway").value_or(usual_m));
   if (const double buffer = snapped(buffer_m(tags, flow)); buffer > 0)
-    lanes.push_back({{LaneKind::kBuffer, LaneDirection::kBoth, buffer, 0, is_raised}, is_raised ? 0 : buffer});
-  lanes.push_back({{LaneKind::kCycle, way, width_m, 0, is_raised}, is_raised ? 0 : width_m});
+    lanes.push_back({{.kind = LaneKind::kBuffer, .width_m = buffer, .is_raised = is_raised}, is_raised ? 0 : buffer});
+  lanes.push_back(
+      {{.kind = LaneKind::kCycle, .way = way, .width_m = width_m, .is_raised = is_raised}, is_raised ? 0 : width_m});
 }
 
 // Parked cars face with the adjacent traffic.
@@ -108,8 +109,8 @@ void add_parking(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lan
   const auto parking = place.empty() ? parking_by_lane(tags, flow) : parking_by_place(tags, flow, place);
   if (!parking) return;
   const double width_m = snapped(parking->width_m);
-  lanes.push_back(
-      {{LaneKind::kParking, parking_way(tags, flow), width_m, 0, false}, snapped(width_m * parking->share_inside)});
+  lanes.push_back({{.kind = LaneKind::kParking, .way = parking_way(tags, flow), .width_m = width_m},
+                   snapped(width_m * parking->share_inside)});
 }
 
 // True where a value ("both", "yes", "left;right") includes the flow's side. With `yes_is_both`, yes on a one-way road
@@ -136,7 +137,7 @@ bool is_beside(const LaneTags& tags, Flow flow, std::string_view key) {
 void add_verge(const LaneTags& tags, Flow flow, std::vector<RoadsideLane>& lanes) {
   if (!is_beside(tags, flow, "verge")) return;
   const double width_m = snapped(tags.width_beside(flow, "verge").value_or(kVerge_m));
-  lanes.push_back({{LaneKind::kVerge, LaneDirection::kBoth, width_m, 0, true}, 0});
+  lanes.push_back({{.kind = LaneKind::kVerge, .width_m = width_m, .is_raised = true}, 0});
 }
 
 }  // namespace
@@ -149,13 +150,13 @@ std::vector<RoadsideLane> roadside_of(const LaneTags& tags, const LaneClass& lan
   if (has_shoulder(tags, flow)) {
     const double usual_m = lane_class.is_motorway ? kMotorwayShoulder_m : kShoulder_m;
     const double width_m = snapped(tags.width_beside(flow, "shoulder").value_or(usual_m));
-    lanes.push_back({{LaneKind::kShoulder, parking_way(tags, flow), width_m, 0, false}, 0});
+    lanes.push_back({{.kind = LaneKind::kShoulder, .way = parking_way(tags, flow), .width_m = width_m}, 0});
   }
   add_verge(tags, flow, lanes);
   add_cycleway(tags, flow, true, lanes);
   if (is_beside(tags, flow, "sidewalk")) {
     const double width_m = snapped(tags.width_beside(flow, "sidewalk").value_or(kSidewalk_m));
-    lanes.push_back({{LaneKind::kSidewalk, LaneDirection::kBoth, width_m, 0, true}, 0});
+    lanes.push_back({{.kind = LaneKind::kSidewalk, .width_m = width_m, .is_raised = true}, 0});
   }
   return lanes;
 }

@@ -14,7 +14,7 @@ CrossSection lone_lane(const LaneTags& tags, const LaneClass& lane_class) {
   const LaneDirection way =
       lane_class.is_both_ways || !tags.is_one_way() ? LaneDirection::kBoth : way_of(tags.only_flow());
   const double width_m = tagged_width_m(tags).value_or(snapped(lane_class.width_m));
-  return {{{lane_class.kind, way, width_m, 0, false}}, width_m / 2};
+  return {{{.kind = lane_class.kind, .way = way, .width_m = width_m}}, width_m / 2};
 }
 
 // The lanes from the backward roadside to the forward one: left to right with traffic on the right.

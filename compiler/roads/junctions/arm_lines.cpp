@@ -26,7 +26,8 @@ ArmLine arm_line(std::span<const Road> roads, const Arm& arm) {
   Vec2 along = path.back() - path.front();
   // a loop may return to its start
   if (along == Vec2{}) along = path[1] - path[0];
-  return {path.front(), unit(along), arm_left_m(roads, arm), arm_right_m(roads, arm)};
+  return {
+      .from = path.front(), .along = unit(along), .left_m = arm_left_m(roads, arm), .right_m = arm_right_m(roads, arm)};
 }
 
 std::vector<ArmLine> arm_lines(std::span<const Road> roads, std::span<const Arm> arms) {

@@ -29,8 +29,10 @@ Polyline link_axis(std::span<const Road> roads, const Arm& arm, std::span<const 
 void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std::span<const Vec2> nodes,
                 std::vector<Ring>& rings) {
   const ArmLine line = arm_line(roads, arm);
-  Strip piece{{}, {}, {}, line.left_m, line.right_m};
-  piece.axis = cut.length_m == kWholeLink_m ? link_axis(roads, arm, nodes) : arm_axis(roads, arm, cut.length_m);
+  Strip piece{.id = {},
+              .axis = cut.length_m == kWholeLink_m ? link_axis(roads, arm, nodes) : arm_axis(roads, arm, cut.length_m),
+              .left_m = line.left_m,
+              .right_m = line.right_m};
   piece.axis.back() = snapped(piece.axis.back());
   if (piece.axis.back() == piece.axis[piece.axis.size() - 2]) piece.axis.pop_back();
   if (piece.axis.size() < 2) return;

@@ -97,7 +97,8 @@ std::vector<RoadLayer> plan_layers(const map::Features& features, Report& report
   Account account;
   for (auto& [name, of_layer] : roads) {
     std::vector<Junction> junctions = plan_junctions(of_layer, report);
-    planned.push_back({name.first, name.second, std::move(of_layer), std::move(junctions)});
+    planned.push_back(
+        {.layer = name.first, .passage = name.second, .roads = std::move(of_layer), .junctions = std::move(junctions)});
     count(planned.back(), account);
   }
   report.account("roads", "junction_off_ground") = account;

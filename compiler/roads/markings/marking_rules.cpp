@@ -14,9 +14,24 @@ namespace {
 
 using map::LandCoverClass;
 
-constexpr LineMeasures kMotorwayLines = {0.15, 0.30, {4, 12}, {6, 12}, true, true};
-constexpr LineMeasures kCountryLines = {0.12, 0.25, {4, 12}, {3, 6}, true, false};
-constexpr LineMeasures kTownLines = {0.12, 0.25, {3, 12}, {1.5, 3}, true, false};
+constexpr LineMeasures kMotorwayLines = {.narrow_m = 0.15,
+                                         .broad_m = 0.30,
+                                         .broken = {4, 12},
+                                         .broad_broken = {6, 12},
+                                         .has_lane_lines = true,
+                                         .has_edge_lines = true};
+constexpr LineMeasures kCountryLines = {.narrow_m = 0.12,
+                                        .broad_m = 0.25,
+                                        .broken = {4, 12},
+                                        .broad_broken = {3, 6},
+                                        .has_lane_lines = true,
+                                        .has_edge_lines = false};
+constexpr LineMeasures kTownLines = {.narrow_m = 0.12,
+                                     .broad_m = 0.25,
+                                     .broken = {3, 12},
+                                     .broad_broken = {1.5, 3},
+                                     .has_lane_lines = true,
+                                     .has_edge_lines = false};
 
 // Lane widths at which two bicycles or two cars pass each other, so that each direction keeps to its side.
 constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;

@@ -127,7 +127,8 @@ void slice_segment(const Slicer& slicer, std::span<const RoadStretch> stretches,
   CrossLine start = slicer.line_at(segment, segment);
   const auto push = [&](const CrossLine& end) {
     const double middle = (start.along_m + end.along_m) / 2;
-    slices.push_back({slicer.direction(segment), start, end, stretch_at(stretches, middle)});
+    slices.push_back(
+        {.along = slicer.direction(segment), .start = start, .end = end, .stretch = stretch_at(stretches, middle)});
     start = end;
   };
   for (const double along_m : lines_within(slicer, stretches, segment)) push(line_between(slicer, segment, along_m));
@@ -145,14 +146,19 @@ Slices slices_of(const Road& road, const StripEnds& ends, std::span<const RoadSt
   Slices all;
   for (std::size_t s = 0; s < slicer.segments(); ++s) {
     if (s == 0 && !slicer.outs[0] && ends.before)
-      all.bends.push_back({road.axis[0], unit(road.axis[0] - *ends.before), slicer.direction(0), 0});
+      all.bends.push_back(
+          {.at = road.axis[0], .before = unit(road.axis[0] - *ends.before), .after = slicer.direction(0)});
     slice_segment(slicer, stretches, s, all.slices);
     if (slicer.outs[s + 1]) continue;
     const auto last = static_cast<std::uint32_t>(all.slices.size()) - 1;
     if (s + 1 < slicer.segments())
-      all.bends.push_back({road.axis[s + 1], slicer.direction(s), slicer.direction(s + 1), last});
+      all.bends.push_back(
+          {.at = road.axis[s + 1], .before = slicer.direction(s), .after = slicer.direction(s + 1), .slice = last});
     else if (ends.after)
-      all.bends.push_back({road.axis.back(), slicer.direction(s), unit(*ends.after - road.axis.back()), last});
+      all.bends.push_back({.at = road.axis.back(),
+                           .before = slicer.direction(s),
+                           .after = unit(*ends.after - road.axis.back()),
+                           .slice = last});
   }
   return all;
 }

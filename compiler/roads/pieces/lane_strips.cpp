@@ -25,7 +25,7 @@ std::vector<LaneStrip> runs_of(const Road& road) {
     const LandCoverClass surface = surface_of(road, lane);
     const bool goes_on =
         !strips.empty() && strips.back().surface == surface && strips.back().lanes.back().is_raised == lane.is_raised;
-    if (!goes_on) strips.push_back({surface, {}, edge_m, edge_m});
+    if (!goes_on) strips.push_back({.surface = surface, .lanes = {}, .left_m = edge_m, .right_m = edge_m});
     strips.back().lanes.push_back(lane);
     edge_m -= lane.width_m;
     strips.back().right_m = edge_m;
@@ -34,6 +34,10 @@ std::vector<LaneStrip> runs_of(const Road& road) {
 }
 
 bool is_raised(const LaneStrip& strip) { return strip.lanes.front().is_raised; }
+
+LaneStrip kerb(double left_m) {
+  return {.surface = LandCoverClass::kKerb, .lanes = {}, .left_m = left_m, .right_m = left_m - kKerb_m};
+}
 
 // Adds a kerb on the raised side of each step between raised and level lanes.
 std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
@@ -45,12 +49,12 @@ std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
     const bool kerb_right = raised && i + 1 < runs.size() && !is_raised(runs[i + 1]);
     run.has_kerb_left = !raised && i > 0 && is_raised(runs[i - 1]);
     run.has_kerb_right = !raised && i + 1 < runs.size() && is_raised(runs[i + 1]);
-    if (kerb_left) strips.push_back({LandCoverClass::kKerb, {}, run.left_m, run.left_m - kKerb_m});
+    if (kerb_left) strips.push_back(kerb(run.left_m));
     strips.push_back(run);
     if (kerb_left) strips.back().left_m -= kKerb_m;
     if (!kerb_right) continue;
     strips.back().right_m += kKerb_m;
-    strips.push_back({LandCoverClass::kKerb, {}, run.right_m + kKerb_m, run.right_m});
+    strips.push_back(kerb(run.right_m + kKerb_m));
   }
   return strips;
 }

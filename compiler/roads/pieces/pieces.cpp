@@ -23,7 +23,11 @@ struct StripEdges {
 // The end of a piece at a line across the segment.
 PieceEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
   const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
-  return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
+  return {.left_m = edges.left_m,
+          .right_m = edges.right_m,
+          .left_along_m = along(edges.left_m),
+          .right_along_m = along(edges.right_m),
+          .v_m = line.along_m - zero_m};
 }
 
 Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
@@ -42,9 +46,13 @@ LandCoverClass surface_of(const Road& road, const LaneStrip& strip, StretchKind 
 }
 
 MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const RoadStretch& run) {
-  MarkingLayout layout{strip.surface, strip.lanes, run.stretch, run.control, road.side};
-  layout.has_kerb_left = strip.has_kerb_left, layout.has_kerb_right = strip.has_kerb_right;
-  return layout;
+  return {.surface = strip.surface,
+          .lanes = strip.lanes,
+          .stretch = run.stretch,
+          .control = run.control,
+          .side = road.side,
+          .has_kerb_left = strip.has_kerb_left,
+          .has_kerb_right = strip.has_kerb_right};
 }
 
 // The edges of all strips at a distance along the road, within its width limits.
@@ -88,9 +96,16 @@ struct PieceBuilder {
     const auto number = static_cast<std::uint32_t>(strip * stretches.size() + slice.stretch);
     const RoadStretch& run = stretches[slice.stretch];
     const LaneStrip& whole = strips[strip];
-    const PieceFrame frame{slice.start.at, slice.along, whole.left_m - whole.right_m,
-                           end_of(slice, slice.start, start, run.zero_m), end_of(slice, slice.end, end, run.zero_m)};
-    made.pieces.push_back({surface_of(road, whole, run.stretch), std::move(ring), frame, layouts[number], number});
+    const PieceFrame frame{.at = slice.start.at,
+                           .along = slice.along,
+                           .width_m = whole.left_m - whole.right_m,
+                           .start = end_of(slice, slice.start, start, run.zero_m),
+                           .end = end_of(slice, slice.end, end, run.zero_m)};
+    made.pieces.push_back({.surface = surface_of(road, whole, run.stretch),
+                           .ring = std::move(ring),
+                           .frame = frame,
+                           .layout = layouts[number],
+                           .run = number});
   }
 };
 

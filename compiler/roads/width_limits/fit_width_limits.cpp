@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
 #include "compiler/roads/width_limits/building_obstacles.h"
 

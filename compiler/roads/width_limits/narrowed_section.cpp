@@ -138,7 +138,10 @@ RoadEdges road_edges_at(const Road& road, double along_m) {
   const Side left = give_way(sides.left, sides.least_m, half_at(road.width_limits.left, along_m));
   const Side right = give_way(sides.right, sides.least_m, half_at(road.width_limits.right, along_m));
   const double kerb_left = left.carriageway_m + sides.middle_m, kerb_right = right.carriageway_m - sides.middle_m;
-  return {kerb_left + left.raised_m, kerb_left, kerb_right, kerb_right + right.raised_m};
+  return {.left_m = kerb_left + left.raised_m,
+          .kerb_left_m = kerb_left,
+          .kerb_right_m = kerb_right,
+          .right_m = kerb_right + right.raised_m};
 }
 
 std::vector<double> bends_of_edges(const Road& road) {

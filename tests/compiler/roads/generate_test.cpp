@@ -63,7 +63,7 @@ TEST(RoadsEnds, JoinWhereTwoMeetAndNoMore) {
   EXPECT_EQ(ends[1].before, (Vec2{0, 0}));
   EXPECT_FALSE(ends[0].before || ends[1].after);
   const std::vector<Road> three = {two[0], two[1], road({{100, 0}, {100, 50}})};
-  for (const StripEnds& end : ends_of(three)) EXPECT_FALSE(end.from || end.to);
+  for (const StripEnds& end : ends_of(three)) EXPECT_FALSE(end.before || end.after);
 }
 
 TEST(TrimmedRoads, KnowHowMuchOfThemWentBefore) {
