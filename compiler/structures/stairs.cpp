@@ -46,7 +46,7 @@ struct Looking {
   Crossing crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
     Crossing c{snapped(p + left * left_m), snapped(p - left * right_m)};
     const ground::FaceHeight height = ground::face_height_of(surface);
-    const auto ground_m = [&](Vec2 at) { return of(ground::heights_at(ground, at), height); };
+    const auto ground_m = [&](Vec2 at) { return layer_height_m(ground::heights_at(ground, at), height); };
     c.z_m = c.low_m = ground_m(p);
     for (const Vec2 edge : {c.left, c.right}) {
       c.z_m = std::max(c.z_m, ground_m(p + (edge - p) * kNearEdge));

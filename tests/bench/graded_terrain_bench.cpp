@@ -33,7 +33,7 @@ const scene::Scene& village(const std::string& map, const std::string& dem) {
   return scene;
 }
 
-/// The tile with most roads.
+/// The tile with the most roads.
 const scene::Chunk& busiest(const scene::Scene& scene) {
   return *std::ranges::max_element(scene.chunks, {}, [](const scene::Chunk& chunk) { return chunk.roads.size(); });
 }

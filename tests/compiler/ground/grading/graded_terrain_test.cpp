@@ -19,7 +19,7 @@ map::Heightfield level_at(double z_m) {
   return field;
 }
 
-// Waters of many levels, and a street whose junction is wider than it, some metres apart on either side of x = 128.
+// Waters of many levels, and a street with a wider junction, some metres apart on either side of x = 128.
 struct Made {
   std::vector<roads::Road> roads;
   std::vector<LandCoverPolygon> surfaces;
@@ -42,18 +42,18 @@ Made made() {
 
 TEST(GradedTerrain, TilesAgreeAllOverWhatBothMayBeAskedFor) {
   const Made both = made();
-  const auto carved = [&](const Box2& tile) {
+  const auto graded = [&](const Box2& tile) {
     return grade_terrain(level_at(16), {both.roads, {}, both.surfaces, tile.widened(kGrading_m)});
   };
-  const GradedTerrain west = carved(kWest), east = carved(kEast);
+  const GradedTerrain west = graded(kWest), east = graded(kEast);
   const Draw draw(1, StableId{1}, "places");
   int under_water = 0, on_roads = 0;
   for (std::uint32_t i = 0; i < 20000; i += 2) {
     const Vec2 p{draw.between(128 - kGrading_m, 128 + kGrading_m, i), draw.between(0, 128, i + 1)};
     const Heights heights = heights_at(west, p);
     EXPECT_EQ(heights, heights_at(east, p)) << p.x << " " << p.y;
-    under_water += of(heights, HeightLayer::kWater) != of(heights, HeightLayer::kLand);
-    on_roads += of(heights, HeightLayer::kRoad) != of(heights, HeightLayer::kLand);
+    under_water += layer_height_m(heights, HeightLayer::kWater) != layer_height_m(heights, HeightLayer::kLand);
+    on_roads += layer_height_m(heights, HeightLayer::kRoad) != layer_height_m(heights, HeightLayer::kLand);
   }
   EXPECT_GT(under_water, 1000);
   EXPECT_GT(on_roads, 1000);
