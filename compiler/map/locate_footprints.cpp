@@ -7,12 +7,11 @@
 namespace citykiln::map {
 namespace {
 
-// Parts replace an outline that they cover by more than this: a lone roof terrace mapped as a part does not.
+// The share of an outline that its parts must cover to replace it: a single roof terrace mapped as a part does not.
 constexpr double kCoveringShare = 0.6;
 
 Vec2 inner_point(const Polygon& polygon) {
-  // the middle of the longest ear's diagonal would do too; a vertex drawn a little inside is enough to tell parts from
-  // neighbours
+  // the point only has to tell parts from neighbours: the centre of the box, else a point just inside an edge
   const Vec2 centre = box_of(polygon.outer).centre();
   if (contains(polygon, centre)) return centre;
   for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
@@ -64,24 +63,16 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    if (polygons.empty()) {
-      context.report.drop(account, Code::kDegenerateRing, area.from);
-      continue;
-    }
-    account.split += polygons.size() - 1;
     const bool is_part = says_yes(part) && !says_yes(outline);
-    Footprint footprint = described(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
+    Footprint footprint;
+    if (!polygons.empty())
+      footprint = read_building_tags(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
     footprint.is_part = is_part;
-    for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
-        context.report.drop(account, Code::kOutsideBounds, area.from);
-        continue;
-      }
-      ++account.out;
+    for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       footprint.id = {area.from, polygon.part};
       footprint.polygon = polygon.polygon;
       footprints.push_back(footprint);
-    }
+    });
   }
   context.report.account("map", "footprint") = account;
   mark_outlines(footprints);

@@ -8,7 +8,7 @@ namespace {
 
 struct Taxon {
   PlantKind kind;
-  std::string_view names;  // by spaces
+  std::string_view names;  // separated by spaces
 };
 
 constexpr Taxon kTaxa[] = {
@@ -17,10 +17,10 @@ constexpr Taxon kTaxa[] = {
 #undef TAXON
 };
 
-// Shorter ends of words tell nothing: "esche" is in "kirsche" but for a letter.
+// Minimum length of a word's ending that names a plant: "esche" ends "kirsche" except for a letter.
 constexpr std::size_t kLeastEnd = 5;
 
-// The next of the words that spaces part, taken off the text.
+// Takes the next word, up to a space, off the text.
 std::string_view take_word(std::string_view& text) {
   const std::size_t end = std::min(text.find(' '), text.size());
   const std::string_view word = text.substr(0, end);
@@ -28,7 +28,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-// Lower case, and a space for what is not a letter. Of UTF-8 the capitals of Latin-1 are known.
+// The text in lower case with a space for each other character. Of UTF-8, capitals of Latin-1 are converted.
 std::string lowered(std::string_view text) {
   std::string lower;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -7,7 +7,7 @@
 namespace citykiln::plants {
 namespace {
 
-// Water, pitches and squares, paths, rails, roads and buildings, by their classes' priorities (surface_classes.inc).
+// Water, pitches and squares, paths, rails, roads and buildings, by their classes' priorities (land_cover_classes.inc).
 constexpr int kLeastBarePriority = 50;
 
 // Trees of one wood differ by this share of their mean height.
