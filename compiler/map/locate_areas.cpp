@@ -98,7 +98,10 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    const PlantTags plant_tags = growth_on(context, area, row->surface);
+    PlantTags plant_tags = growth_on(context, area, row->surface);
+    const LandCoverClass surface = refined(context, area.tags, row->surface, plant_tags);
+    // a forest's class states its leaf type
+    if (surface != row->surface && row->surface == LandCoverClass::kForest) plant_tags.leaves = LeafType::kUnknown;
     account.split += polygons.size();
     if (polygons.empty())
       context.report.drop(account, Code::kDegenerateRing, area.from);
@@ -110,11 +113,7 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
         continue;
       }
       ++account.out;
-      areas.push_back({{area.from, polygon.part},
-                       polygon.polygon,
-                       refined(context, area.tags, row->surface, plant_tags),
-                       polygon.area_m2,
-                       plant_tags});
+      areas.push_back({{area.from, polygon.part}, polygon.polygon, surface, polygon.area_m2, plant_tags});
     }
   }
   context.report.account("map", "area") = account;

@@ -6,30 +6,12 @@
 
 namespace citykiln::map {
 
-/// Plants that look alike. Genera that are not among them are told as the one they look like (taxa.inc).
+/// The species that tags name: kUnknown, then one enumerator for each block of species.inc, in its order. Genera
+/// without a species of their own map to the one that looks most similar.
 enum class PlantKind : std::uint8_t {
   kUnknown,
-  kFruitTree,
-  kBeech,
-  kBirch,
-  kBush,
-  kCypress,
-  kFir,
-  kLime,
-  kMaple,
-  kOak,
-  kPalm,
-  kPine,
-  kPlane,
-  kPoplar,
-  kSpruce,
-  kWillow,
-  kVine,
-  kGrass,
-  kGrain,
-  kMaize,
-  kFern,
-  kHonda  ///< Of no genus: Honda's trees, as RPForest's scenes have them.
+#define SPECIES(name, ...) name,
+#include "lsystems/species/species.inc"
 };
 
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };

@@ -6,8 +6,8 @@
 
 namespace citykiln::map {
 
-/// By genus, species, taxon, trees, crop and produce, in the languages of taxa.inc; leaves by leaf_type, leaf_cycle and
-/// the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
+/// By genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc; leaves by leaf_type,
+/// leaf_cycle and the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
 PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
 
 /// height, est_height; 0 where nobody says. Metres.

@@ -1,6 +1,5 @@
-// Plants from their rules to strings, skeletons and meshes: Honda's tree at n = 15 is to be derived at 40 million
-// symbols a second and core; RPForest writes 12 to 17. 1.5 million triangles are to be made in 0.1 s; RPForest
-// takes 44.9 s.
+// Benchmarks of L-systems: derivation, interpretation and meshing. Targets: Honda's tree at n = 15 at 40 million
+// symbols a second and core (RPForest: 12 to 17), and 1.5 million triangles in 0.1 s (RPForest: 44.9 s).
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -14,7 +13,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-// the book's figure 2.6 a
+// Figure 2.6 a of the book.
 constexpr const char* kHonda = R"(
 #define r1 0.9
 #define r2 0.6
@@ -28,13 +27,13 @@ p2: B(l,w) : * -> !(w)F(l)[-(a2)$C(l*r2,w*wr)]C(l*r1,w*wr)
 p3: C(l,w) : * -> !(w)F(l)[+(a2)$B(l*r2,w*wr)]B(l*r1,w*wr)
 )";
 
-// figure 1.24 e: no numbers, all F double
+// Figure 1.24 e: no parameters, every F doubles.
 constexpr const char* kBush = "axiom: X\nX -> F[+X][-X]FX\nF -> FF\n";
 
-// figure 1.27: dice
+// Figure 1.27: stochastic.
 constexpr const char* kChance = "axiom: F\nF -> (0.33) F[+F]F[-F]F\nF -> (0.33) F[+F]F\nF -> (0.34) F[-F]F\n";
 
-// Hogeweg and Hesper's a (figure 1.31): contexts on both sides
+// Hogeweg and Hesper's system a (figure 1.31): contexts on both sides.
 constexpr const char* kContexts = R"(
 #ignore: +-F
 axiom: F1F1F1
@@ -58,7 +57,7 @@ void derive_system(benchmark::State& state, const char* text) {
   std::uint64_t written = 0, symbols = 0, rounds = 0;
   for (auto _ : state) {
     const Derivation derivation = derive(*system, options);
-    if (derivation.cut) return state.SkipWithError(limit_line(*system, *derivation.cut).c_str());
+    if (derivation.limit_exceeded) return state.SkipWithError(limit_line(*system, *derivation.limit_exceeded).c_str());
     written += derivation.written;
     symbols = derivation.string.kinds.size();
     ++rounds;
@@ -82,17 +81,17 @@ void walk_system(benchmark::State& state, const char* text) {
   state.counters["segments/s"] = benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
 }
 
-// segments over time: a line of slope 1
+// Time is linear in triangles.
 void mesh_system(benchmark::State& state, double tolerance_m) {
   const Result<LSystem> system = read_lsystem(kHonda, "bench.lsys");
   DeriveOptions options;
   options.steps = static_cast<int>(state.range(0));
   Skeleton skeleton = walk(*system, derive(*system, options).string);
-  // as thick everywhere, so that all is drawn, with as many sides
+  // equal radii, so that all stems are meshed with as many sides
   for (Segment& segment : skeleton.segments) segment.start_radius = segment.end_radius = 0.05;
   TubeOptions tubes;
   tubes.tolerance_m = tolerance_m;
-  // memory is found once
+  // memory is allocated once
   PlantMesh mesh = mesh_plant(skeleton, tubes);
   for (auto _ : state) mesh_plant(skeleton, tubes, mesh);
   const auto triangles = static_cast<double>(mesh.bark.triangles.size());
