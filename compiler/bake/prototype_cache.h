@@ -45,7 +45,7 @@ class PrototypeCache {
 
   Slot& slot(const Key& key) const;
 
-  plants::GrownPlantPlantCache grown_plants_;
+  plants::GrownPlantCache grown_plants_;
   materials::TextureCache textures_;
   mutable std::mutex mutex_;
   mutable std::map<Key, Slot> slots_;

@@ -24,11 +24,9 @@ struct PlantRecipes {
 /// Ledger "bake/tree" for single trees. O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& context, Report& report);
 
-/// Blades (grass, reed and corn, a plant for each tuft) are drawn up to this tolerance. Coarser levels show them in the
-/// ground's texture, without a stated error.
-inline constexpr double kBlades_m = 0.05;
-
-/// Limit of blades; where recipes ask for more, a share of all is drawn.
+/// Blades are grass, reed and corn, a plant for each tuft. Only tolerances with Detail::kGrassBlades show them; coarser
+/// levels have them in the ground's texture, without a stated error. Where recipes ask for more than this limit, a
+/// share of all is drawn.
 inline constexpr double kMostBladesPerKm2 = 200'000;
 
 /// Returns the blades in the box. O(plants asked for).

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/prototypes/crown_average.h"
 
@@ -196,7 +197,7 @@ Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorrido
                    const PlacingContext& context, double tolerance_m, Month month) {
   assert(is_multiple(context.box.width()) && is_multiple(context.box.height()));
   Canopy canopy;
-  if (woods.empty() || tolerance_m < kCanopyFrom_m) return canopy;
+  if (woods.empty() || !has_detail(Detail::kWoodCanopies, tolerance_m)) return canopy;
   const WoodMap map = map_woods(woods, context);
   const Lattice lattice =
       lattice_of(map, index_corridors(corridors, context.box.widened(kCanopyCell_m)), context.box, tolerance_m, month);

@@ -14,9 +14,6 @@
 
 namespace citykiln::plants {
 
-/// Least tolerance with canopies. A cell takes fewer bytes than the placements of its trees.
-inline constexpr double kCanopyFrom_m = 11;
-
 /// Width of a cell. A tile's side is a multiple of it; land cover is known two cells beyond the tile.
 inline constexpr double kCanopyCell_m = 16;
 
@@ -33,7 +30,7 @@ struct Canopy {
 /// trees are high enough to see. A vertex is raised if all four of its cells are closed.
 ///
 /// @param context     Sides of its box are multiples of kCanopyCell_m.
-/// @param tolerance_m  Below kCanopyFrom_m the canopy is empty.
+/// @param tolerance_m  Without Detail::kWoodCanopies the canopy is empty.
 ///
 /// Guarantees: positions, normals and tints of vertices are functions of the place, so neighbouring tiles agree on
 /// their border. Cost: O(cells · samples).
