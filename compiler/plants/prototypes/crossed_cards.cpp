@@ -1,6 +1,7 @@
 #include "compiler/plants/prototypes/crossed_cards.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/mathematics.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/geometry/trig.h"
 #include "lsystems/tubes.h"
