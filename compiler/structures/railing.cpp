@@ -7,6 +7,7 @@
 namespace citykiln::structures {
 namespace {
 
+// Thickness of posts and rails, and the largest distance between posts.
 constexpr double kPost_m = 0.0625, kRail_m = 0.0625, kPostsApart_m = 2;
 constexpr int kRails = 3;
 
@@ -32,7 +33,7 @@ void add_posts(std::span<const Rib> ribs, double left_m, double from_m, double t
 }  // namespace
 
 RailingDetail railing_detail(double high_m, double tolerance_m) {
-  // between rails no place is farther from one than half the way
+  // the middle between two rails is half their distance from them
   const double panel_error_m = high_m / kRails / 2 + kRail_m;
   if (tolerance_m < panel_error_m) return {RailingForm::kPosts, 0};
   if (tolerance_m < high_m) return {RailingForm::kPanel, panel_error_m};

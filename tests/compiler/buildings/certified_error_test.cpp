@@ -121,8 +121,7 @@ TEST(CertifiedErrorReal, IsNeverLessThanWhatIsMeasured) {
   for (const char* extract : kExtracts) {
     if (!std::filesystem::exists(data_file(extract))) GTEST_SKIP() << "absent: " << extract;
     const std::vector<Building> buildings = buildings_in(extract);
-    const std::vector<Style> styles = styles_of(buildings);
-    const Rulebook rulebook = parse_rulebook(styles, shipped_rules());
+    const Rulebook rulebook = parse_rulebook(shipped_rules());
     for (std::size_t i = 0; i < from_each && i < buildings.size(); ++i, ++measured)
       measure(alone(buildings[i * buildings.size() / from_each]), rulebook, rows);
     for (const Building& building : buildings)

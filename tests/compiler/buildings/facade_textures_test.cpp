@@ -25,11 +25,7 @@ Building house(Style style, double width_m, double height_m) {
 }
 
 const Rulebook& rulebook() {
-  static const Rulebook book = [] {
-    std::vector<Style> styles;
-    for (int i = 0; i < static_cast<int>(Style::kCount); ++i) styles.push_back(static_cast<Style>(i));
-    return parse_rulebook(styles, shipped_rules());
-  }();
+  static const Rulebook book = parse_rulebook(shipped_rules());
   return book;
 }
 
@@ -98,8 +94,8 @@ TEST(ImprintWalls, FacadesAreAsLightAsTheGeometryThatTheyStandFor) {
 // One of two houses of an old street that has balconies.
 Building with_iron_balconies() {
   Building block = house(Style::kCourtyardBlock, 30, 21);
-  block.fronts.resize(4);
-  block.fronts[0].faces_street = true;
+  block.facade_edges.resize(4);
+  block.facade_edges[0].faces_street = true;
   return block;
 }
 

@@ -18,7 +18,7 @@ Building house() {
   b.bottom_m = 98, b.floor_m = 100, b.top_m = 109;
   b.roof_shape.form = roofs::Form::kGabled, b.roof_shape.height_m = 3;
   b.levels = 2;
-  b.fronts.resize(4);
+  b.facade_edges.resize(4);
   return b;
 }
 
@@ -63,7 +63,7 @@ TEST(MassModel, ClosesButForItsFloor) {
 TEST(MassModel, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
   Building b = house();
   b.footprint = {{{9, 0}, {12, 0}, {12, 9}, {0, 9}, {0, 4}, {9, 4}}, {{{10, 5}, {10, 6}, {11, 6}, {11, 5}}}};
-  b.fronts.resize(6);
+  b.facade_edges.resize(6);
   std::vector<Vec2> corners = b.footprint.outer;
   corners.insert(corners.end(), b.footprint.holes[0].begin(), b.footprint.holes[0].end());
   for (const roofs::Form form : {roofs::Form::kFlat, roofs::Form::kGabled, roofs::Form::kHipped})
@@ -106,8 +106,8 @@ TEST(MassModel, OfAPartHasWindowsOverTheOther) {
 
 TEST(MassModel, StandsOnBuriedStoreys) {
   Building b = house();
-  b.fronts[2].buried_storeys = 1;
-  b.fronts[0].faces_street = true;
+  b.facade_edges[2].buried_storeys = 1;
+  b.facade_edges[0].faces_street = true;
   const MassModel mass = made(b);
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (9 + 12 + 9) * 6 + 12 * 3);
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 2 + 12 * 3);
@@ -153,16 +153,16 @@ TEST(MassModel, HasNoNarrowStripsAboutPartyWalls) {
 // Rules work along the longest wall at a street, however long others are.
 TEST(MassModel, LiesAlongItsStreet) {
   Building b = house();
-  b.fronts[1].faces_street = true;
+  b.facade_edges[1].faces_street = true;
   EXPECT_EQ(shape_of(b, made(b)).scope.axis[0], (Vec3{0, 1, 0}));
-  b.fronts[1].faces_street = false;
+  b.facade_edges[1].faces_street = false;
   EXPECT_EQ(std::abs(shape_of(b, made(b)).scope.axis[0].x), 1);
 }
 
 // Over its eaves stand no walls.
 TEST(MassModel, IsBuriedToItsEavesAtMost) {
   Building b = house();
-  for (FacadeEdge& front : b.fronts) front.buried_storeys = 3;
+  for (FacadeEdge& front : b.facade_edges) front.buried_storeys = 3;
   const MassModel mass = made(b);
   EXPECT_TRUE(mass.walls.empty());
   EXPECT_EQ(area_of(mass.foundation, FaceTag::kSide), 2 * (12 + 9) * 8);

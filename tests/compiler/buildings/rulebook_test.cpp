@@ -18,7 +18,7 @@ std::vector<Style> all_styles() {
 TEST(Rulebook, ShipsARuleFileForEveryStyle) {
   const auto texts = rules_for(all_styles(), shipped_rules());
   ASSERT_TRUE(texts) << to_string(texts.error());
-  EXPECT_EQ(parse_rulebook(all_styles(), *texts).size(), all_styles().size() - 1);
+  EXPECT_EQ(parse_rulebook(*texts).size(), all_styles().size() - 1);
 }
 
 TEST(Rulebook, TakesWithARuleWhatItImports) {

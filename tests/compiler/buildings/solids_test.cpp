@@ -19,7 +19,7 @@ using val3dity::Codes;
 // No wall is left out or cut by what stands or lies before it, and there is a floor.
 Building alone(Building building) {
   building.party_walls.clear();
-  building.fronts.clear();
+  building.facade_edges.clear();
   building.stands_on_ground = false;
   return building;
 }

@@ -16,6 +16,7 @@ namespace {
 
 using materials::Material;
 using materials::MaterialMesh;
+using materials::SurfaceMaterial;
 
 grammars::Derivation derived(const std::string& text) {
   const auto program = grammars::read_rules_of(text);

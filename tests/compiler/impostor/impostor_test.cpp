@@ -52,7 +52,7 @@ TEST(Impostor, AFaceOfItselfIsItsOwnColour) {
       EXPECT_NEAR(texel.roughness / 255.0, values_of(material).roughness, 0.002);
       EXPECT_EQ(texel.shown, kSamplesPerTexel);
     }
-    EXPECT_EQ(one.dominant, (Appearance{material, materials::kNoTint}));
+    EXPECT_EQ(one.dominant, (materials::SurfaceMaterial{material, materials::kNoTint}));
     EXPECT_EQ(one.dominant_share, 1);
   }
 }
