@@ -1,4 +1,4 @@
-// The program: hands the command line to its verbs. What a compile does is told by pipeline.cpp.
+// The citykiln program: passes the command line to its verbs. pipeline.cpp shows what a compile does.
 #include <array>
 #include <csignal>
 
@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
   using namespace citykiln::commands;
-  // a file that may not grow is an error of writing, with one line, not the end of the process
+  // makes exceeding the file size limit a write error with a message, instead of ending the process
   std::signal(SIGXFSZ, SIG_IGN);
   const std::array verbs = {compile_verb(), bake_verb(), preview_verb(), inspect_verb(), check_verb(), chart_verb()};
   return run(verbs, argc, argv);

@@ -34,102 +34,104 @@
 namespace citykiln {
 namespace {
 
-bool holds_nothing(const map::Features& features);
+bool is_empty(const map::Features& features);
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report);
-Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                               double resampling_error_m, const std::vector<std::string>& credits);
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                                  double resampling_error_m, const std::vector<std::string>& credits);
 
-/// The rule texts that the buildings' styles need; those of the spec's folder come before those shipped.
+/// The rule files that the styles of the buildings need. A file in the spec's folder replaces the shipped file of its
+/// name.
 Result<std::vector<buildings::RuleText>> rules_for(const CompileSpec& spec,
                                                    const std::vector<buildings::Building>& buildings);
 
-/// The land as what stands on it sees it: without the rounded corners of streets.
+/// The graded terrain of the whole map, without the rounded street corners that only baking knows.
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region);
 
-/// What piers must not stand on, and what else covers the ground.
-std::vector<ground::LandCoverPolygon> standing_surfaces(const scene::Recipes& recipes, const map::Features& features);
+/// Land cover polygons that keep piers away, and all other land cover.
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features);
 
 }  // namespace
 
-Result<Compiled> compile(const CompileSpec& spec, const OnProgress& on_progress) {
-  StageWatch watch(on_progress);
+Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress) {
+  StageTimer timer(on_progress);
   Report report;
   scene::Recipes recipes;
 
-  // what the map says, where it lies, and what it is
-  watch.enter("read");
+  // read the map, project it to the plane and classify its elements
+  timer.enter("read map");
   const Result<source::OsmData> osm = source::read_osm(spec.map_path, spec.threads, report);
   if (!osm) return osm.error();
-  watch.enter("locate");
+  timer.enter("project and classify");
   const source::LonLatBox box = map::choose_box(*osm, spec.map);
   const map::Plane plane(spec.map.origin.value_or(map::default_origin(box)));
   const map::Features features = map::locate(*osm, plane, box, spec.map, report);
-  if (holds_nothing(features)) return Error{spec.map_path, "holds nothing to compile"};
+  if (is_empty(features)) return Error{spec.map_path, "contains nothing to compile in this area"};
 
-  // how high the land is
-  watch.enter("heights");
+  // resample the heightmaps
+  timer.enter("terrain heights");
   std::vector<std::string> credits;
   Result<map::Heightfield> heights = read_heights(spec, plane, features.region, credits, report);
   if (!heights) return heights.error();
   recipes.heights = std::move(*heights);
 
-  // what covers it
-  watch.enter("roads");
+  // plan roads, land cover and their heights
+  timer.enter("roads");
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
-  // off the ground they are counted only, until they have heights
+  // junctions off the ground are counted in the ledger; they have no recipes yet
   roads::plan_layers(features, report);
-  watch.enter("ground");
+  timer.enter("land cover and water");
   recipes.surfaces = ground::plan(features, report);
   recipes.watercourses = ground::plan_streams(features, report);
   ground::Waters waters = ground::plan_water_heights(std::move(recipes.surfaces), std::move(recipes.watercourses),
                                                      ground::covered_waterways(features), recipes.heights, report);
   recipes.surfaces = std::move(waters.surfaces), recipes.watercourses = std::move(waters.streams);
-  watch.enter("profiles");
+  timer.enter("road heights");
   ground::Profiles profiles = ground::plan_profiles(features, std::move(recipes.roads), recipes.junctions,
                                                     recipes.watercourses, recipes.surfaces, recipes.heights, report);
   const ground::ProfileMeasures measured = ground::measure_profiles(features, profiles);
   recipes.roads = std::move(profiles.roads);
 
-  // what leaves it, and what stands on it
-  watch.enter("structures");
+  // plan bridges and tunnels, then the objects that stand on the ground
+  timer.enter("bridges and tunnels");
   recipes.structures = structures::plan(features, profiles.off_ground, recipes.heights, report);
   recipes.structures.bridges = structures::find_parapet_gaps(std::move(recipes.structures.bridges));
   const ground::GradedTerrain graded = grade_whole_map(recipes, features.region);
-  recipes.structures.bridges = structures::place_piers(std::move(recipes.structures.bridges), graded,
-                                                       standing_surfaces(recipes, features), report);
-  watch.enter("buildings");
+  recipes.structures.bridges =
+      structures::place_piers(std::move(recipes.structures.bridges), graded, pier_obstacles(recipes, features), report);
+  timer.enter("buildings");
   recipes.buildings = buildings::plan(features, graded, report);
-  watch.enter("plants");
+  timer.enter("plants");
   recipes.plants = plants::plan(features, recipes.surfaces, recipes.roads, recipes.heights, report);
-  watch.enter("props");
+  timer.enter("props");
   recipes.props = props::plan(features, report);
 
-  // the light on it, and all of it sorted into tiles
-  watch.enter("assemble");
-  Result<scene::Header> header = describe(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
+  // describe the sky and the sources, and sort all recipes into tiles
+  timer.enter("sort into tiles");
+  Result<scene::Header> header = make_header(spec, plane, features.region, recipes.heights.resampling_error_m, credits);
   if (!header) return header.error();
   Result<std::vector<buildings::RuleText>> rules = rules_for(spec, recipes.buildings);
   if (!rules) return rules.error();
   header->rules = std::move(*rules);
   header->species = plants::species_texts_for(recipes.plants, has_hedges(recipes.props));
   scene::Scene scene = scene::assemble(recipes, *header, spec.only, spec.threads);
-  return Compiled{std::move(scene), std::move(report), measured, watch.finish()};
+  return CompileResult{std::move(scene), std::move(report), measured, timer.finish()};
 }
 
 namespace {
 
-/// One level of a tile, or what comes before all of them.
-struct FiringStep {
+/// One step of baking: a tile at a level, or the preparation that all levels of the tile share (no level).
+struct BakeStep {
   std::size_t tile = 0;
   std::optional<std::size_t> level;
 };
 
-/// Level by level, so that none waits for its tile's others. A tile is prepared while the one before it is fired.
-std::vector<FiringStep> firing_steps(std::size_t tiles, std::size_t levels) {
-  std::vector<FiringStep> steps;
+/// All steps in order. The levels of a tile are separate steps, so none waits for the others; each tile is prepared
+/// while the tile before it is baked.
+std::vector<BakeStep> bake_steps(std::size_t tiles, std::size_t levels) {
+  std::vector<BakeStep> steps;
   for (std::size_t tile = 0; tile < tiles; ++tile) {
     if (tile == 0) steps.push_back({tile, std::nullopt});
     if (tile + 1 < tiles) steps.push_back({tile + 1, std::nullopt});
@@ -138,34 +140,34 @@ std::vector<FiringStep> firing_steps(std::size_t tiles, std::size_t levels) {
   return steps;
 }
 
-struct TileUnderWay {
+struct TileInFlight {
   Once once;
   std::shared_ptr<bake::PreparedTile> prepared;
 };
 
 }  // namespace
 
-Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                  const OnProgress& on_progress, const MakeOfBaked& make_of, const TakeMade& take) {
-  const std::vector<FiringStep> steps = firing_steps(scene.chunks.size(), ladder_m.size());
+Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                        const OnProgress& on_progress, const ProcessTile& process, const CollectTile& take) {
+  const std::vector<BakeStep> steps = bake_steps(scene.chunks.size(), ladder_m.size());
   std::vector<Report> reports(steps.size());
-  std::vector<TileUnderWay> under_way(scene.chunks.size());
+  std::vector<TileInFlight> in_flight(scene.chunks.size());
   Result<Done> done = Done{};
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
   const auto make = [&](std::size_t i) {
-    TileUnderWay& tile = under_way[steps[i].tile];
-    // whoever comes first prepares the tile, the others help
+    TileInFlight& tile = in_flight[steps[i].tile];
+    // the first thread that needs the tile prepares it; other threads join that work
     tile.once.call([&] {
       tile.prepared = bake::prepare(scene.header, scene.chunks[steps[i].tile], ladder_m, threads, prototypes);
     });
     if (!steps[i].level) return;
-    const FiredLevel at{steps[i].tile, *steps[i].level};
-    make_of(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
+    const ChunkLevel at{steps[i].tile, *steps[i].level};
+    process(at, bake::bake_prepared(*tile.prepared, at.level, threads, reports[i]));
   };
   const auto hand_on = [&](std::size_t i) {
     if (!steps[i].level) return true;
     on_progress("bake", static_cast<double>(steps[i].tile) / static_cast<double>(scene.chunks.size()));
-    if (*steps[i].level + 1 == ladder_m.size()) under_way[steps[i].tile].prepared.reset();
+    if (*steps[i].level + 1 == ladder_m.size()) in_flight[steps[i].tile].prepared.reset();
     report.append(std::exchange(reports[i], {}));
     done = take({steps[i].tile, *steps[i].level});
     return static_cast<bool>(done);
@@ -174,14 +176,14 @@ Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, i
   return done;
 }
 
-Result<Done> fire(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
-                  const OnProgress& on_progress, const TakeBaked& take) {
+Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
+                        const OnProgress& on_progress, const OnBakedTile& take) {
   std::vector<std::optional<bake::BakedTile>> slots(scene.chunks.size() * ladder_m.size());
-  const auto slot = [&](FiredLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
-  return fire(
+  const auto slot = [&](ChunkLevel at) -> auto& { return slots[at.chunk * ladder_m.size() + at.level]; };
+  return bake_scene(
       scene, ladder_m, threads, report, on_progress,
-      [&](FiredLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
-      [&](FiredLevel at) {
+      [&](ChunkLevel at, bake::BakedTile&& tile) { slot(at) = std::move(tile); },
+      [&](ChunkLevel at) {
         const bake::BakedTile tile = *std::exchange(slot(at), std::nullopt);
         return take(tile, at.level);
       });
@@ -191,13 +193,14 @@ namespace {
 
 constexpr std::string_view kOsmCredit = "© OpenStreetMap contributors";
 
-bool holds_nothing(const map::Features& f) {
+bool is_empty(const map::Features& f) {
   return f.tracks.empty() && f.footprints.empty() && f.areas.empty() && f.waterways.empty() && f.barriers.empty() &&
          f.points.empty();
 }
 
-/// The box of degrees that holds a box of the plane. Its sides bend, so corners and middles of sides are asked.
-source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
+/// The smallest box in degrees that holds the corners, side middles and centre of a box of the plane (its sides are
+/// curves in degrees).
+source::LonLatBox lonlat_box_of(const Box2& region, const map::Plane& plane) {
   source::LonLatBox box{180, 90, -180, -90};
   for (const double x : {region.min.x, region.centre().x, region.max.x}) {
     for (const double y : {region.min.y, region.centre().y, region.max.y}) {
@@ -209,7 +212,7 @@ source::LonLatBox degrees_of(const Box2& region, const map::Plane& plane) {
   return box;
 }
 
-/// The samples that the window needs, of one grid together, spikes and voids mended.
+/// The samples of all heightmaps inside the window: files of one grid joined, spikes removed, voids filled.
 Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterSpec> specs,
                                                  const source::LonLatBox& window, Report& report) {
   std::vector<source::Raster> rasters;
@@ -225,10 +228,10 @@ Result<std::vector<source::Raster>> read_rasters(std::span<const source::RasterS
   return rasters;
 }
 
-/// The heights of the region: an error where heightmaps were given and none of them covers any of it.
+/// The heights of the region. Error: heightmaps were given and none covers any of it.
 Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
                                       std::vector<std::string>& credits, Report& report) {
-  const source::LonLatBox window = degrees_of(region, plane);
+  const source::LonLatBox window = lonlat_box_of(region, plane);
   const Result<std::vector<source::Raster>> rasters = read_rasters(spec.rasters, window, report);
   if (!rasters) return rasters.error();
   for (const source::RasterSpec& raster : spec.rasters) credits.push_back(raster.credit);
@@ -239,8 +242,8 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
   const auto covers_nothing = [](const Diagnosis& d) { return d.code == Code::kNoHeight && d.size >= 1; };
   if (heights && !rasters->empty() && std::ranges::any_of(here.diagnoses(), covers_nothing)) {
     return Error{spec.rasters.front().path,
-                 fmt::format("covers nothing of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f}", window.west,
-                             window.south, window.east, window.north)};
+                 fmt::format("does not cover any part of the map, which lies in {:.4f},{:.4f},{:.4f},{:.4f} (W,S,E,N)",
+                             window.west, window.south, window.east, window.north)};
   }
   return heights;
 }
@@ -257,7 +260,7 @@ ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2&
                                {recipes.roads, recipes.watercourses, wet, region, false, decks, bores});
 }
 
-std::vector<ground::LandCoverPolygon> standing_surfaces(const scene::Recipes& recipes, const map::Features& features) {
+std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {
   std::vector<ground::LandCoverPolygon> standing = recipes.surfaces;
   for (const roads::Strip& stream : recipes.watercourses) standing.push_back(ground::surface_of(stream));
   const std::vector<roads::StripEnds> ends = roads::ends_of(recipes.roads);
@@ -275,12 +278,12 @@ std::vector<ground::LandCoverPolygon> standing_surfaces(const scene::Recipes& re
   return standing;
 }
 
-/// Tiles that are asked for must be tiles of the map.
+/// Error: a tile in `only` is not a tile of the map.
 Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::TileKey> only) {
   const std::vector<scene::TileKey> tiles = scene::tiles_of(header);
   for (const scene::TileKey tile : only) {
     if (std::ranges::binary_search(tiles, tile)) continue;
-    return Error{"--only", fmt::format("the map has no tile {}; its tiles run from {} to {}", to_string(tile),
+    return Error{"--only", fmt::format("the map has no tile {}; its tiles are {} to {}", to_string(tile),
                                        to_string(tiles.front()), to_string(tiles.back()))};
   }
   return Done{};
@@ -288,9 +291,9 @@ Result<Done> are_tiles_of(const scene::Header& header, std::span<const scene::Ti
 
 std::string file_name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-/// What holds for the scene as a whole.
-Result<scene::Header> describe(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
-                               double resampling_error_m, const std::vector<std::string>& credits) {
+/// The properties of the whole scene.
+Result<scene::Header> make_header(const CompileSpec& spec, const map::Plane& plane, const Box2& region,
+                                  double resampling_error_m, const std::vector<std::string>& credits) {
   Result<sky::Sky> sky = sky::plan(plane.origin(), spec.time);
   if (!sky) return sky.error();
   scene::Header header{plane.origin(), region, spec.tile_m, spec.seed, resampling_error_m, std::move(*sky), {}, {}};

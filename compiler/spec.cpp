@@ -30,7 +30,7 @@ Error expected(std::string_view what, std::string_view found) {
   return {"", fmt::format("expected {}, found \"{}\"", what, found)};
 }
 
-/// Puts the value of a result where it belongs, or hands the error on.
+/// Stores the value of a result in `target`, or returns its error.
 template <typename T, typename Target>
 Result<Done> put(Result<T> result, Target& target) {
   if (!result) return result.error();
@@ -44,8 +44,7 @@ Result<bool> parse_switch(std::string_view text) {
   return expected("true or false", text);
 }
 
-// ---- one function a setting, in the order of the table
-// -------------------------------------------------------------------------------
+// ---- one function for each setting, in the order of the table ----
 
 Result<Done> set_map(CompileSpec& spec, std::string_view text) {
   spec.map_path = text;
@@ -65,7 +64,8 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
   const source::LonLatBox box{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
   const bool is_on_earth = box.west >= -180 && box.east <= 180 && box.south >= -90 && box.north <= 90;
   if (!is_on_earth || box.west >= box.east || box.south >= box.north) {
-    return expected("west,south,east,north in degrees, west below east, south below north", text);
+    return expected(
+        "west,south,east,north in degrees with west < east and south < north, such as 7.40,43.72,7.44,43.75", text);
   }
   spec.map.bbox = box;
   return Done{};
@@ -74,16 +74,17 @@ Result<Done> set_bbox(CompileSpec& spec, std::string_view text) {
 Result<Done> set_origin(CompileSpec& spec, std::string_view text) {
   Result<std::vector<double>> n = parse_numbers(text, 2);
   if (!n) return n.error();
-  if (std::abs((*n)[0]) > 180 || std::abs((*n)[1]) > 89) return expected("longitude,latitude in degrees", text);
+  if (std::abs((*n)[0]) > 180 || std::abs((*n)[1]) > 89)
+    return expected("longitude,latitude in degrees, such as 7.42,43.73", text);
   spec.map.origin = map::LonLat{(*n)[0], (*n)[1]};
   return Done{};
 }
 
 Result<Done> set_tile(CompileSpec& spec, std::string_view text) {
   Result<double> tile_m = parse_number(text);
-  // a chunk's float32 offsets are exact to 16 km (kQuantum_m)
+  // offsets inside a chunk are float32, which is exact up to 16 km (kQuantum_m)
   if (!tile_m || *tile_m < map::kCell_m || *tile_m > 16384 || std::fmod(*tile_m, map::kCell_m) != 0) {
-    return expected("a whole multiple of 128 m, at most 16384", text);
+    return expected("a multiple of 128 from 128 to 16384 (metres), such as 512", text);
   }
   spec.tile_m = *tile_m;
   return Done{};
@@ -104,9 +105,9 @@ Result<Done> set_emit(CompileSpec& spec, std::string_view text) {
     } else if (form == "glb") {
       spec.outputs.glb = true;
     } else if (form == "usd" || form == "3dtiles") {
-      return Error{"", fmt::format("{} is not written yet; this version writes kiln and glb", form)};
+      return Error{"", fmt::format("{} is not supported yet; this version writes kiln and glb", form)};
     } else {
-      return expected("kiln, glb, usd or 3dtiles", form);
+      return expected("kiln, glb or kiln,glb", form);
     }
   }
   return Done{};
@@ -119,9 +120,9 @@ Result<Done> set_lods(CompileSpec& spec, std::string_view text) {
 Result<Done> set_world(CompileSpec&, std::string_view text) {
   if (text == "plane") return Done{};
   if (text == "ellipsoid" || text.starts_with("cylinder")) {
-    return Error{"", fmt::format("{} is not baked yet; this version bakes plane", text)};
+    return Error{"", fmt::format("{} is not supported yet; this version supports plane", text)};
   }
-  return expected("plane, ellipsoid or cylinder:R", text);
+  return expected("plane", text);
 }
 
 Result<Done> set_compress(CompileSpec& spec, std::string_view text) {
@@ -141,7 +142,7 @@ Result<Done> set_drive_on(CompileSpec& spec, std::string_view text) {
 }
 
 Result<Done> set_time(CompileSpec& spec, std::string_view text) {
-  // whether a time parses does not depend on the place
+  // any place will do: parsing does not depend on it
   const Result<sky::Sky> sky = sky::plan({}, std::string(text));
   if (!sky) return sky.error();
   spec.time = text;
@@ -151,14 +152,15 @@ Result<Done> set_time(CompileSpec& spec, std::string_view text) {
 Result<Done> set_seed(CompileSpec& spec, std::string_view text) {
   std::uint64_t seed = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (problem != std::errc() || end != text.data() + text.size()) return expected("a whole number from 0 on", text);
+  if (problem != std::errc() || end != text.data() + text.size())
+    return expected("a whole number of at least 0, such as 7", text);
   spec.seed = seed;
   return Done{};
 }
 
 Result<Done> set_snow_line(CompileSpec& spec, std::string_view text) {
   const Result<double> line_m = parse_number(text);
-  if (!line_m) return expected("metres above the heights' zero", text);
+  if (!line_m) return expected("a height in metres, such as 2800", text);
   spec.snow_line_m = *line_m;
   return Done{};
 }
@@ -173,30 +175,41 @@ Result<Done> set_threads(CompileSpec& spec, std::string_view text) { return put(
 Result<Done> set_strict(CompileSpec& spec, std::string_view text) { return put(parse_switch(text), spec.is_strict); }
 
 constexpr Setting kSettings[] = {
-    {"map", "FILE", "the extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
+    {"map", "FILE", "OpenStreetMap extract: .osm, .osm.gz, .osm.bz2 or .osm.pbf", false, set_map},
     {"dem", "FILE[,key=value...]",
-     "a heightmap; keys: bounds=W/S/E/N scale= offset= encoding= tile=Z/X/Y credit=", true, set_dem},
-    {"bbox", "W,S,E,N", "what to compile, degrees; else the extract's own box", false, set_bbox},
-    {"origin", "LON,LAT", "of the plane, degrees; else the box's centre to 0.01°", false, set_origin},
-    {"tile", "M", "size of a tile, a whole multiple of 128 m (1024)", false, set_tile},
-    {"only", "X_Y[,X_Y...]", "compile these tiles alone", true, set_only},
-    {"out", "FOLDER", "where the outputs go", false, set_out},
-    {"emit", "kiln,glb", "what to write (kiln,glb)", false, set_emit},
-    {"lods", "M,M,...", "tolerances of the levels, finest first (0.02,0.1,0.5,2.5,12.5)", false, set_lods},
-    {"world", "plane", "what the plane is bent into (plane)", false, set_world},
-    {"compress", "none|draco|meshopt", "meshes in glb (none)", false, set_compress},
-    {"instancing", "ext|nodes", "plants and lamps by EXT_mesh_gpu_instancing, or by a node each (ext)", false,
+     "heightmap (.hgt, GeoTIFF, ASCII grid, PNG), such as N43E007.hgt or a.png,bounds=7/43/8/44,scale=0.1; keys: "
+     "bounds=W/S/E/N, scale=, offset=, encoding=terrarium|mapbox, tile=Z/X/Y, credit=",
+     true, set_dem},
+    {"bbox", "W,S,E,N",
+     "area to compile in degrees, such as 7.40,43.72,7.44,43.75 (default: the extract's bounding box)", false,
+     set_bbox},
+    {"origin", "LON,LAT",
+     "origin of the plane in degrees, such as 7.42,43.73 (default: the area's centre, rounded to 0.01)", false,
+     set_origin},
+    {"tile", "M", "side of a tile in metres, a multiple of 128 (default: 1024)", false, set_tile},
+    {"only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true, set_only},
+    {"out", "FOLDER", "folder for all outputs; it is created if missing", false, set_out},
+    {"emit", "kiln,glb", "outputs to write: kiln (manifest), glb (tiles) or both (default: kiln,glb)", false, set_emit},
+    {"lods", "M,M,...",
+     "levels of detail: largest geometric error of each in metres, finest first (default: 0.02,0.1,0.5,2.5,12.5)",
+     false, set_lods},
+    {"world", "plane", "shape of the world; only plane is supported (default: plane)", false, set_world},
+    {"compress", "none|draco|meshopt", "compression of meshes in .glb files (default: none)", false, set_compress},
+    {"instancing", "ext|nodes",
+     "plants and lamps: ext uses EXT_mesh_gpu_instancing, nodes writes a glTF node for each (default: ext)", false,
      set_instancing},
-    {"drive-on", "left|right", "side of the road; else by each road's place", false, set_drive_on},
-    {"time", "ISO", "of the sky, UTC: 2026-06-21T15:00 (15:00 solar time at midsummer)", false, set_time},
-    {"seed", "N", "of all chance (0)", false, set_seed},
-    {"snow-line", "M", "land above it is under snow; else none is", false, set_snow_line},
-    {"rules", "FOLDER", "rule files (.cga) that take the place of those shipped", false, set_rules},
-    {"threads", "N", "0: as many as the machine has (0)", false, set_threads},
-    {"strict", "", "exit 2 where data was mended or dropped", false, set_strict},
+    {"drive-on", "left|right", "side of the road on which vehicles drive (default: by country)", false, set_drive_on},
+    {"time", "ISO", "date and time of the sky in UTC, such as 2026-06-21T15:00 (default: midsummer, 15:00 solar time)",
+     false, set_time},
+    {"seed", "N", "seed of all random choices, a whole number (default: 0)", false, set_seed},
+    {"snow-line", "M", "land above this height in metres is covered by snow, such as 2800 (default: no snow)", false,
+     set_snow_line},
+    {"rules", "FOLDER", "folder of rule files (.cga) that replace shipped files of the same name", false, set_rules},
+    {"threads", "N", "number of threads; 0 uses all processors (default: 0)", false, set_threads},
+    {"strict", "", "exit with code 2 if map or height data had to be corrected or left out", false, set_strict},
 };
 
-/// How a JSON value would be written on the command line.
+/// The value as it would be written on the command line.
 std::string text_of(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
@@ -205,7 +218,7 @@ std::string text_of(const json& value) {
   return text;
 }
 
-/// "spec.json:3:14" for the byte (from 1) of a text.
+/// Returns "spec.json:3:14" for a byte offset of the text, counted from 1.
 std::string place_of(const std::string& path, std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
   const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
@@ -226,7 +239,7 @@ Result<Done> apply_key(const std::string& key, const json& value, CompileSpec& s
   for (const Setting& setting : kSettings) {
     if (setting.name == key) return apply_json(setting, value, spec);
   }
-  return Error{"", fmt::format("\"{}\" is not a setting", key)};
+  return Error{"", fmt::format("unknown setting \"{}\"; see citykiln compile --help", key)};
 }
 
 }  // namespace
@@ -243,16 +256,17 @@ Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& s
 
 Result<CompileSpec> read_spec(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path, "cannot be read"};
+  if (!file) return Error{path, "the file cannot be read"};
   const std::string text{std::istreambuf_iterator<char>(file), {}};
 
   json document;
   try {
     document = json::parse(text);
   } catch (const json::parse_error& problem) {
-    return Error{place_of(path, text, problem.byte), "is not JSON from here on"};
+    return Error{place_of(path, text, problem.byte), "invalid JSON at this place"};
   }
-  if (!document.is_object()) return Error{path, "expected a JSON object of settings"};
+  if (!document.is_object())
+    return Error{path, "expected a JSON object of settings, such as {\"map\": \"town.osm\", \"tile\": 512}"};
 
   CompileSpec spec;
   for (const auto& [key, value] : document.items()) {
@@ -263,8 +277,8 @@ Result<CompileSpec> read_spec(const std::string& path) {
 }
 
 Result<Done> is_complete(const CompileSpec& spec) {
-  if (spec.map_path.empty()) return Error{"", "no map is given"};
-  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
+  if (spec.map_path.empty()) return Error{"", "no map is given; expected a file such as town.osm.pbf"};
+  if (spec.outputs.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
   return Done{};
 }
 
@@ -284,7 +298,8 @@ Result<std::vector<double>> parse_ladder(std::string_view text) {
   for (const std::string_view part : split(text, ',')) {
     const Result<double> tolerance_m = parse_number(part);
     const double last = ladder_m.empty() ? 0 : ladder_m.back();
-    if (!tolerance_m || !(*tolerance_m > last)) return expected("tolerances in metres that rise from above 0", text);
+    if (!tolerance_m || !(*tolerance_m > last))
+      return expected("increasing tolerances above 0 in metres, such as 0.1,0.5,2.5", text);
     ladder_m.push_back(*tolerance_m);
   }
   return ladder_m;
@@ -298,7 +313,7 @@ Result<scene::TileKey> parse_tile(std::string_view text) {
     return problem == std::errc() && end == part.data() + part.size();
   };
   if (gap == std::string_view::npos || !read(text.substr(0, gap), tile.x) || !read(text.substr(gap + 1), tile.y)) {
-    return expected("a tile X_Y, as in 3_-2", text);
+    return expected("a tile X_Y, such as 3_-2", text);
   }
   return tile;
 }
@@ -328,7 +343,7 @@ Result<std::vector<double>> parse_numbers(std::string_view text, std::size_t cou
     if (!number) return number.error();
     numbers.push_back(*number);
   }
-  if (numbers.size() != count) return expected(fmt::format("{} numbers with commas between", count), text);
+  if (numbers.size() != count) return expected(fmt::format("{} numbers separated by commas", count), text);
   return numbers;
 }
 
@@ -336,9 +351,9 @@ Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least) {
   std::int64_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = problem == std::errc() && end == text.data() + text.size();
-  // what counts threads, pixels or paths fits into an int
+  // counts of threads, pixels and paths are ints
   if (!is_whole || number < least || number > 0x7fffffff)
-    return expected(fmt::format("a whole number from {} on", least), text);
+    return expected(fmt::format("a whole number of at least {}", least), text);
   return number;
 }
 

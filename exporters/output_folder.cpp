@@ -52,7 +52,7 @@ Result<Done> OutputFolder::make_folder(const std::string& path) {
     missing.push_back(p);
   for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
     if (fs::create_directory(*folder, problem)) made_folders_.push_back(folder->string());
-    if (problem) return Error{path, "cannot be made: " + problem.message()};
+    if (problem) return Error{path, "cannot be created: " + problem.message()};
   }
   if (!fs::is_directory(path, problem)) return Error{path, "is not a folder"};
   return Done{};

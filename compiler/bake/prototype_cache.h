@@ -51,7 +51,7 @@ class PrototypeCache {
 
   Slot& slot(const Key& key) const;
 
-  plants::GrownPlantPlantCache grown_plants_;
+  plants::GrownPlantCache grown_plants_;
   materials::TextureCache textures_;
   buildings::Rulebook rulebook_;
   mutable std::mutex mutex_;

@@ -7,6 +7,7 @@
 
 #include "compiler/buildings/paint_colour.h"
 #include "compiler/buildings/terminal_meshes.h"
+#include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::buildings {
 namespace {

@@ -9,6 +9,7 @@
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/rule_attributes.h"
 #include "compiler/buildings/terminal_meshes.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/tolerance.h"
 #include "grammars/derivation/form_roofs.h"
 

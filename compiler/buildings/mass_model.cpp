@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/roofs/generate_roof.h"

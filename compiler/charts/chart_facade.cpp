@@ -1,5 +1,5 @@
-// What facades cost over the tolerance, and what they look like: triangles, bytes and time of some of a map's houses,
-// and the error of their picture from where the tolerance is one pixel, and from 100 m.
+// Costs and looks of facades over the tolerance: triangles, bytes and time of some houses of a map, and the error of
+// their picture at the distance where the tolerance is one pixel, and at 100 m.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,26 +17,26 @@ namespace citykiln::charts {
 namespace {
 
 constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
-/// What pictures are compared with.
+/// The tolerance of the reference pictures.
 constexpr double kFinest_m = 0.01;
 constexpr std::size_t kHouses = 4;
-/// What a picture shows of a wall, the same at each tolerance: with more sky around it, an error would seem less. Its
-/// pixels are as large as the tolerance, but for the finest.
+/// The width of wall in a picture, equal for all tolerances, since more sky around a wall would lower the error. A
+/// pixel is as large as the tolerance, except at the finest tolerances.
 constexpr double kWindow_m = 12.8;
 constexpr int kFewestPixels = 5, kMostPixels = 256;
-/// Samples of all pixels together, so that small pictures are no noisier.
+/// Samples of all pixels together, so that small pictures have the same noise as large ones.
 constexpr int kSamples = 48 * 128 * 128, kFewestSamples = 24;
-/// Focal length: that of 1,080 lines at 45 degrees.
+/// Focal length of a picture with 1,080 lines and 45 degrees.
 constexpr double kFocal_px = 1304;
-/// Where pictures of all tolerances are compared too, and how many pixels wide.
-constexpr double kAcrossTheSquare_m = 100;
-constexpr int kSquarePixels = 160;
+/// Distance and width in pixels of the second picture.
+constexpr double kPictureDistance_m = 100;
+constexpr int kPictureSize_px = 160;
 
 int pixels_at(double tolerance_m) {
   return std::clamp(static_cast<int>(std::lround(kWindow_m / tolerance_m)), kFewestPixels, kMostPixels);
 }
 
-/// A house on a tile of its own, as small as tiles get; what stands around it would hide it.
+/// A building in a tile of its own, of the smallest size, so that nothing hides it.
 struct House {
   scene::Header header;
   scene::Chunk chunk;
@@ -55,7 +55,7 @@ House alone(scene::Header header, const scene::Chunk& chunk, const buildings::Bu
   return house;
 }
 
-/// Houses that have rules, evenly taken.
+/// Buildings with rules, evenly spread over the map's order.
 std::vector<House> houses_of(const scene::Scene& scene) {
   std::vector<std::pair<const scene::Chunk*, const buildings::Building*>> all;
   for (const scene::Chunk& chunk : scene.chunks)
@@ -70,16 +70,16 @@ std::vector<House> houses_of(const scene::Scene& scene) {
   return some;
 }
 
-bake::BakedTile fired(const House& house, double tolerance_m, int threads) {
+bake::BakedTile baked(const House& house, double tolerance_m, int threads) {
   Report ignored;
   return bake::bake(house.header, house.chunk, tolerance_m, threads, ignored);
 }
 
 struct Wall {
-  Vec2 middle, along, out;  ///< `along`, `out`: unit.
+  Vec2 middle, along, out;  ///< `along` and `out` have length 1.
 };
 
-/// The first wall at a street, or the first.
+/// The first wall that faces a street, or the first wall.
 Wall front_of(const buildings::Building& building) {
   const Ring& ring = building.footprint.outer;
   std::size_t front = 0;
@@ -89,17 +89,17 @@ Wall front_of(const buildings::Building& building) {
   return {(from + to) * 0.5, along, left_of(along) * -1};
 }
 
-/// Before the front, a little above the ground.
+/// A camera in front of the wall, slightly above the ground.
 preview::Camera camera_before(const buildings::Building& building, double away_m, int pixels) {
   const auto [middle, along, out] = front_of(building);
   const double height_m = (building.floor_m + building.top_m) / 2;
-  // a little from the side, so that depths show
+  // slightly from the side, so that reveals and balconies show
   const Vec2 eye = middle + out * away_m + along * (0.2 * away_m);
   constexpr double kDegrees = 57.29577951308232;
   return {at_height(eye, height_m), at_height(middle, height_m), 2 * kDegrees * std::atan(pixels / 2.0 / kFocal_px)};
 }
 
-/// The sun 20 degrees high, and nearer to the wall than to what is before it: depths throw long shadows.
+/// A sun 20 degrees high and close to the wall's plane, so that reveals cast long shadows.
 sky::Sky sun_along(const buildings::Building& building, sky::Sky sky) {
   const Wall front = front_of(building);
   sky.to_sun = unit(at_height(front.along * 0.8 + front.out * 0.6, 0.364));
@@ -115,7 +115,8 @@ preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, const p
   return preview::render(std::span(&tile, 1), sky, camera, options);
 }
 
-/// Mean over pixels and channels, in shares of white; brighter than white is white.
+/// Mean absolute difference over pixels and channels; 1 is the difference between black and white. Values over 1 count
+/// as 1.
 double difference(const preview::Image& a, const preview::Image& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f));
@@ -133,15 +134,15 @@ double triangles_of(const bake::BakedTile& tile) {
   return sum;
 }
 
-/// What the house adds to its tile.
+/// Adds the building's share of its tile.
 void add_costs(const House& house, double tolerance_m, int threads, Costs& costs) {
   House empty = house;
   empty.chunk.buildings.clear();
   const auto clock = [] { return std::chrono::steady_clock::now(); };
   const auto start = clock();
-  const bake::BakedTile bare = fired(empty, tolerance_m, threads);
+  const bake::BakedTile bare = baked(empty, tolerance_m, threads);
   const auto middle = clock();
-  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  const bake::BakedTile tile = baked(house, tolerance_m, threads);
   costs.ms += std::chrono::duration<double, std::milli>((clock() - middle) - (middle - start)).count();
   costs.triangles += triangles_of(tile) - triangles_of(bare);
   const auto bytes = [&](const bake::BakedTile& t) {
@@ -157,36 +158,36 @@ void add_picture_error(const House& house, const bake::BakedTile& finest, double
   const preview::Camera camera = camera_before(house.chunk.buildings.front(), kFocal_px * tolerance_m, pixels);
   const preview::Image truth = picture(finest, sky, camera, pixels, 1);
   costs.noise += difference(truth, picture(finest, sky, camera, pixels, 2));
-  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  const bake::BakedTile tile = baked(house, tolerance_m, threads);
   costs.error += difference(truth, picture(tile, sky, camera, pixels, 2));
   const sky::Sky low = sun_along(house.chunk.buildings.front(), sky);
   costs.error_by_low_sun += difference(picture(finest, low, camera, pixels, 1), picture(tile, low, camera, pixels, 2));
 }
 
-preview::Image seen_across_the_square(const House& house, const bake::BakedTile& tile, std::uint64_t seed) {
-  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kAcrossTheSquare_m, kSquarePixels);
-  return picture(tile, house.header.sky, camera, kSquarePixels, seed);
+preview::Image picture_from_100_m(const House& house, const bake::BakedTile& tile, std::uint64_t seed) {
+  const preview::Camera camera = camera_before(house.chunk.buildings.front(), kPictureDistance_m, kPictureSize_px);
+  return picture(tile, house.header.sky, camera, kPictureSize_px, seed);
 }
 
-/// What coarser ones are compared with.
+/// The reference pictures of a building.
 struct Finest {
   bake::BakedTile tile;
   preview::Image across_the_square;
-  double noise = 0;  ///< Of that picture.
+  double noise = 0;  ///< Of the reference picture.
 };
 
 Finest finest_of(const House& house, int threads) {
-  Finest finest{fired(house, kFinest_m, threads), {}};
-  finest.across_the_square = seen_across_the_square(house, finest.tile, 1);
-  finest.noise = difference(finest.across_the_square, seen_across_the_square(house, finest.tile, 2));
+  Finest finest{baked(house, kFinest_m, threads), {}};
+  finest.across_the_square = picture_from_100_m(house, finest.tile, 1);
+  finest.noise = difference(finest.across_the_square, picture_from_100_m(house, finest.tile, 2));
   return finest;
 }
 
 void add_error_across_the_square(const House& house, const Finest& finest, double tolerance_m, int threads,
                                  Costs& costs) {
-  const bake::BakedTile tile = fired(house, tolerance_m, threads);
+  const bake::BakedTile tile = baked(house, tolerance_m, threads);
   costs.noise_at_100_m += finest.noise;
-  costs.error_at_100_m += difference(finest.across_the_square, seen_across_the_square(house, tile, 2));
+  costs.error_at_100_m += difference(finest.across_the_square, picture_from_100_m(house, tile, 2));
 }
 
 std::vector<Chart> empty_charts(std::size_t houses) {
@@ -223,7 +224,7 @@ Result<std::vector<Chart>> chart_facade(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
   const std::vector<House> houses = houses_of(*scene);
-  if (houses.empty()) return Error{request.maps.front(), "has no houses with rules"};
+  if (houses.empty()) return Error{request.maps.front(), "has no buildings with rules"};
   std::vector<Chart> charts = empty_charts(houses.size());
   std::vector<Finest> finest;
   for (const House& house : houses) finest.push_back(finest_of(house, request.threads));

@@ -1,5 +1,4 @@
-// What the ground of a map costs over the ladder: certified error, triangles beside the least one might ask for, time
-// and memory.
+// Costs of a map's ground over the tolerance: certified error, triangles and a bound on them, time and memory.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include "compiler/bake/ground_cells.h"
 #include "compiler/charts/chart.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
@@ -19,7 +19,7 @@
 namespace citykiln::charts {
 namespace {
 
-/// What the ground may cost more than heights and borders each by themselves.
+/// Allowed ratio of triangles to those of the heights without borders plus those of the borders without heights.
 constexpr double kBoundFactor = 1.3;
 
 struct Measure {
@@ -31,7 +31,7 @@ struct Bound {
   double triangles() const { return kBoundFactor * (bare_triangles + 2 * border_vertices); }
 };
 
-void fire_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
+void bake_ground(const scene::Scene& scene, double tolerance_m, int threads, Measure& measure) {
   Report ignored;
   for (const scene::Chunk& chunk : scene.chunks) {
     const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, tolerance_m);
@@ -46,34 +46,35 @@ void fire_ground(const scene::Scene& scene, double tolerance_m, int threads, Mea
   }
 }
 
-/// Clock, processors and memory of some work.
+/// Measures wall-clock time, processor time and memory of a function.
 template <typename Work>
 Measure measured(Work work) {
   Measure measure;
-  StageWatch watch([](std::string_view, double) {});
-  watch.enter("ground");
+  StageTimer timer([](std::string_view, double) {});
+  timer.enter("ground");
   const std::clock_t begin = std::clock();
   work(measure);
   measure.cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  const StageCost cost = watch.finish().front();
+  const StageCost cost = timer.finish().front();
   measure.seconds = cost.seconds;
   measure.peak_MB = static_cast<double>(cost.peak_bytes) * 1e-6;
   return measure;
 }
 
 Measure measure_level(const scene::Scene& scene, double tolerance_m, int threads) {
-  return measured([&](Measure& measure) { fire_ground(scene, tolerance_m, threads, measure); });
+  return measured([&](Measure& measure) { bake_ground(scene, tolerance_m, threads, measure); });
 }
 
-/// All levels of a tile at once, as bake() makes them.
-void fire_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
+/// Bakes all levels of a tile together, as bake() does.
+void bake_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
+  constexpr double kRoadSurfaces_m = tolerances_with(Detail::kRoadSurfaces).below_m;
   const auto carve = [&](double tolerance_m) { return scene::graded_terrain_of(scene.header, chunk, tolerance_m); };
-  const ground::GradedTerrain fine = carve(scene::kRoadDetail_m / 2), coarse = carve(scene::kRoadDetail_m);
+  const ground::GradedTerrain fine = carve(kRoadSurfaces_m / 2), coarse = carve(kRoadSurfaces_m);
   std::vector<scene::LandCover> covers;
   for (const double tolerance_m : ladder_m) covers.push_back(scene::land_cover_of(scene.header, chunk, tolerance_m));
   std::vector<bake::GroundLevel> levels;
   for (std::size_t i = 0; i < ladder_m.size(); ++i)
-    levels.push_back({ladder_m[i] < scene::kRoadDetail_m ? fine : coarse, covers[i].surfaces, ladder_m[i]});
+    levels.push_back({has_detail(Detail::kRoadSurfaces, ladder_m[i]) ? fine : coarse, covers[i].surfaces, ladder_m[i]});
   std::vector<Report> ignored(levels.size());
   bake::generate_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
 }
@@ -81,20 +82,20 @@ void fire_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span
 Measure measure_ladder(const scene::Scene& scene, std::span<const double> ladder_m, int threads) {
   return measured([&](Measure&) {
     for_each_index(scene.chunks.size(), threads,
-                   [&](std::size_t i) { fire_ladder(scene, scene.chunks[i], ladder_m, threads); });
+                   [&](std::size_t i) { bake_ladder(scene, scene.chunks[i], ladder_m, threads); });
   });
 }
 
-/// What the surfaces' seen borders are down to at the tolerance, without heights.
+/// The number of vertices of visible borders after simplification to the tolerance, without heights.
 double border_vertices_of(std::span<const ground::LandCoverPolygon> surfaces, const Box2& cell, double tolerance_m) {
   std::vector<ground::LandCoverPolygon> near;
   for (const ground::LandCoverPolygon& surface : surfaces) {
     near.push_back(ground::trimmed_to(surface, cell.widened(1)));
     if (near.back().rings.empty()) near.pop_back();
   }
-  const ground::Layers layers = ground::land_cover_near(near, cell);
+  const ground::NearbyCover layers = ground::land_cover_near(near, cell);
   const ground::Partition all = ground::partition_all_rings(layers, {}, {}, cell);
-  const auto borders = ground::visible_borders(all, ground::joints_of(layers, all.arrangement, cell));
+  const auto borders = ground::visible_borders(all, ground::ring_joints(layers, all.arrangement, cell));
   const auto none = [](GridPoint) { return false; };
   std::set<GridPoint> vertices;
   for (const ground::Border& border : ground::simplify_borders(borders, tolerance_m, none).borders) {

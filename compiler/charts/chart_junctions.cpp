@@ -1,5 +1,5 @@
-// Where each way of computing outlines breaks, and what it costs: invalid outlines over the grid that they are written
-// on.
+// Robustness and cost of three methods of computing junction outlines: the share of invalid outlines over the grid step
+// of their coordinates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace citykiln::charts {
 namespace {
 
-/// A junction as every way of computing sees it.
+/// A junction as input of all methods.
 struct Case {
-  std::optional<Ring> walked;  ///< By plain floating point.
-  std::vector<Ring> pieces;    ///< Whose union it is.
+  std::optional<Ring> walked;  ///< The outline by plain floating point.
+  std::vector<Ring> pieces;    ///< Rings whose union is the outline.
 };
 
 Result<std::vector<Case>> cases_of(const std::string& path, int threads) {
@@ -44,7 +44,7 @@ Ring scaled(const Ring& ring, double by) {
   return out;
 }
 
-/// Rings as they are written: on a grid of `step_m`, seen as one of 2^-10 m, where tests are exact.
+/// True if the polygons, scaled from a grid of `step_m` to one of 2^-10 m where the test is exact, are simple.
 bool is_valid(const std::vector<Polygon>& polygons, double step_m) {
   if (polygons.empty()) return false;
   return std::ranges::all_of(polygons, [&](const Polygon& polygon) {
@@ -61,7 +61,7 @@ std::vector<Polygon> by_walking(const Case& one, double) {
 
 std::vector<Polygon> by_exact_union(const Case& one, double step_m) { return exact_union(one.pieces, step_m); }
 
-/// Ours: on a coarser grid by scaling the plane, since the arrangement's own is fixed.
+/// citykiln's method. Coarser grids are emulated by scaling the plane, since the arrangement's grid is fixed.
 std::vector<Polygon> by_snap_rounding(const Case& one, double step_m) {
   std::vector<OwnedSegment> segments;
   for (const Ring& ring : one.pieces)
@@ -76,13 +76,13 @@ std::vector<Polygon> by_snap_rounding(const Case& one, double step_m) {
   return polygons;
 }
 
-struct Way {
+struct Method {
   const char* name;
   std::vector<Polygon> (*outline)(const Case&, double step_m);
 };
-constexpr Way kWays[] = {{"edges intersected in floating point, unchecked", by_walking},
-                         {"exact constructions (CGAL), then rounded", by_exact_union},
-                         {"snap rounding (citykiln's fallback)", by_snap_rounding}};
+constexpr Method kMethods[] = {{"edges intersected in floating point, unchecked", by_walking},
+                               {"exact constructions (CGAL), then rounded", by_exact_union},
+                               {"snap rounding (citykiln's fallback)", by_snap_rounding}};
 
 constexpr double kSteps_m[] = {0x1p-10, 0x1p-8, 0x1p-6, 0x1p-4, 0x1p-3, 0x1p-2, 0x1p-1, 1};
 
@@ -104,13 +104,13 @@ Result<std::vector<Chart>> chart_junctions(const ChartRequest& request) {
                 {"share (%)"},
                 {}};
   Chart time{"junctions_time", "Time for an outline", grid, {"microseconds", true}, {}};
-  for (const Way& way : kWays) {
-    invalid.series.push_back({way.name, {}});
-    time.series.push_back({way.name, {}});
+  for (const Method& method : kMethods) {
+    invalid.series.push_back({method.name, {}});
+    time.series.push_back({method.name, {}});
     for (const double step_m : kSteps_m) {
       const auto begin = std::chrono::steady_clock::now();
       std::vector<std::vector<Polygon>> outlines;
-      for (const Case& one : cases) outlines.push_back(way.outline(one, step_m));
+      for (const Case& one : cases) outlines.push_back(method.outline(one, step_m));
       const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
       const auto wrong = std::ranges::count_if(outlines, [&](const auto& o) { return !is_valid(o, step_m); });
       invalid.series.back().points.emplace_back(step_m,
@@ -118,7 +118,7 @@ Result<std::vector<Chart>> chart_junctions(const ChartRequest& request) {
       time.series.back().points.emplace_back(step_m, us / static_cast<double>(cases.size()));
     }
   }
-  // walking was done before the clock ran
+  // the plain method's outlines were made before the clock was started
   time.series.erase(time.series.begin());
   return std::vector{invalid, time};
 }

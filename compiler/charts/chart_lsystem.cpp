@@ -1,4 +1,4 @@
-// How fast strings grow, and meshes of them: Honda's tree, the book's figure 2.6 a.
+// Speed of L-system derivation and meshing, for Honda's tree (figure 2.6 a of "The Algorithmic Beauty of Plants").
 #include <fmt/format.h>
 
 #include <chrono>
@@ -17,9 +17,9 @@ constexpr const char* kHonda =
     "A(l,w) -> !(w)F(l)[&(45)B(l*0.6,w*0.707)]/(137.5)A(l*0.9,w*0.707)\n"
     "B(l,w) -> !(w)F(l)[-(45)$C(l*0.6,w*0.707)]C(l*0.9,w*0.707)\n"
     "C(l,w) -> !(w)F(l)[+(45)$B(l*0.6,w*0.707)]B(l*0.9,w*0.707)\n";
-// Below ten thousand triangles most of the time is what a call costs whatever its size.
+// Below ten thousand triangles the fixed cost of a call dominates.
 constexpr int kMostSteps = 17, kFewestMeshed = 9, kMostMeshed = 16, kRuns = 3;
-/// RPForest's, on one core of a desktop computer: symbols a second.
+/// Symbols a second of RPForest on one core of a desktop computer.
 constexpr double kOthersFewest = 12e6, kOthersMost = 17e6;
 
 template <typename Work>
@@ -33,7 +33,7 @@ double fastest_s(Work work) {
   return fastest;
 }
 
-/// Each apex becomes two and six other modules: the book's rules, counted by hand.
+/// The number of symbols by the book's rules: each apex becomes two apices and six other modules.
 double expected_symbols(int steps) {
   double apices = 1, others = 0;
   for (int i = 0; i < steps; ++i) others += 6 * apices, apices *= 2;
@@ -71,7 +71,7 @@ void add_mesh(const lsystems::LSystem& system, int steps, Chart& chart) {
   options.steps = steps;
   lsystems::Skeleton skeleton = lsystems::grow(system, options).skeleton;
   lsystems::TubeOptions tubes;
-  // all stems equally thick, so that none goes and each has four sides
+  // equal thickness, so that no stem is dropped and each has four sides
   for (lsystems::Segment& segment : skeleton.segments) segment.start_radius = segment.end_radius = 1e-3;
   tubes.tolerance_m = 1.5e-3;
   lsystems::PlantMesh mesh;

@@ -1,4 +1,4 @@
-// What a map plane costs: the geodesic (Karney 2013, GeographicLib) against straight lines of the plane.
+// Distortion and speed of map planes: straight lines of the plane against geodesics (Karney 2013, GeographicLib).
 #include <fmt/format.h>
 
 #include <GeographicLib/Geodesic.hpp>
@@ -13,7 +13,7 @@
 namespace citykiln::charts {
 namespace {
 
-/// Short enough that a line is straight, long enough that rounding does not show.
+/// Short enough for a line to be straight, long enough for rounding not to matter.
 constexpr double kStep_m = 10;
 constexpr double kDegree_rad = std::numbers::pi / 180;
 /// Equatorial radius of WGS84.
@@ -26,7 +26,7 @@ struct Projection {
   Project project;
 };
 
-/// Spherical Mercator as web maps draw it, scaled to be true in size at the origin, to the first order.
+/// Spherical Mercator as in web maps, scaled to true size at the origin (first order).
 Vec2 web_mercator(map::LonLat place, double scale) {
   const double y = std::log(std::tan(std::numbers::pi / 4 + place.lat_deg * kDegree_rad / 2));
   return {kRadius_m * place.lon_deg * kDegree_rad * scale, kRadius_m * y * scale};
@@ -51,7 +51,7 @@ map::LonLat walked(map::LonLat from, double azimuth_deg, double distance_m) {
   return to;
 }
 
-/// The worst over all directions: relative error of lengths, and of right angles in degrees.
+/// The largest relative error of lengths, and of right angles in degrees, over all directions.
 struct Distortion {
   double length = 0, angle_deg = 0;
 };
@@ -79,7 +79,7 @@ Distortion distortion_at_distance(map::LonLat origin, double distance_m, const P
   return worst;
 }
 
-/// Microseconds a point, over a grid about the origin.
+/// Microseconds per point, over a grid about the origin.
 double time_us(map::LonLat origin, const Project& project) {
   constexpr int kPoints = 200'000;
   double sum = 0;
@@ -90,7 +90,7 @@ double time_us(map::LonLat origin, const Project& project) {
   }
   const double microseconds =
       std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-  // the sum is looked at, so that the loop is not optimised away
+  // uses the sum, so that the loop is not optimised away
   return std::isfinite(sum) ? microseconds / kPoints : 0;
 }
 

@@ -1,6 +1,6 @@
-// What plants cost over the tolerance, and what they look like: triangles, bytes and time of a prototype, mean of the
-// trees we ship, and the error of the picture of one tree, and of a wood, from where the tolerance is one pixel. And
-// how far a joint's mesh lies from its limit surface.
+// Costs and looks of plants over the tolerance: triangles, bytes and time of a prototype (mean of the shipped trees),
+// the error of the picture of a tree and of a wood at the distance where the tolerance is one pixel, and the distance
+// of a branch joint's mesh from its limit surface.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using plants::Species;
 constexpr double kTolerances_m[] = {0.02, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 12.5};
 constexpr double kFinest_m = 0.02;
 constexpr Species kTrees[] = {Species::kOak, Species::kBeech, Species::kBirch, Species::kSpruce, Species::kPine};
-/// What a picture shows, the same at each tolerance, as facades' charts do.
+/// The width of scene in a picture, equal for all tolerances as in chart_facade.cpp.
 constexpr double kTreeWindow_m = 40, kWoodWindow_m = 120;
 constexpr int kFewestPixels = 6, kMostPixels = 160;
 constexpr int kSamples = 16 * 128 * 128, kFewestSamples = 24;
@@ -46,17 +46,17 @@ bake::Primitive lawn() {
   return lawn;
 }
 
-struct Standing {
+struct PlacedPlant {
   plants::Prototype prototype;
   Vec2 at;
   double height_m = 0, turns = 0;
 };
 
-bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vector<Standing>& trees,
+bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vector<PlacedPlant>& trees,
                         double tolerance_m) {
   bake::BakedTile tile;
   tile.features = {OsmId{}}, tile.primitives = {lawn()};
-  for (const Standing& tree : trees) {
+  for (const PlacedPlant& tree : trees) {
     const bake::BakedPrototype& shape =
         prototypes.shape(tree.prototype, plants::values_of(tree.prototype.species).tallest_m, tolerance_m);
     if (shape.primitives.empty()) continue;
@@ -72,13 +72,13 @@ bake::BakedTile planted(const bake::PrototypeCache& prototypes, const std::vecto
   return tile;
 }
 
-std::vector<Standing> one_tree(Species species) {
+std::vector<PlacedPlant> one_tree(Species species) {
   return {{{species, 0}, {0, 0}, plants::values_of(species).height_m, 0.1}};
 }
 
-/// Trees of all kinds on a shaken grid.
-std::vector<Standing> wood() {
-  std::vector<Standing> trees;
+/// Trees of all species on a jittered grid.
+std::vector<PlacedPlant> wood() {
+  std::vector<PlacedPlant> trees;
   const Draw draw(1, StableId{}, "wood");
   for (int i = 0; i < kWoodSide * kWoodSide; ++i) {
     const auto dice = static_cast<std::uint32_t>(8 * i);
@@ -102,7 +102,7 @@ preview::Image picture(const bake::BakedTile& tile, const sky::Sky& sky, double 
       std::clamp(static_cast<int>(std::lround(window_m / tolerance_m)), kFewestPixels, kMostPixels);
   options.samples = std::max(kFewestSamples, kSamples / (options.width * options.height));
   options.bounces = 2, options.seed = seed;
-  // as far off as makes a pixel of the tolerance, and no nearer than shows all in a pixel of the window
+  // the distance at which the tolerance is one pixel, but at least the distance at which the window fits the picture
   const double away_m = kFocal_px * std::max(tolerance_m, window_m / kMostPixels);
   const Vec3 middle{0, 0, window_m / 5};
   const preview::Camera camera{middle + unit(Vec3{0.25, -1, 0.35}) * away_m, middle,
@@ -116,7 +116,7 @@ double difference(const preview::Image& a, const preview::Image& b) {
   return sum / static_cast<double>(a.rgb.size());
 }
 
-/// How much lighter, all over.
+/// The mean signed difference of brightness.
 double lighter(const preview::Image& a, const preview::Image& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::min(a.rgb[i], 1.f) - std::min(b.rgb[i], 1.f);
@@ -143,7 +143,7 @@ std::vector<Chart> empty_charts() {
 void add_costs(const bake::PrototypeCache& prototypes, const scene::Header& header, double tolerance_m, Chart& chart) {
   double triangles = 0, bytes = 0, us = 0;
   for (const Species species : kTrees) {
-    prototypes.shape({species, 0}, 1000, 999);  // grown before
+    prototypes.shape({species, 0}, 1000, 999);  // derives the prototype before the clock starts
     const auto start = std::chrono::steady_clock::now();
     const bake::BakedPrototype& shape =
         prototypes.shape({species, 0}, plants::values_of(species).tallest_m, tolerance_m);
@@ -185,7 +185,7 @@ Vec3 middle_of(const lsystems::PartMesh& mesh, const Triangle& t) {
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) * (1.0 / 3);
 }
 
-/// From middles of a mesh's triangles about the fork to the plane of a finer one's nearest.
+/// The largest distance from triangle centres of a coarse mesh near the fork to the plane of the nearest fine triangle.
 double distance_between(const lsystems::PartMesh& coarse, const lsystems::PartMesh& fine) {
   double farthest = 0;
   for (const Triangle& t : coarse.triangles) {
@@ -204,7 +204,7 @@ double distance_between(const lsystems::PartMesh& coarse, const lsystems::PartMe
   return farthest;
 }
 
-/// A stem that forks, of radius 1.
+/// Adds the series of a forking stem of radius 1.
 void add_joint(Chart& chart) {
   const auto system = lsystems::read_lsystem("n: 1\naxiom: !(2)F(6)[+(35)!(1.6)F(6)]-(25)F(6)\n", "fork.lsys");
   const lsystems::Skeleton fork = lsystems::grow(*system).skeleton;
@@ -214,7 +214,7 @@ void add_joint(Chart& chart) {
   for (const double tolerance : {0.5, 0.2, 0.06, 0.025, 0.01}) {
     options.tolerance_m = tolerance;
     const lsystems::PlantMesh mesh = lsystems::mesh_plant(fork, options);
-    // the stem's foot is the first ring
+    // counts the first ring of the stem
     std::size_t sides = 0;
     while (sides + 1 < mesh.bark.positions.size() && mesh.bark.positions[sides + 1].z == mesh.bark.positions[0].z &&
            !(length(mesh.bark.positions[sides + 1] - mesh.bark.positions[0]) < 1e-9 && sides > 0))

@@ -1,5 +1,4 @@
-// What grade limits cost: the earth that roads move, and how far they leave the heightmap, over the scale of the
-// limits.
+// Effects of grade limits: earth moved by roads and their distance from the heightmap, over a factor on the limits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,10 +18,10 @@
 namespace citykiln::charts {
 namespace {
 
-/// Roads are compared with the heightmap as often as this.
+/// Step of the comparison along roads.
 constexpr double kEvery_m = 4;
 
-struct Country {
+struct ProfileInputs {
   map::Features features;
   map::Heightfield heights;
   std::vector<roads::Road> roads;
@@ -43,7 +42,7 @@ Result<std::vector<source::Raster>> read_rasters(const std::vector<std::string>&
   return rasters;
 }
 
-Result<Country> read_country(const ChartRequest& request) {
+Result<ProfileInputs> read_profile_inputs(const ChartRequest& request) {
   if (request.maps.empty() || request.rasters.empty())
     return Error{"chart profile", "needs a map and a heightmap (--map FILE --dem FILE)"};
   Report ignored;
@@ -53,17 +52,17 @@ Result<Country> read_country(const ChartRequest& request) {
   if (!rasters) return rasters.error();
   const source::LonLatBox box = map::choose_box(*osm, {});
   const map::Plane plane(map::default_origin(box));
-  Country country;
-  country.features = map::locate(*osm, plane, box, {}, ignored);
-  Result<map::Heightfield> heights = map::resample(*rasters, plane, country.features.region, ignored);
+  ProfileInputs inputs;
+  inputs.features = map::locate(*osm, plane, box, {}, ignored);
+  Result<map::Heightfield> heights = map::resample(*rasters, plane, inputs.features.region, ignored);
   if (!heights) return heights.error();
-  country.heights = std::move(*heights);
-  country.roads = roads::plan(country.features, ignored);
-  country.junctions = roads::plan_junctions(country.roads, ignored);
-  country.waters = ground::plan_water_heights(ground::plan(country.features, ignored),
-                                              ground::plan_streams(country.features, ignored),
-                                              ground::covered_waterways(country.features), country.heights, ignored);
-  return country;
+  inputs.heights = std::move(*heights);
+  inputs.roads = roads::plan(inputs.features, ignored);
+  inputs.junctions = roads::plan_junctions(inputs.roads, ignored);
+  inputs.waters =
+      ground::plan_water_heights(ground::plan(inputs.features, ignored), ground::plan_streams(inputs.features, ignored),
+                                 ground::covered_waterways(inputs.features), inputs.heights, ignored);
+  return inputs;
 }
 
 struct Measure {
@@ -74,7 +73,7 @@ struct Measure {
   double rms_m() const { return std::sqrt(squares_m3 / std::max(length_m, 1.0)); }
 };
 
-/// Steps along the axis, each with the height of the heightmap in its middle.
+/// Integrates along the axis, with the heightmap sampled in the middle of each step.
 void add_earth(const roads::Road& road, const map::Heightfield& heights, Measure& measure) {
   const std::vector<double> along = roads::distances_along(road);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
@@ -100,15 +99,15 @@ void add_grades(const roads::Road& road, double scale, Measure& measure) {
   }
 }
 
-Measure measure_at(const Country& country, double scale) {
+Measure measure_at(const ProfileInputs& inputs, double scale) {
   Report ignored;
   const ground::Profiles profiles =
-      ground::plan_profiles(country.features, country.roads, country.junctions, country.waters.streams,
-                            country.waters.surfaces, country.heights, ignored, scale);
+      ground::plan_profiles(inputs.features, inputs.roads, inputs.junctions, inputs.waters.streams,
+                            inputs.waters.surfaces, inputs.heights, ignored, scale);
   Measure measure;
   for (const roads::Road& road : profiles.roads) {
     if (road.profile.empty() || !ground::is_graded(road.surface)) continue;
-    add_earth(road, country.heights, measure);
+    add_earth(road, inputs.heights, measure);
     add_grades(road, scale, measure);
   }
   return measure;
@@ -125,14 +124,14 @@ Chart chart_of(const std::string& name, const std::string& title, const std::str
 }  // namespace
 
 Result<std::vector<Chart>> chart_profile(const ChartRequest& request) {
-  const Result<Country> country = read_country(request);
-  if (!country) return country.error();
+  const Result<ProfileInputs> inputs = read_profile_inputs(request);
+  if (!inputs) return inputs.error();
   const std::string map = request.maps.front().substr(request.maps.front().rfind('/') + 1);
   Chart earth = chart_of("profile_earth", "Earth moved", "cut and filled under roads on the ground (m³ per km)", map);
   Chart error = chart_of("profile_error", "Profiles against the heightmap", "root mean square (m)", map);
   Chart over = chart_of("profile_over", "Share over the limit", "share of roads on the ground (%)", map);
   for (const double scale : {0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.7, 2.0}) {
-    const Measure measure = measure_at(*country, scale);
+    const Measure measure = measure_at(*inputs, scale);
     earth.series.front().points.emplace_back(scale, measure.earth_m3_per_km());
     error.series.front().points.emplace_back(scale, measure.rms_m());
     over.series.front().points.emplace_back(scale, measure.over_percent());

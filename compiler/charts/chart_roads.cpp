@@ -1,4 +1,4 @@
-// How the time of the network and its outlines grows with the map: parts of each map, one within the other.
+// Growth of processor time of the road network and its outlines with the size of the map, for nested parts of each map.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using roads::Road;
 
 constexpr int kRuns = 5;
 
-/// The roads nearest to the middle, sorted by id as all of them are.
+/// The `count` roads nearest to the map's middle, sorted by id.
 std::vector<Road> nearest(const std::vector<Road>& all, std::size_t count) {
   Box2 box;
   for (const Road& road : all) box.grow(box_of(road.axis).centre());
@@ -31,7 +31,7 @@ std::vector<Road> nearest(const std::vector<Road>& all, std::size_t count) {
   return part;
 }
 
-/// Processor time of all threads: a machine that others use too would show how busy it is.
+/// Processor time of all threads, which other processes on the machine do not change.
 double seconds_once(const std::vector<Road>& part, int threads) {
   Report ignored;
   const std::clock_t begin = std::clock();
@@ -53,7 +53,7 @@ double points_of(const std::vector<Road>& part) {
   return points;
 }
 
-/// Over ways, and over the points of their axes: ways of the country have more of them than a city's.
+/// Time over the number of ways and over the number of axis points: rural ways have more points than urban ones.
 struct Growth {
   Series by_ways, by_points;
 };
@@ -79,7 +79,7 @@ Chart chart_over(const std::string& what) {
   return chart;
 }
 
-/// Named after the map and its power law, which the title has too.
+/// Adds a series named after the map and the exponent of its power law.
 void add_series(Series series, const std::string& path, Chart& chart) {
   const double power = exponent_of(series);
   series.name = fmt::format("{}: n^{:.2f}", std::filesystem::path(path).stem().stem().string(), power);

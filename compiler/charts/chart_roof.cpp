@@ -1,5 +1,5 @@
-// Where roofs by straight skeletons fail, and what they cost: a fast kernel beside an exact one, and what citykiln
-// makes of both, over the corners of a map's real footprints.
+// Failures and cost of roofs by straight skeletons, over the corners of a map's footprints: a floating-point kernel, an
+// exact kernel, and citykiln's combination.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ using roofs::Form;
 
 constexpr double kTolerance_m = 0.02;
 
-/// Footprints of more than one of these corners and up to the next.
+/// Upper limits of the classes of footprints by corners; each class begins above the limit before.
 constexpr std::size_t kCorners[] = {3, 6, 10, 16, 28, 64};
-/// Of each class so many are roofed, evenly taken: exact numbers take their time.
+/// The largest number of footprints measured in a class, evenly chosen, since the exact kernel is slow.
 constexpr std::size_t kMost = 300;
 
-/// One form for each of the skeleton's tasks: hips alone, gables at the ends, a knee in every face.
+/// One form for each use of the skeleton: hips only, gables at the ends, two slopes in each face.
 constexpr Form kForms[] = {Form::kHipped, Form::kGabled, Form::kMansard};
 
 using Roofer = bool (*)(const Polygon& footprint, const roofs::RoofShape& shape);
@@ -38,13 +38,13 @@ bool as_built(const Polygon& footprint, const roofs::RoofShape& shape) {
   return report.diagnoses().empty();
 }
 
-struct Way {
+struct Method {
   const char* name;
   Roofer roof;
 };
-constexpr Way kWays[] = {{"inexact skeleton", by_kernel<SkeletonKernel::kInexact>},
-                         {"exact skeleton", by_kernel<SkeletonKernel::kExact>},
-                         {"as citykiln builds it", as_built}};
+constexpr Method kMethods[] = {{"inexact skeleton", by_kernel<SkeletonKernel::kInexact>},
+                               {"exact skeleton", by_kernel<SkeletonKernel::kExact>},
+                               {"as citykiln builds it", as_built}};
 
 std::size_t corners_of(const Polygon& footprint) {
   std::size_t count = footprint.outer.size();
@@ -64,7 +64,7 @@ Classes by_corners(const scene::Scene& scene) {
   return classes;
 }
 
-/// Evenly taken.
+/// At most kMost footprints, evenly chosen.
 std::vector<Polygon> some_of(const std::vector<Polygon>& all) {
   std::vector<Polygon> some;
   const std::size_t count = std::min(kMost, all.size());
@@ -76,11 +76,11 @@ struct Outcome {
   double failed_percent = 0, us = 0;
 };
 
-Outcome outcome_of(const Way& way, Form form, const std::vector<Polygon>& footprints) {
+Outcome outcome_of(const Method& method, Form form, const std::vector<Polygon>& footprints) {
   roofs::RoofShape shape;
   shape.form = form;
   const auto begin = std::chrono::steady_clock::now();
-  const auto failed = std::ranges::count_if(footprints, [&](const Polygon& f) { return !way.roof(f, shape); });
+  const auto failed = std::ranges::count_if(footprints, [&](const Polygon& f) { return !method.roof(f, shape); });
   const double us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
   const auto count = static_cast<double>(footprints.size());
   return {100 * static_cast<double>(failed) / count, us / count};
@@ -92,11 +92,11 @@ double mean_corners(const std::vector<Polygon>& footprints) {
   return sum / static_cast<double>(footprints.size());
 }
 
-void measure(const Way& way, Form form, const Classes& classes, Series& failures, Series& time) {
-  failures.name = time.name = fmt::format("{}: {}", roofs::name_of(form), way.name);
+void measure(const Method& method, Form form, const Classes& classes, Series& failures, Series& time) {
+  failures.name = time.name = fmt::format("{}: {}", roofs::name_of(form), method.name);
   for (const std::vector<Polygon>& footprints : classes) {
     if (footprints.empty()) continue;
-    const Outcome outcome = outcome_of(way, form, footprints);
+    const Outcome outcome = outcome_of(method, form, footprints);
     failures.points.emplace_back(mean_corners(footprints), outcome.failed_percent);
     time.points.emplace_back(mean_corners(footprints), outcome.us);
   }
@@ -115,8 +115,8 @@ Result<std::vector<Chart>> chart_roof(const ChartRequest& request) {
   Chart failures{"roof_failures", fmt::format("Roofs that fail: {} footprints", count), corners, {"share (%)"}, {}};
   Chart time{"roof_time", "Time for a roof", corners, {"microseconds", true}, {}};
   for (const Form form : kForms)
-    for (const Way& way : kWays)
-      measure(way, form, classes, failures.series.emplace_back(), time.series.emplace_back());
+    for (const Method& method : kMethods)
+      measure(method, form, classes, failures.series.emplace_back(), time.series.emplace_back());
   return std::vector{failures, time};
 }
 

@@ -1,4 +1,4 @@
-// The scene that a chart measures.
+// Compiles the scene that a chart measures.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,7 +19,7 @@ Result<scene::Scene> compile_first_map(const ChartRequest& request) {
     if (!raster) return raster.error();
     spec.rasters.push_back(std::move(*raster));
   }
-  Result<Compiled> compiled = compile(spec, [](std::string_view, double) {});
+  Result<CompileResult> compiled = compile(spec, [](std::string_view, double) {});
   if (!compiled) return compiled.error();
   return std::move(compiled->scene);
 }

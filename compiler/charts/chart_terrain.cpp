@@ -1,4 +1,4 @@
-// What ground costs: the certified vertical error of its meshes against triangles and against time.
+// Cost of terrain meshes: certified vertical error against triangles and against time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,25 +15,25 @@
 namespace citykiln::charts {
 namespace {
 
-/// Figures of other meshers on Mapbox' Fuji tile at 5 m, samples as pixels; two cores (PLATFORM.md, "Peers").
-struct Peer {
+/// Results of other meshers on Mapbox' Fuji tile at 5 m and on SRTM's N42E001, measured on two cores.
+struct ReferenceMesher {
   const char* name;
   double triangles, seconds, error_m;
 };
-constexpr Peer kPeersOnFuji[] = {{"hmm, Fuji 512² at 5 m", 123'402, 0.12, 5},
-                                 {"delatin, Fuji 512² at 5 m", 123'279, 0.50, 5},
-                                 {"martini, Fuji 512² at 5 m", 187'985, 0.02, 8.8}};
-constexpr Peer kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159, 2.0, 5},
-                                    {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
+constexpr ReferenceMesher kPeersOnFuji[] = {{"hmm, Fuji 512² at 5 m", 123'402, 0.12, 5},
+                                            {"delatin, Fuji 512² at 5 m", 123'279, 0.50, 5},
+                                            {"martini, Fuji 512² at 5 m", 187'985, 0.02, 8.8}};
+constexpr ReferenceMesher kPeersOnN42E001[] = {{"hmm, N42E001 at 5 m", 1'319'159, 2.0, 5},
+                                               {"delatin, N42E001 at 5 m", 1'291'720, 4.2, 5}};
 
-/// Western and northern edge of a Web Mercator tile's column and row.
+/// The western and northern edge of a column and row of Web Mercator tiles.
 map::LonLat corner_of_tile(int z, double x, double y) {
   const double n = std::exp2(z);
   const double lat_rad = std::atan(std::sinh(std::numbers::pi * (1 - 2 * y / n)));
   return {x / n * 360 - 180, lat_rad * 180 / std::numbers::pi};
 }
 
-/// What the chart meshes, in degrees.
+/// The box to mesh, in degrees.
 Result<source::LonLatBox> box_of(const ChartRequest& request, const source::RasterSpec& spec,
                                  const source::Raster& raster) {
   if (request.has_bbox) return request.bbox;
@@ -43,12 +43,13 @@ Result<source::LonLatBox> box_of(const ChartRequest& request, const source::Rast
     const map::LonLat north_west = corner_of_tile(z, x, y), south_east = corner_of_tile(z, x + 1, y + 1);
     return source::LonLatBox{north_west.lon_deg, south_east.lat_deg, south_east.lon_deg, north_west.lat_deg};
   }
-  if (!raster.system_wkt.empty()) return Error{spec.path, "lies in a projection: say which part with --bbox W,S,E,N"};
+  if (!raster.system_wkt.empty())
+    return Error{spec.path, "has projected coordinates; choose a part with --bbox W,S,E,N"};
   const auto& g = raster.from_grid;
   return source::LonLatBox{g[0], g[3] + g[5] * (raster.rows - 1), g[0] + g[1] * (raster.columns - 1), g[3]};
 }
 
-/// The largest box of whole cells about the origin that lies in the box of degrees.
+/// The largest box of whole cells about the origin inside a box in degrees.
 Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, double cell_m) {
   const Vec2 sw = plane.forward({box.west, box.south}), se = plane.forward({box.east, box.south});
   const Vec2 nw = plane.forward({box.west, box.north}), ne = plane.forward({box.east, box.north});
@@ -61,7 +62,7 @@ Box2 whole_cells_in(const source::LonLatBox& box, const map::Plane& plane, doubl
 struct Terrain {
   std::vector<source::Raster> rasters;
   map::Plane plane;
-  ground::GradedTerrain ground;  ///< Nothing is carved.
+  ground::GradedTerrain ground;  ///< Without roads, so nothing is graded.
   std::vector<Box2> cells;
 };
 
@@ -85,7 +86,8 @@ Result<Terrain> read_terrain(const ChartRequest& request) {
   map::Plane plane(map::default_origin(*box));
   const Box2 region = whole_cells_in(*box, plane, request.cell_m);
   if (region.is_empty())
-    return Error{spec->path, fmt::format("holds no whole cell of {} m (--cell M)", request.cell_m)};
+    return Error{spec->path,
+                 fmt::format("does not contain a whole cell of {} m; choose a smaller --cell", request.cell_m)};
 
   Report ignored;
   const std::vector<source::Raster> rasters = {source::fill_voids(std::move(*raster), ignored)};
@@ -115,7 +117,7 @@ Measure mesh(const Terrain& terrain, double tolerance_m, int threads) {
   return all;
 }
 
-/// The part in the middle that fields of several steps are compared on: ten thousand samples of SRTM's.
+/// Side of the middle part on which fields of different steps are compared: about ten thousand SRTM samples.
 constexpr double kCompared_m = 8'000;
 
 Box2 compared_box(const map::Heightfield& heights) {
@@ -125,7 +127,7 @@ Box2 compared_box(const map::Heightfield& heights) {
           {std::min(square.max.x, whole.max.x), std::min(square.max.y, whole.max.y)}};
 }
 
-/// The heights as if samples lay at this share of their distance, by which the field's steps are chosen.
+/// The height field with its step chosen as if samples were closer by the factor `share`.
 map::Heightfield field_at(const Terrain& terrain, double share, const Box2& box) {
   std::vector<source::Raster> rasters = terrain.rasters;
   for (source::Raster& raster : rasters) raster.spacing_m = raster.spacing_m * share;
@@ -134,13 +136,13 @@ map::Heightfield field_at(const Terrain& terrain, double share, const Box2& box)
   return field ? std::move(*field) : map::Heightfield{};
 }
 
-struct Off {
+struct HeightError {
   double largest_m = 0, squares_m2 = 0, count = 0;
 };
 
-/// How far a field is off a finer one, at the finer one's vertices.
-Off off_between(const map::Heightfield& field, const map::Heightfield& fine, const Box2& box) {
-  Off off;
+/// The height difference between a field and a finer one, at the finer one's vertices.
+HeightError height_error_between(const map::Heightfield& field, const map::Heightfield& fine, const Box2& box) {
+  HeightError off;
   for (int j = 0; j < fine.rows; ++j) {
     for (int i = 0; i < fine.columns; ++i) {
       const Vec2 p = fine.vertex(i, j);
@@ -152,7 +154,7 @@ Off off_between(const map::Heightfield& field, const map::Heightfield& fine, con
   return off;
 }
 
-/// What resampling costs: the field's error against the heightmap (bilinear between its samples), over steps.
+/// The resampling error: the field against the heightmap (bilinear between its samples), over the field's step.
 Chart chart_resampling(const Terrain& terrain) {
   const Box2 box = compared_box(terrain.ground.terrain);
   Chart chart{"terrain_resampling",
@@ -166,15 +168,15 @@ Chart chart_resampling(const Terrain& terrain) {
   for (const double share : {1.5, 1.25, 1.0, 0.75, 0.5, 0.25}) {
     const map::Heightfield field = field_at(terrain, share, box);
     const double vertices = spacing_m.x * spacing_m.y / (field.step_m.x * field.step_m.y);
-    const Off off = off_between(field, fine, box);
+    const HeightError off = height_error_between(field, fine, box);
     chart.series[0].points.emplace_back(vertices, off.largest_m);
     chart.series[1].points.emplace_back(vertices, std::sqrt(off.squares_m2 / off.count));
   }
   return chart;
 }
 
-/// The peers that were measured on this heightmap.
-std::span<const Peer> peers_on(const std::string& raster) {
+/// The other meshers' results on this heightmap.
+std::span<const ReferenceMesher> peers_on(const std::string& raster) {
   if (raster.find("fuji") != std::string::npos) return kPeersOnFuji;
   if (raster.find("N42E001") != std::string::npos) return kPeersOnN42E001;
   return {};
@@ -207,7 +209,7 @@ Result<std::vector<Chart>> chart_terrain(const ChartRequest& request) {
     triangles.series.front().points.emplace_back(measure.triangles, measure.error_m);
     seconds.series.front().points.emplace_back(measure.seconds, measure.error_m);
   }
-  for (const Peer& peer : peers_on(request.rasters.front())) {
+  for (const ReferenceMesher& peer : peers_on(request.rasters.front())) {
     triangles.series.push_back({peer.name, {{peer.triangles, peer.error_m}}, true});
     seconds.series.push_back({peer.name, {{peer.seconds, peer.error_m}}, true});
   }

@@ -1,4 +1,4 @@
-// What one eye's picture costs: triangles of the ground over the error on the picture, made for the eye and at one
+// Triangles of the ground over the error on one viewer's picture, with tolerances chosen by distance and with one
 // tolerance everywhere.
 #include <fmt/format.h>
 
@@ -14,15 +14,15 @@
 namespace citykiln::charts {
 namespace {
 
-/// Errors asked for, in pixels of a picture of the preview's size and field of view.
+/// Requested errors, in pixels of a picture with the preview's size and field of view.
 constexpr double kPixels[] = {0.5, 1, 2, 4, 8, 16};
 constexpr double kFov_deg = 45;
 constexpr int kHeight_px = 720;
 
-/// The eye where none is given: so high over the middle of the map.
-constexpr double kOver_m = 100;
+/// Height of the default viewer above the middle of the map.
+constexpr double kHeightAbove_m = 100;
 
-/// All faces, upright ones too.
+/// The number of all faces, vertical ones included.
 double triangles_of(const scene::Scene& scene, const scene::Chunk& chunk, double roads_m,
                     std::span<const bake::CellLevel> cells, int threads) {
   Report ignored;
@@ -58,11 +58,11 @@ Vec3 over_the_middle(const scene::Scene& scene) {
   const Vec2 middle = scene.header.region.centre();
   for (const scene::Chunk& chunk : scene.chunks)
     if (chunk.heights.box().contains(middle))
-      return at_height(middle, map::height_m_at(chunk.heights, middle) + kOver_m);
-  return at_height(middle, kOver_m);
+      return at_height(middle, map::height_m_at(chunk.heights, middle) + kHeightAbove_m);
+  return at_height(middle, kHeightAbove_m);
 }
 
-/// The error on the picture of what is off by a tolerance at the nearest ground.
+/// The error on the picture, in pixels, of a deviation by the tolerance at the nearest ground.
 double pixels_at_nearest(const scene::Scene& scene, const bake::View& view, double tolerance_m) {
   double away_m = 1e9;
   for (const scene::Chunk& chunk : scene.chunks)

@@ -1,4 +1,4 @@
-// What a map's woods cost: time over trees, for parts of the map.
+// Time of placing a map's plants over their number, for parts of the map.
 #include <fmt/format.h>
 
 #include <ctime>
@@ -9,12 +9,12 @@
 #include "compiler/plants/generate.h"
 #include "compiler/scene/graded_terrain.h"
 #include "compiler/scene/land_cover.h"
-#include "compiler/stage_watch.h"
+#include "compiler/stage_timer.h"
 
 namespace citykiln::charts {
 namespace {
 
-/// Levels from half a metre on see no kerbs.
+/// Levels from half a metre on have no kerbs.
 constexpr double kTolerance_m = 0.5;
 
 struct Woods {
@@ -22,7 +22,7 @@ struct Woods {
   std::set<plants::Species> species;
 };
 
-/// Of one tile: its ground is made ready for all that stands on it, and is no part of the time.
+/// Places the plants of one tile. The time excludes preparing the ground, which other objects need too.
 Woods woods_of(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(chunk);
@@ -59,11 +59,11 @@ Woods sum_of(std::span<const Woods> tiles) {
 Result<std::vector<Chart>> chart_woods(const ChartRequest& request) {
   const Result<scene::Scene> scene = compile_first_map(request);
   if (!scene) return scene.error();
-  StageWatch watch([](std::string_view, double) {});
-  watch.enter("woods");
+  StageTimer timer([](std::string_view, double) {});
+  timer.enter("woods");
   const std::vector<Woods> tiles = for_each_slot<Woods>(
       scene->chunks.size(), request.threads, [&](std::size_t i) { return woods_of(scene->header, scene->chunks[i]); });
-  const StageCost cost = watch.finish().front();
+  const StageCost cost = timer.finish().front();
   const Woods all = sum_of(tiles);
   Chart chart;
   chart.name = "woods";

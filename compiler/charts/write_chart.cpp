@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// Every series is an inline data block, so that nothing but the picture is written.
+/// Data are inline blocks, so that only the picture is written.
 std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
   std::string script = fmt::format(
       "set terminal svg size 900,560 font 'Helvetica,14' background '#ffffff'\nset output {}\nset title {}\nset xlabel "
@@ -51,7 +51,7 @@ std::string gnuplot_script(const Chart& chart, const std::string& svg_path) {
 }
 
 Result<Done> draw(const Chart& chart, const std::string& svg_path) {
-  // drawn beside its place and moved there whole
+  // written beside the final path, then renamed, so that no partial file remains
   const std::string beside = svg_path + ".part";
   std::FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) return Error{"gnuplot", "cannot be started"};
@@ -63,7 +63,7 @@ Result<Done> draw(const Chart& chart, const std::string& svg_path) {
   if (status == 0) std::filesystem::rename(beside, svg_path, problem);
   if (status == 0 && !problem) return Done{};
   std::filesystem::remove(beside, problem);
-  return Error{svg_path, "could not be drawn: is gnuplot installed (apt-get install gnuplot-nox)?"};
+  return Error{svg_path, "cannot be drawn; is gnuplot installed (apt-get install gnuplot-nox)?"};
 }
 
 }  // namespace

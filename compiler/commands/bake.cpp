@@ -1,4 +1,4 @@
-// citykiln bake SCENE.kiln … : fires a manifest, to one file or to the very folder that compile writes.
+// citykiln bake SCENE.kiln …: bakes a manifest into one .glb file, or into the same folder that compile writes.
 #include "compiler/bake/bake.h"
 
 #include <fmt/format.h>
@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/eye_options.h"
 #include "compiler/commands/join_tiles.h"
 #include "compiler/commands/verb.h"
-#include "compiler/commands/write_tiles.h"
+#include "compiler/commands/view_options.h"
+#include "compiler/commands/write_outputs.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/file.h"
@@ -25,30 +25,31 @@ namespace {
 
 struct Request {
   std::string manifest_path, out_path;
-  std::optional<double> tolerance_m;  ///< One file at this tolerance; for an eye the finest; else a folder with levels.
-  std::optional<Vec3> eye, eye_lonlat;  ///< One file for it.
+  std::optional<double>
+      tolerance_m;  ///< Of the one file; with an eye the finest tolerance. None: a folder with levels.
+  std::optional<Vec3> eye, eye_lonlat;  ///< Viewer position of the one file.
   std::optional<double> fov_deg;
   PictureSize size;
   double pixel_error = 1;
-  CompileSpec spec;  ///< The settings that compile has too: only, emit, lods, instancing, threads.
+  CompileSpec spec;  ///< The settings shared with compile: only, emit, lods, instancing, threads.
 };
 
-/// All tiles of the scene, as one.
-Result<bake::BakedTile> bake_whole(const scene::Scene& scene, double tolerance_m, int threads,
-                                   const OnProgress& on_progress) {
+/// All tiles of the scene joined to one.
+Result<bake::BakedTile> bake_as_one_tile(const scene::Scene& scene, double tolerance_m, int threads,
+                                         const OnProgress& on_progress) {
   std::vector<bake::BakedTile> tiles;
   Report ignored;
-  const Result<Done> fired = fire(scene, std::vector{tolerance_m}, threads, ignored, on_progress,
-                                  [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                    tiles.push_back(tile);
-                                    return Done{};
-                                  });
-  if (!fired) return fired.error();
+  const Result<Done> baked = bake_scene(scene, std::vector{tolerance_m}, threads, ignored, on_progress,
+                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+                                          tiles.push_back(tile);
+                                          return Done{};
+                                        });
+  if (!baked) return baked.error();
   return tiles.size() == 1 ? std::move(tiles.front()) : join_tiles(tiles);
 }
 
-/// Writes the one file, and returns the error that it states.
-Result<double> write_whole(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
+/// Writes the one file and returns its error in metres.
+Result<double> write_one_file(const Request& request, const scene::Header& header, const bake::BakedTile& tile) {
   const Outputs& outputs = request.spec.outputs;
   const exporters::EncodedTile encoded =
       exporters::encode_tile(tile, header, verify::instancing_of(outputs.instances_as_nodes),
@@ -60,16 +61,16 @@ Result<double> write_whole(const Request& request, const scene::Header& header, 
 Result<Exit> bake_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, request.spec.only);
   if (!scene) return scene.error();
-  if (scene->chunks.empty()) return Error{request.manifest_path, "holds no tile"};
+  if (scene->chunks.empty()) return Error{request.manifest_path, "contains no tiles"};
   const Result<bake::BakedTile> tile =
-      bake_whole(*scene, *request.tolerance_m, request.spec.threads, console.progress());
+      bake_as_one_tile(*scene, *request.tolerance_m, request.spec.threads, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  const Result<double> error_m = write_whole(request, scene->header, *tile);
+  const Result<double> error_m = write_one_file(request, scene->header, *tile);
   if (!error_m) return error_m.error();
-  console.say(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
-                          exporters::triangles_of(*tile), *error_m));
-  console.answer(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
-                             exporters::triangles_of(*tile), *error_m));
+  console.print_line(fmt::format("{}: {} tiles, {} triangles, error {:.4g} m", request.out_path, scene->chunks.size(),
+                                 exporters::triangles_of(*tile), *error_m));
+  console.print_json(fmt::format(R"({{"tiles": {}, "triangles": {}, "error_m": {}}})", scene->chunks.size(),
+                                 exporters::triangles_of(*tile), *error_m));
   return Exit::kDone;
 }
 
@@ -83,9 +84,9 @@ Result<bake::View> view_of(const Request& request, const scene::Header& header) 
   return view;
 }
 
-/// Tiles that are wanted, all at the levels that all of the scene asks for: so they fit whichever are wanted.
-Result<bake::BakedTile> bake_seen(const Request& request, const scene::Scene& scene, const bake::View& view,
-                                  const OnProgress& on_progress) {
+/// Bakes the requested tiles. Levels are chosen for the whole scene, so that separately baked tiles fit together.
+Result<bake::BakedTile> bake_for_view(const Request& request, const scene::Scene& scene, const bake::View& view,
+                                      const OnProgress& on_progress) {
   const bake::ViewLevels levels = bake::levels_for(scene, view);
   const std::vector<scene::TileKey>& only = request.spec.only;
   const auto prototypes = std::make_shared<const bake::PrototypeCache>(scene.header);
@@ -97,24 +98,25 @@ Result<bake::BakedTile> bake_seen(const Request& request, const scene::Scene& sc
     std::ranges::move(bake::bake(scene.header, chunk, levels, request.spec.threads, prototypes),
                       std::back_inserter(parts));
   }
-  if (parts.empty()) return Error{"", "the scene has none of the tiles asked for"};
+  if (parts.empty()) return Error{"", "the scene has none of the requested tiles"};
   return join_tiles(parts);
 }
 
-Result<Exit> bake_for_eye(const Request& request, const Console& console) {
+Result<Exit> bake_view_to_file(const Request& request, const Console& console) {
   const Result<scene::Scene> scene = exporters::read_manifest(request.manifest_path, {});
   if (!scene) return scene.error();
   const Result<bake::View> view = view_of(request, scene->header);
   if (!view) return view.error();
-  const Result<bake::BakedTile> tile = bake_seen(request, *scene, *view, console.progress());
+  const Result<bake::BakedTile> tile = bake_for_view(request, *scene, *view, console.progress());
   if (!tile) return Error{request.out_path, tile.error().message};
-  const Result<double> error_m = write_whole(request, scene->header, *tile);
+  const Result<double> error_m = write_one_file(request, scene->header, *tile);
   if (!error_m) return error_m.error();
-  console.say(fmt::format("{}: {} triangles, error {:.3g} pixels of {:.3g} asked for, beyond what is made at {:.4g} m",
-                          request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
-                          view->pixel_error, view->finest_m));
-  console.answer(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
-                             exporters::triangles_of(*tile), *error_m, view->focal_px, tile->viewpoint->pixel_error));
+  console.print_line(fmt::format("{}: {} triangles, error {:.3g} pixels ({:.3g} requested; no finer than {:.4g} m)",
+                                 request.out_path, exporters::triangles_of(*tile), tile->viewpoint->pixel_error,
+                                 view->pixel_error, view->finest_m));
+  console.print_json(fmt::format(R"({{"triangles": {}, "error_m": {}, "focal_px": {}, "pixel_error": {}}})",
+                                 exporters::triangles_of(*tile), *error_m, view->focal_px,
+                                 tile->viewpoint->pixel_error));
   return Exit::kDone;
 }
 
@@ -126,34 +128,36 @@ Result<Exit> bake_to_folder(const Request& request, const Console& console) {
 
   Report report;
   const Outputs& outputs = request.spec.outputs;
-  const Result<verify::Written> written =
+  const Result<verify::WrittenFiles> written =
       write_outputs(*scene, outputs, request.spec.threads, *folder, report, console.progress());
   if (!written) return written.error();
   const std::string json = verify::report_json(scene->header, *scene, report, *written, outputs,
                                                {verify::measure_heights(*scene, request.spec.threads)});
   if (const Result<Done> done = folder->commit(json); !done) return done.error();
 
-  console.say(fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));
-  console.answer(json);
+  console.print_line(
+      fmt::format("{}: {} tiles, {:.1f} MB", request.out_path, scene->chunks.size(), written->bytes() * 1e-6));
+  console.print_json(json);
   return Exit::kDone;
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.manifest_path.empty()) return Error{"", "no manifest is given"};
+  if (request.manifest_path.empty()) return Error{"", "no manifest is given; expected a file such as out/scene.kiln"};
   if (request.out_path.empty())
-    return Error{"", "no output is given (-o FILE.glb with --tolerance or --eye, -o FOLDER without)"};
-  if (request.eye || request.eye_lonlat) return bake_for_eye(request, console);
+    return Error{"", "no output is given; add -o FILE.glb with --tolerance or --eye, or -o FOLDER without"};
+  if (request.eye || request.eye_lonlat) return bake_view_to_file(request, console);
   return request.tolerance_m ? bake_to_file(request, console) : bake_to_folder(request, console);
 }
 
-Result<Done> take_tolerance(const std::string& text, std::optional<double>& tolerance_m) {
+Result<Done> parse_tolerance(const std::string& text, std::optional<double>& tolerance_m) {
   const Result<double> number = parse_number(text);
-  if (!number || *number <= 0) return Error{"--tolerance", fmt::format("expected metres above 0, found \"{}\"", text)};
+  if (!number || *number <= 0)
+    return Error{"--tolerance", fmt::format("expected metres above 0, such as 0.1, found \"{}\"", text)};
   tolerance_m = *number;
   return Done{};
 }
 
-/// The settings that mean here what they mean to compile.
+/// The settings that have the same meaning as for compile.
 void add_settings(Verb& verb, Request& request) {
   for (const Setting& setting : settings()) {
     const std::string_view name = setting.name;
@@ -172,21 +176,25 @@ void add_settings(Verb& verb, Request& request) {
 
 Verb bake_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"bake", "fires a manifest: to one file, or to a folder as compile does", {}, {}};
+  Verb verb{"bake", "bakes a manifest to one .glb file, or to a folder as compile does", {}, {}};
   verb.options = {
-      {"manifest", "SCENE.kiln", "the manifest", false, into(request->manifest_path)},
-      {"--tolerance", "M", "largest deviation in metres of the one file; with an eye the least asked for (0.02)", false,
-       [request](const std::string& text) { return take_tolerance(text, request->tolerance_m); }},
-      {"-o,--out", "FILE.glb|FOLDER", "where it goes", false, into(request->out_path)},
-      {"--eye", "X,Y,Z", "one file for an eye there, metres of the plane: near finely, far coarsely", false,
-       into_point(request->eye)},
-      {"--eye-lonlat", "LON,LAT,HEIGHT", "the same, degrees and metres", false, into_point(request->eye_lonlat)},
-      {"--pixel-error", "PIXELS", "largest deviation on its picture (1)", false,
-       [request = request.get()](const std::string& text) { return take_positive(text, request->pixel_error); }},
-      {"--size", "WxH", "pixels of its picture (1280x720)", false,
-       [request = request.get()](const std::string& text) { return take_size(text, request->size); }},
-      {"--fov", "DEG", "vertical field of view (45)", false,
-       [request = request.get()](const std::string& text) { return take_fov(text, request->fov_deg); }},
+      {"manifest", "SCENE.kiln", "manifest to bake, such as out/scene.kiln", false, store_text(request->manifest_path)},
+      {"--tolerance", "M",
+       "largest geometric error in metres of one .glb file, such as 0.1; with --eye the smallest (default there: 0.02)",
+       false, [request](const std::string& text) { return parse_tolerance(text, request->tolerance_m); }},
+      {"-o,--out", "FILE.glb|FOLDER", "output: a file with --tolerance or --eye, else a folder", false,
+       store_text(request->out_path)},
+      {"--eye", "X,Y,Z",
+       "one .glb file for a viewer at this place in plane metres, such as 0,-200,150; detail falls with distance",
+       false, store_point(request->eye)},
+      {"--eye-lonlat", "LON,LAT,HEIGHT", "the same in degrees and metres, such as 7.42,43.73,150", false,
+       store_point(request->eye_lonlat)},
+      {"--pixel-error", "PIXELS", "with --eye: largest error on the picture in pixels (default: 1)", false,
+       [request = request.get()](const std::string& text) { return parse_positive(text, request->pixel_error); }},
+      {"--size", "WxH", "with --eye: size of the picture in pixels (default: 1280x720)", false,
+       [request = request.get()](const std::string& text) { return parse_size(text, request->size); }},
+      {"--fov", "DEG", "with --eye: vertical field of view in degrees (default: 45)", false,
+       [request = request.get()](const std::string& text) { return parse_fov(text, request->fov_deg); }},
   };
   add_settings(verb, *request);
   verb.run = [request](const Console& console) { return run(*request, console); };

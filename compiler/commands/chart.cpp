@@ -1,4 +1,4 @@
-// citykiln chart NAME… -o DIR: speed against accuracy, measured here and now.
+// citykiln chart NAME… -o FOLDER: measures speed and accuracy on this machine and draws charts of them.
 #include "compiler/charts/chart.h"
 
 #include <fmt/format.h>
@@ -8,14 +8,14 @@
 #include <cmath>
 #include <memory>
 
-#include "compiler/commands/eye_options.h"
 #include "compiler/commands/verb.h"
+#include "compiler/commands/view_options.h"
 #include "compiler/spec.h"
 
 namespace citykiln::commands {
 namespace {
 
-/// The charts there are. One row a chart.
+/// One row for each chart.
 struct Kind {
   const char* name;
   Result<std::vector<charts::Chart>> (*make)(const charts::ChartRequest& request);
@@ -40,20 +40,20 @@ Result<std::vector<charts::Chart>> make(const std::string& name, const charts::C
 }
 
 Result<Exit> run(const charts::ChartRequest& request, const Console& console) {
-  if (request.names.empty()) return Error{"", "no chart is named (" + known_names() + ")"};
-  if (request.folder.empty()) return Error{"", "no output folder is given (-o FOLDER)"};
+  if (request.names.empty()) return Error{"", "no chart is named; expected one of " + known_names()};
+  if (request.folder.empty()) return Error{"", "no output folder is given; add -o FOLDER"};
   for (const std::string& name : request.names) {
     const Result<std::vector<charts::Chart>> charts = make(name, request);
     if (!charts) return charts.error();
     for (const charts::Chart& chart : *charts) {
       if (const Result<Done> written = charts::write_chart(chart, request.folder); !written) return written.error();
-      console.say(fmt::format("{0}/{1}.csv, {0}/{1}.svg: {2}", request.folder, chart.name, chart.title));
+      console.print_line(fmt::format("{0}/{1}.csv, {0}/{1}.svg: {2}", request.folder, chart.name, chart.title));
     }
   }
   return Exit::kDone;
 }
 
-Result<Done> take_bbox(const std::string& text, charts::ChartRequest& request) {
+Result<Done> parse_bbox(const std::string& text, charts::ChartRequest& request) {
   const Result<std::vector<double>> n = parse_numbers(text, 4);
   if (!n) return n.error();
   request.bbox = {(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
@@ -61,7 +61,7 @@ Result<Done> take_bbox(const std::string& text, charts::ChartRequest& request) {
   return Done{};
 }
 
-Result<Done> take_number(const std::string& text, double least, double most, double& number) {
+Result<Done> parse_number_in(const std::string& text, double least, double most, double& number) {
   const Result<double> given = parse_number(text);
   if (!given || *given < least || *given > most)
     return Error{"", fmt::format("expected a number from {} to {}, found \"{}\"", least, most, text)};
@@ -73,23 +73,23 @@ Result<Done> take_number(const std::string& text, double least, double most, dou
 
 Verb chart_verb() {
   const auto request = std::make_shared<charts::ChartRequest>();
-  Verb verb{"chart", "measures speed against accuracy: CSV and SVG", {}, {}};
+  Verb verb{"chart", "measures speed and accuracy on this machine and draws charts (CSV and SVG)", {}, {}};
   verb.options = {
-      {"names", "NAME...", known_names(), true, onto(request->names)},
-      {"--map", "FILE...", "junctions, roads, ground, view, profile, roof, facade: the maps", true,
-       onto(request->maps)},
-      {"--dem", "FILE[,key=value...]", "terrain, ground, view, profile, facade: the heightmap", true,
-       onto(request->rasters)},
-      {"--bbox", "W,S,E,N", "terrain: which part of it, degrees", false,
-       [request = request.get()](const std::string& t) { return take_bbox(t, *request); }},
-      {"--cell", "M", "terrain: size of the pieces that are meshed (1024)", false,
-       [request = request.get()](const std::string& t) { return take_number(t, 128, 65536, request->cell_m); }},
-      {"--lat", "DEG", "plane: latitude of the origin (42.5)", false,
-       [request = request.get()](const std::string& t) { return take_number(t, -80, 80, request->lat_deg); }},
-      {"--eye", "X,Y,Z", "view: where the eye is, metres of the plane (100 m over the map's middle)", false,
-       into_point(request->eye)},
+      {"names", "NAME...", known_names(), true, append_text(request->names)},
+      {"--map", "FILE...", "maps for all charts except plane, terrain, plant and lsystem", true,
+       append_text(request->maps)},
+      {"--dem", "FILE[,key=value...]", "heightmap for terrain, ground, view, profile and facade", true,
+       append_text(request->rasters)},
+      {"--bbox", "W,S,E,N", "terrain: part of the heightmap in degrees (default: all of it)", false,
+       [request = request.get()](const std::string& t) { return parse_bbox(t, *request); }},
+      {"--cell", "M", "terrain: side of the meshed cells in metres (default: 1024)", false,
+       [request = request.get()](const std::string& t) { return parse_number_in(t, 128, 65536, request->cell_m); }},
+      {"--lat", "DEG", "plane: latitude of the origin in degrees (default: 42.5)", false,
+       [request = request.get()](const std::string& t) { return parse_number_in(t, -80, 80, request->lat_deg); }},
+      {"--eye", "X,Y,Z", "view: place of the viewer in plane metres (default: 100 m above the middle of the map)",
+       false, store_point(request->eye)},
       threads_option(request->threads),
-      {"-o,--out", "FOLDER", "where charts go", false, into(request->folder)},
+      {"-o,--out", "FOLDER", "folder for the charts", false, store_text(request->folder)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;

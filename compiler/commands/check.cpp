@@ -1,5 +1,5 @@
-// citykiln check OUT: measures again every promise that the outputs make. A promise that holds is "not falsified by n
-// samples".
+// citykiln check FOLDER: measures whether a run's outputs keep their guarantees. A guarantee that holds has not been
+// falsified by n samples.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,47 +7,47 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/print_findings.h"
+#include "compiler/commands/print_check_results.h"
 #include "compiler/commands/verb.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/verify/check_tile.h"
-#include "compiler/verify/standing.h"
+#include "compiler/verify/non_ground_objects.h"
 #include "exporters/kiln/manifest.h"
 
 namespace citykiln::commands {
 namespace {
 
-// A step that nobody sees.
+// The largest height difference that counts as none.
 constexpr double kNoJump_m = 0.01;
 
-Result<verify::Subject> open_subject(const std::string& folder) {
+Result<verify::LoadedRun> open_subject(const std::string& folder) {
   Result<verify::RunRecord> record = verify::read_report(folder);
   if (!record) return record.error();
   Result<scene::Scene> scene = exporters::read_manifest(folder + "/scene.kiln", {});
   if (!scene) return scene.error();
-  verify::Standing standing = verify::standing_of(*scene);
-  verify::Subject subject{folder, std::move(*record), std::move(*scene), std::move(standing), nullptr};
-  subject.prototypes = std::make_shared<const bake::PrototypeCache>(subject.scene.header);
-  return subject;
+  verify::NonGroundObjects non_ground = verify::find_non_ground_objects(*scene);
+  verify::LoadedRun loaded{folder, std::move(*record), std::move(*scene), std::move(non_ground), nullptr};
+  loaded.prototypes = std::make_shared<const bake::PrototypeCache>(loaded.scene.header);
+  return loaded;
 }
 
-// What the manifest alone says.
-void check_recipes(const scene::Scene& scene, int threads, verify::Findings& findings) {
-  findings.clearances = verify::measure_clearances(scene, threads);
+// Checks that need the manifest only.
+void check_recipes(const scene::Scene& scene, int threads, verify::CheckResults& results) {
+  results.clearances = verify::measure_clearances(scene, threads);
   const verify::Jumps jumps = verify::measure_jumps(scene);
-  findings.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
-                          fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
+  results.jumps.test_all(jumps.places, jumps.largest_m <= kNoJump_m,
+                         fmt::format("{} m at {}, {}", jumps.largest_m, jumps.at.x, jumps.at.y));
   for (const scene::Chunk& chunk : scene.chunks) {
     const verify::Rises rises = verify::measure_rises(chunk);
-    findings.rivers.test_all(
+    results.rivers.test_all(
         rises.streams, rises.rising == 0,
-        fmt::format("{}: {} streams, by {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
+        fmt::format("{}: {} watercourses, by up to {} m", to_string(chunk.tile), rises.rising, rises.largest_m));
     const verify::Grades grades = verify::measure_grades(scene.header, chunk);
-    findings.grades.length_m += grades.length_m, findings.grades.over_m += grades.over_m;
+    results.grades.length_m += grades.length_m, results.grades.over_m += grades.over_m;
   }
 }
 
-// The files of each tile, in the order of tiles and levels.
+// Groups the files by tile, in the order of tiles, then levels.
 std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::WrittenTile> written) {
   const auto key = [](const verify::WrittenTile& w) { return std::pair(w.tile, w.level); };
   std::ranges::stable_sort(written, {}, key);
@@ -61,23 +61,23 @@ std::vector<std::vector<verify::WrittenTile>> by_tile(std::vector<verify::Writte
 
 using BordersByTile = std::map<std::pair<std::size_t, scene::TileKey>, verify::Borders>;
 
-void check_seams(const BordersByTile& borders, verify::Findings& findings) {
+void check_seams(const BordersByTile& borders, verify::CheckResults& results) {
   for (const auto& [key, own] : borders) {
     const auto [level, tile] = key;
     if (const auto east = borders.find({level, {tile.x + 1, tile.y}}); east != borders.end()) {
-      findings.seams.test(verify::meet(own.east, east->second.west),
-                          fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
+      results.seams.test(verify::borders_match(own.east, east->second.west),
+                         fmt::format("{} and its eastern neighbour, level {}", to_string(tile), level));
     }
     if (const auto north = borders.find({level, {tile.x, tile.y + 1}}); north != borders.end()) {
-      findings.seams.test(verify::meet(own.north, north->second.south),
-                          fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
+      results.seams.test(verify::borders_match(own.north, north->second.south),
+                         fmt::format("{} and its northern neighbour, level {}", to_string(tile), level));
     }
   }
 }
 
-Result<verify::Findings> check_tiles(const verify::Subject& subject, int threads, const OnProgress& on_progress,
-                                     verify::Findings findings) {
-  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(subject.record.tiles);
+Result<verify::CheckResults> check_tiles(const verify::LoadedRun& loaded, int threads, const OnProgress& on_progress,
+                                         verify::CheckResults results) {
+  const std::vector<std::vector<verify::WrittenTile>> tiles = by_tile(loaded.record.tiles);
   std::vector<std::optional<Result<verify::CheckedTile>>> slots(tiles.size());
   BordersByTile borders;
   Result<Done> done = Done{};
@@ -86,16 +86,16 @@ Result<verify::Findings> check_tiles(const verify::Subject& subject, int threads
     const Result<verify::CheckedTile> checked = *std::exchange(slots[i], std::nullopt);
     if (!checked) done = checked.error();
     if (!checked) return false;
-    add(findings, checked->findings);
+    add(results, checked->results);
     for (std::size_t level = 0; level < tiles[i].size(); ++level)
       borders[{tiles[i][level].level, tiles[i][level].tile}] = checked->borders[level];
     return true;
   };
   for_each_in_order(
-      tiles.size(), threads, [&](std::size_t i) { slots[i] = verify::check_tile(subject, tiles[i]); }, take);
+      tiles.size(), threads, [&](std::size_t i) { slots[i] = verify::check_tile(loaded, tiles[i]); }, take);
   if (!done) return done.error();
-  check_seams(borders, findings);
-  return findings;
+  check_seams(borders, results);
+  return results;
 }
 
 struct Request {
@@ -104,20 +104,20 @@ struct Request {
 };
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.folder.empty()) return Error{"", "no folder of a run is given"};
-  const Result<verify::Subject> subject = open_subject(request.folder);
-  if (!subject) return subject.error();
-  verify::Findings recipes;
-  recipes.ledger.tests = 1, recipes.ledger.breaches = subject->record.unbalanced;
-  check_recipes(subject->scene, request.threads, recipes);
-  const Result<verify::Findings> findings =
-      check_tiles(*subject, request.threads, console.progress(), std::move(recipes));
-  if (!findings) return findings.error();
-  print(*findings, console);
-  for (const verify::Finding* finding : verify::all_of(*findings)) {
-    if (!finding->breaches.empty())
-      return Error{request.folder,
-                   fmt::format("breaks a promise: {} ({})", finding->promise, finding->breaches.front())};
+  if (request.folder.empty())
+    return Error{"", "no folder is given; expected the output folder of compile, such as out"};
+  const Result<verify::LoadedRun> loaded = open_subject(request.folder);
+  if (!loaded) return loaded.error();
+  verify::CheckResults recipes;
+  recipes.ledger.tests = 1, recipes.ledger.failures = loaded->record.unbalanced;
+  check_recipes(loaded->scene, request.threads, recipes);
+  const Result<verify::CheckResults> results =
+      check_tiles(*loaded, request.threads, console.progress(), std::move(recipes));
+  if (!results) return results.error();
+  print(*results, console);
+  for (const verify::Check* check : verify::all_of(*results)) {
+    if (!check->failures.empty())
+      return Error{request.folder, fmt::format("fails the check \"{}\": {}", check->claim, check->failures.front())};
   }
   return Exit::kDone;
 }
@@ -126,8 +126,8 @@ Result<Exit> run(const Request& request, const Console& console) {
 
 Verb check_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"check", "measures again every promise that a run's outputs make", {}, {}};
-  verb.options = {{"folder", "OUT", "the folder of a run, with its manifest", false, into(request->folder)},
+  Verb verb{"check", "measures whether the outputs of a run keep their guarantees", {}, {}};
+  verb.options = {{"folder", "OUT", "output folder of compile, with its manifest", false, store_text(request->folder)},
                   threads_option(request->threads)};
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;

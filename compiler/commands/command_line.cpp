@@ -12,14 +12,14 @@ namespace {
 constexpr const char* kVersion = "citykiln " CITYKILN_VERSION;
 
 int fail(const Error& error) {
-  // one line, whatever a library put into its message
+  // prints a single line, even if a library's message has several
   std::string line = to_string(error);
   std::ranges::replace(line, '\n', ' ');
   fmt::print(stderr, "citykiln: {}\n", line);
-  return static_cast<int>(Exit::kCannot);
+  return static_cast<int>(Exit::kFailed);
 }
 
-/// Tells CLI11 about one option of the table.
+/// Declares one option of the table to CLI11.
 void declare(CLI::App& app, const Option& option) {
   if (option.value.empty()) {
     app.add_flag(option.flags, option.help);
@@ -33,12 +33,12 @@ void declare(CLI::App& app, const Option& option) {
 CLI::App& declare(CLI::App& app, const Verb& verb, Console& console) {
   CLI::App& command = *app.add_subcommand(verb.name, verb.help);
   for (const Option& option : verb.options) declare(command, option);
-  command.add_flag("--json", console.speaks_json, "answer in JSON");
-  command.add_flag("--quiet", console.is_quiet, "say nothing but errors");
+  command.add_flag("--json", console.is_json, "print the result as one JSON document");
+  command.add_flag("--quiet", console.is_quiet, "print errors only");
   return command;
 }
 
-/// Hands every value that was given to its option.
+/// Passes every given value to its option.
 Result<Done> take(const CLI::App& command, const Verb& verb) {
   for (const Option& option : verb.options) {
     const std::string name = option.flags.substr(option.flags.rfind(',') + 1);
@@ -60,7 +60,7 @@ int run(const CLI::App& command, const Verb& verb, const Console& console) {
 }  // namespace
 
 int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
-  CLI::App app("citykiln compiles maps into worlds", "citykiln");
+  CLI::App app("citykiln compiles OpenStreetMap extracts and heightmaps to 3D city tiles", "citykiln");
   app.set_version_flag("--version", kVersion);
   app.require_subcommand(1);
   Console console;
@@ -78,7 +78,7 @@ int run(std::span<const Verb> verbs, int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return fail({"", "out of memory"});
   }
-  return static_cast<int>(Exit::kCannot);
+  return static_cast<int>(Exit::kFailed);
 }
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// citykiln compile MAP … -o OUT: from a map to a folder of outputs.
+// citykiln compile MAP … -o FOLDER: compiles a map to a manifest and bakes its tiles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "compiler/commands/verb.h"
-#include "compiler/commands/write_tiles.h"
+#include "compiler/commands/write_outputs.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/pipeline.h"
 #include "compiler/verify/run_report.h"
@@ -15,7 +15,7 @@
 namespace citykiln::commands {
 namespace {
 
-/// What the command line gave: a file of settings, and settings that come after it.
+/// The command line: a file of settings, and settings that override the file.
 struct Request {
   std::string spec_path;
   std::vector<std::pair<const Setting*, std::string>> given;
@@ -35,19 +35,21 @@ Result<CompileSpec> spec_of(const Request& request) {
   return spec;
 }
 
-void say_what_was_made(const CompileSpec& spec, const Compiled& compiled, const verify::Written& written,
-                       const std::vector<StageCost>& costs, const Console& console) {
+void print_summary(const CompileSpec& spec, const CompileResult& compiled, const verify::WrittenFiles& written,
+                   const std::vector<StageCost>& costs, const Console& console) {
   double seconds = 0;
   std::uint64_t peak_bytes = 0;
   for (const StageCost& cost : costs) {
     seconds += cost.seconds;
     peak_bytes = std::max(peak_bytes, cost.peak_bytes);
   }
-  console.say(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory", spec.outputs.folder,
-                          compiled.scene.chunks.size(), written.files.size() + written.tiles.size() + 2,
-                          written.bytes() * 1e-6, seconds, peak_bytes * 1e-6));
+  console.print_line(fmt::format("{}: {} tiles, {} files, {:.1f} MB, in {:.1f} s and {:.0f} MB of memory",
+                                 spec.outputs.folder, compiled.scene.chunks.size(),
+                                 written.files.size() + written.tiles.size() + 2, written.bytes() * 1e-6, seconds,
+                                 peak_bytes * 1e-6));
   for (const auto& [code, count] : compiled.report.counts()) {
-    console.say(fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
+    console.print_line(
+        fmt::format("  {:>8} {:<8} {}: {}", count, name_of(severity_of(code)), name_of(code), text_of(code)));
   }
 }
 
@@ -56,17 +58,18 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   if (!folder) return folder.error();
 
   const OnProgress on_progress = console.progress();
-  Result<Compiled> compiled = compile(spec, on_progress);
+  Result<CompileResult> compiled = compile(spec, on_progress);
   if (!compiled) return compiled.error();
 
-  // what a level leaves out is what was asked for: strictness looks at the map alone
-  const Exit exit = spec.is_strict && verify::has_objections(compiled->report) ? Exit::kObjects : Exit::kDone;
+  // decided before baking, because objects left out at coarse levels are no defects of the data
+  const Exit exit =
+      spec.is_strict && verify::has_mended_or_dropped(compiled->report) ? Exit::kStrictViolation : Exit::kDone;
 
-  StageWatch watch(on_progress);
-  watch.enter("bake, write, measure heights");
-  Result<verify::Written> written = verify::Written{};
-  verify::HeightsRecord heights{{}, compiled->profiles};
-  do_beside(
+  StageTimer timer(on_progress);
+  timer.enter("bake and write");
+  Result<verify::WrittenFiles> written = verify::WrittenFiles{};
+  verify::HeightReport heights{{}, compiled->profiles};
+  run_concurrently(
       spec.threads,
       [&] {
         written = write_outputs(compiled->scene, spec.outputs, spec.threads, *folder, compiled->report, on_progress);
@@ -74,7 +77,7 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
       [&] { heights.recipes = verify::measure_heights(compiled->scene, spec.threads); });
   if (!written) return written.error();
   std::vector<StageCost> costs = compiled->costs;
-  for (StageCost& cost : watch.finish()) costs.push_back(std::move(cost));
+  for (StageCost& cost : timer.finish()) costs.push_back(std::move(cost));
 
   const std::string report =
       verify::report_json(compiled->scene.header, compiled->scene, compiled->report, *written, spec.outputs, heights);
@@ -82,8 +85,8 @@ Result<Exit> compile_to_folder(const CompileSpec& spec, const Console& console) 
   if (const Result<Done> done = folder->write("timing.json", exporters::bytes_of(timing)); !done) return done.error();
   if (const Result<Done> done = folder->commit(report); !done) return done.error();
 
-  say_what_was_made(spec, *compiled, *written, costs, console);
-  console.answer(report);
+  print_summary(spec, *compiled, *written, costs, console);
+  console.print_json(report);
   return exit;
 }
 
@@ -102,10 +105,11 @@ Option option_of(const Setting& setting, Request& request) {
 
 Verb compile_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"compile", "makes a scene of a map, and fires its tiles", {}, {}};
+  Verb verb{"compile", "compiles a map to a manifest and bakes its tiles", {}, {}};
   for (const Setting& setting : settings()) verb.options.push_back(option_of(setting, *request));
-  verb.options.push_back(
-      {"--spec", "FILE", "settings from a JSON file; those given here come after it", false, into(request->spec_path)});
+  verb.options.push_back({"--spec", "FILE",
+                          "JSON file of settings, such as {\"tile\": 512}; settings on the command line override it",
+                          false, store_text(request->spec_path)});
   verb.run = [request](const Console& console) -> Result<Exit> {
     const Result<CompileSpec> spec = spec_of(*request);
     if (!spec) return spec.error();

@@ -12,24 +12,24 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kBarWidth = 30;
-/// Who is done within this time needs no bar.
-constexpr auto kPatience = std::chrono::seconds(1);
-/// Faster than the eye is waste.
-constexpr auto kRedraw = std::chrono::milliseconds(50);
+/// Runs shorter than this show no bar.
+constexpr auto kProgressDelay = std::chrono::seconds(1);
+/// Shortest time between two updates of the bar.
+constexpr auto kRedrawInterval = std::chrono::milliseconds(50);
 
-/// Draws over its own line and wipes it at the end.
-class Bar {
+/// A progress bar that redraws its own line and erases it at the end.
+class ProgressBar {
  public:
-  Bar() : begin_(Clock::now()) {}
-  ~Bar() {
+  ProgressBar() : begin_(Clock::now()) {}
+  ~ProgressBar() {
     if (is_drawn_) fmt::print(stderr, "\r\x1b[K");
   }
-  Bar(const Bar&) = delete;
-  Bar& operator=(const Bar&) = delete;
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
 
   void show(std::string_view stage, double share) {
     const Clock::time_point now = Clock::now();
-    if (now - begin_ < kPatience || (is_drawn_ && now - drawn_ < kRedraw)) return;
+    if (now - begin_ < kProgressDelay || (is_drawn_ && now - drawn_ < kRedrawInterval)) return;
     const int filled = static_cast<int>(share * kBarWidth);
     fmt::print(stderr, "\r{:<10} [{:#<{}}{:.<{}}] {:3.0f} %\x1b[K", stage, "", filled, "", kBarWidth - filled,
                share * 100);
@@ -45,17 +45,17 @@ class Bar {
 
 }  // namespace
 
-void Console::say(std::string_view line) const {
-  if (!is_quiet && !speaks_json) fmt::print("{}\n", line);
+void Console::print_line(std::string_view line) const {
+  if (!is_quiet && !is_json) fmt::print("{}\n", line);
 }
 
-void Console::answer(std::string_view json) const {
-  if (speaks_json) fmt::print("{}\n", json);
+void Console::print_json(std::string_view json) const {
+  if (is_json) fmt::print("{}\n", json);
 }
 
 OnProgress Console::progress() const {
-  if (is_quiet || speaks_json || isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
-  return [bar = std::make_shared<Bar>()](std::string_view stage, double share) { bar->show(stage, share); };
+  if (is_quiet || is_json || isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
+  return [bar = std::make_shared<ProgressBar>()](std::string_view stage, double share) { bar->show(stage, share); };
 }
 
 }  // namespace citykiln::commands

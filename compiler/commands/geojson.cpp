@@ -25,7 +25,7 @@ Layer roads_of(const map::Features& features) {
   Layer layer;
   for (const map::Track& track : features.tracks) {
     const double width_m = map::carriageway_width_m(track.section);
-    layer.push_back({track.id, class_of(track.surface), ShapeKind::kLine, {track.axis}, {}, width_m});
+    layer.push_back({track.id, class_of(track.surface), GeometryKind::kLine, {track.axis}, {}, width_m});
   }
   return layer;
 }
@@ -33,7 +33,7 @@ Layer roads_of(const map::Features& features) {
 Layer areas_of(const map::Features& features) {
   Layer layer;
   for (const map::AreaFeature& area : features.areas) {
-    layer.push_back({area.id, class_of(area.surface), ShapeKind::kPolygon, rings_of(area.polygon)});
+    layer.push_back({area.id, class_of(area.surface), GeometryKind::kPolygon, rings_of(area.polygon)});
   }
   return layer;
 }
@@ -43,7 +43,7 @@ Layer buildings_of(const map::Features& features) {
   for (const map::Footprint& building : features.footprints) {
     layer.push_back({building.id,
                      building.is_part ? "Part" : "Building",
-                     ShapeKind::kPolygon,
+                     GeometryKind::kPolygon,
                      rings_of(building.polygon),
                      {},
                      0,
@@ -58,7 +58,7 @@ Layer plants_of(const map::Features& features) {
   for (const map::PointFeature& point : features.points) {
     if (point.kind != map::PointKind::kTree) continue;
     const char* kind = point.plant_tags.leaves == map::LeafType::kNeedle ? "NeedleLeaved" : "BroadLeaved";
-    layer.push_back({point.id, kind, ShapeKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
+    layer.push_back({point.id, kind, GeometryKind::kPoint, {{point.at}}, {}, 0, 0, point.height_m});
   }
   return layer;
 }
@@ -67,14 +67,14 @@ std::string name_of(map::Passage passage) {
   return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
 }
 
-// Where a network is: on the ground, of a tile or whole; or above or below.
+// The place of a network: its tile if it is a piece, its layer, and its passage if it is off the ground.
 struct Network {
   std::string tile;
   int layer = 0;
   map::Passage passage = map::Passage::kGround;
 };
 
-// Outlines in the order of their junctions, named after their main roads.
+// Adds junction outlines in the order of the junctions, with the ids of their main roads.
 void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
                    const Network& network, Layer& layer) {
   const auto outlines = roads::outline(junctions, roads, 0);
@@ -82,8 +82,8 @@ void add_junctions(std::span<const roads::Junction> junctions, std::span<const r
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
-      layer.push_back({main.id, class_of(main.surface), ShapeKind::kPolygon, rings_of(polygon), network.tile, 0, 0, 0,
-                       network.layer, name_of(network.passage)});
+      layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, rings_of(polygon), network.tile, 0, 0,
+                       0, network.layer, name_of(network.passage)});
   }
 }
 
@@ -103,14 +103,18 @@ Layer roads_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const roads::Road& road : chunk.roads) {
-      layer.push_back(
-          {road.id, class_of(road.surface), ShapeKind::kLine, {road.axis}, name_of(chunk.tile), roads::width_m(road)});
+      layer.push_back({road.id,
+                       class_of(road.surface),
+                       GeometryKind::kLine,
+                       {road.axis},
+                       name_of(chunk.tile),
+                       roads::width_m(road)});
     }
   }
   return layer;
 }
 
-/// Each junction once, in the tile of its first place.
+/// Each junction once, in the tile that contains its first node.
 Layer junctions_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks)
@@ -118,7 +122,8 @@ Layer junctions_of(const scene::Scene& scene) {
   return layer;
 }
 
-/// Surfaces are rings whose winding numbers add up, not polygons with holes: each ring is drawn by itself.
+/// Each ring becomes a feature of its own, since land cover polygons are rings with winding numbers and not polygons
+/// with holes.
 Layer areas_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
@@ -126,7 +131,7 @@ Layer areas_of(const scene::Scene& scene) {
       for (const Ring& ring : surface.rings) {
         const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
         layer.push_back(
-            {surface.id, class_of(surface.surface) + hole, ShapeKind::kPolygon, {ring}, name_of(chunk.tile)});
+            {surface.id, class_of(surface.surface) + hole, GeometryKind::kPolygon, {ring}, name_of(chunk.tile)});
       }
     }
   }
@@ -137,7 +142,7 @@ Layer buildings_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const buildings::Building& building : chunk.buildings) {
-      layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", ShapeKind::kPolygon,
+      layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", GeometryKind::kPolygon,
                        rings_of(building.footprint), name_of(chunk.tile), 0, building.bottom_m,
                        building.top_m - building.bottom_m});
     }
@@ -149,11 +154,11 @@ Layer plants_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const plants::Tree& tree : chunk.trees) {
-      // those near the tile are in it too
+      // chunks also hold trees close to their tile
       if (!scene::is_anchored(scene.header, chunk.tile, tree.at)) continue;
       layer.push_back({tree.id,
                        plants::name_of(tree.species_mix),
-                       ShapeKind::kPoint,
+                       GeometryKind::kPoint,
                        {{tree.at}},
                        name_of(chunk.tile),
                        0,
@@ -174,8 +179,7 @@ Result<Layer> layer_named(const Source& source, const std::string& name) {
   return Error{"--layer", fmt::format("expected roads, junctions, areas, buildings or plants, found \"{}\"", name)};
 }
 
-// ---- writing
-// ---------------------------------------------------------------------------------------------------------------------------
+// ---- writing ----
 
 void write_position(std::string& out, Vec2 p, const map::Plane& plane) {
   const map::LonLat place = plane.backward(p);
@@ -191,34 +195,34 @@ void write_positions(std::string& out, const Ring& points, bool closes, const ma
   out += ']';
 }
 
-void write_geometry(std::string& out, const Shape& shape, const map::Plane& plane) {
+void write_geometry(std::string& out, const LayerFeature& feature, const map::Plane& plane) {
   constexpr std::array kNames = {"Point", "LineString", "Polygon"};
   fmt::format_to(std::back_inserter(out), R"({{"type":"{}","coordinates":)",
-                 kNames[static_cast<std::size_t>(shape.geometry)]);
-  if (shape.geometry == ShapeKind::kPoint) {
-    write_position(out, shape.parts[0][0], plane);
-  } else if (shape.geometry == ShapeKind::kLine) {
-    write_positions(out, shape.parts[0], false, plane);
+                 kNames[static_cast<std::size_t>(feature.geometry)]);
+  if (feature.geometry == GeometryKind::kPoint) {
+    write_position(out, feature.parts[0][0], plane);
+  } else if (feature.geometry == GeometryKind::kLine) {
+    write_positions(out, feature.parts[0], false, plane);
   } else {
     out += '[';
-    for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    for (std::size_t i = 0; i < feature.parts.size(); ++i) {
       if (i > 0) out += ',';
-      write_positions(out, shape.parts[i], true, plane);
+      write_positions(out, feature.parts[i], true, plane);
     }
     out += ']';
   }
   out += '}';
 }
 
-void write_properties(std::string& out, const Shape& shape) {
-  fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(shape.id.osm),
-                 shape.id.part, shape.kind);
-  if (!shape.tile.empty()) fmt::format_to(std::back_inserter(out), R"(,"tile":"{}")", shape.tile);
-  if (shape.layer) fmt::format_to(std::back_inserter(out), R"(,"layer":{})", *shape.layer);
-  if (!shape.passage.empty()) fmt::format_to(std::back_inserter(out), R"(,"passage":"{}")", shape.passage);
-  if (shape.width_m > 0) fmt::format_to(std::back_inserter(out), R"(,"width_m":{})", shape.width_m);
-  if (shape.bottom_m != 0) fmt::format_to(std::back_inserter(out), R"(,"bottom_m":{})", shape.bottom_m);
-  if (shape.height_m > 0) fmt::format_to(std::back_inserter(out), R"(,"height_m":{})", shape.height_m);
+void write_properties(std::string& out, const LayerFeature& feature) {
+  fmt::format_to(std::back_inserter(out), R"({{"id":"{}","part":{},"class":"{}")", to_string(feature.id.osm),
+                 feature.id.part, feature.kind);
+  if (!feature.tile.empty()) fmt::format_to(std::back_inserter(out), R"(,"tile":"{}")", feature.tile);
+  if (feature.layer) fmt::format_to(std::back_inserter(out), R"(,"layer":{})", *feature.layer);
+  if (!feature.passage.empty()) fmt::format_to(std::back_inserter(out), R"(,"passage":"{}")", feature.passage);
+  if (feature.width_m > 0) fmt::format_to(std::back_inserter(out), R"(,"width_m":{})", feature.width_m);
+  if (feature.bottom_m != 0) fmt::format_to(std::back_inserter(out), R"(,"bottom_m":{})", feature.bottom_m);
+  if (feature.height_m > 0) fmt::format_to(std::back_inserter(out), R"(,"height_m":{})", feature.height_m);
   out += '}';
 }
 

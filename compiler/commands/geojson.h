@@ -14,20 +14,20 @@
 
 namespace citykiln::commands {
 
-enum class ShapeKind { kPoint, kLine, kPolygon };
+enum class GeometryKind { kPoint, kLine, kPolygon };
 
 /// One feature of a layer.
-struct Shape {
+struct LayerFeature {
   ObjectId id;
   std::string kind;  ///< Its class, "Residential".
-  ShapeKind geometry{};
+  GeometryKind geometry{};
   std::vector<Ring> parts;  ///< One point, one line, or one polygon's rings with the outer one first. Plane metres.
   std::string tile{};       ///< Of which chunk it is a piece; empty: whole.
   double width_m = 0, bottom_m = 0, height_m = 0;  ///< 0: it has none.
   std::optional<int> layer{};                      ///< Of junctions: 0 on the ground.
   std::string passage{};                           ///< "bridge", "tunnel"; empty: on the ground.
 };
-using Layer = std::vector<Shape>;
+using Layer = std::vector<LayerFeature>;
 
 /// The layer `name` (roads, junctions, areas, buildings, plants) of a map or of a manifest. Of a manifest, roads and
 /// areas are pieces, trimmed to their tiles, and junctions those of the ground alone; of a map, bridges' and tunnels'

@@ -23,14 +23,13 @@ struct Request {
   std::string path, layer, geojson_path;
 };
 
-// ---- what is in it
-// -----------------------------------------------------------------------------------------------------------------------
+// ---- descriptions ----
 
 Json chunk_of(const scene::Chunk& chunk) {
   return {{"tile", to_string(chunk.tile)},
           {"heights", fmt::format("{} x {} every {} by {} m", chunk.heights.columns, chunk.heights.rows,
                                   chunk.heights.step_m.x, chunk.heights.step_m.y)},
-          {"surfaces", chunk.surfaces.size()},
+          {"land_cover_polygons", chunk.surfaces.size()},
           {"roads", chunk.roads.size()},
           {"junctions", chunk.junctions.size()},
           {"bridges", chunk.bridges.size()},
@@ -93,20 +92,19 @@ Json describe(const source::OsmData& osm, const Report& report) {
   return json;
 }
 
-/// Name and value a line; what is nested, one line an item.
-void say(const Json& json, const Console& console) {
+/// Prints one line for each name and value, and one line for each item of a list of objects.
+void print_line(const Json& json, const Console& console) {
   for (const auto& [key, value] : json.items()) {
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
-      console.say(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
+      console.print_line(fmt::format("{:<20} {}", key, value.is_string() ? value.get<std::string>() : value.dump()));
       continue;
     }
-    console.say(fmt::format("{:<20} {}", key, value.size()));
-    for (const Json& item : value) console.say("  " + item.dump());
+    console.print_line(fmt::format("{:<20} {}", key, value.size()));
+    for (const Json& item : value) console.print_line("  " + item.dump());
   }
 }
 
-// ---- files and layers
-// --------------------------------------------------------------------------------------------------------------------
+// ---- files and layers ----
 
 Result<Done> write_layer(const Request& request, const Result<Layer>& layer, const map::Plane& plane,
                          const std::vector<std::string>& attributions) {
@@ -126,7 +124,7 @@ Result<Json> inspect_manifest(const Request& request) {
 }
 
 Result<Json> inspect_tile(const Request& request) {
-  if (!request.layer.empty()) return Error{request.path, "layers are drawn from a map or a manifest"};
+  if (!request.layer.empty()) return Error{request.path, "--layer needs a map or a manifest (.kiln), not a .glb"};
   const Result<bake::BakedTile> tile = exporters::read_glb(request.path);
   if (!tile) return tile.error();
   return describe(*tile);
@@ -148,18 +146,19 @@ Result<Json> inspect_map(const Request& request) {
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.path.empty()) return Error{"", "no file is given"};
-  if (request.layer.empty() != request.geojson_path.empty()) return Error{"", "--layer and --geojson belong together"};
+  if (request.path.empty()) return Error{"", "no file is given; expected a .kiln, a .glb or a map"};
+  if (request.layer.empty() != request.geojson_path.empty())
+    return Error{"", "--layer and --geojson must be given together"};
   const Result<Json> json = request.path.ends_with(".kiln")  ? inspect_manifest(request)
                             : request.path.ends_with(".glb") ? inspect_tile(request)
                                                              : inspect_map(request);
   if (!json) return json.error();
   if (!request.geojson_path.empty()) {
-    console.say(fmt::format("{}: layer {}", request.geojson_path, request.layer));
+    console.print_line(fmt::format("{}: layer {}", request.geojson_path, request.layer));
     return Exit::kDone;
   }
-  say(*json, console);
-  console.answer(json->dump(1));
+  print_line(*json, console);
+  console.print_json(json->dump(1));
   return Exit::kDone;
 }
 
@@ -167,11 +166,14 @@ Result<Exit> run(const Request& request, const Console& console) {
 
 Verb inspect_verb() {
   const auto request = std::make_shared<Request>();
-  Verb verb{"inspect", "says what is in a manifest, a .glb or a map; draws layers of it for QGIS", {}, {}};
+  Verb verb{
+      "inspect", "prints the contents of a manifest, a .glb or a map, or writes a layer of it as GeoJSON", {}, {}};
   verb.options = {
-      {"file", "FILE", "a .kiln, a .glb or a map", false, into(request->path)},
-      {"--layer", "NAME", "roads, junctions, areas, buildings or plants", false, into(request->layer)},
-      {"--geojson", "FILE", "where the layer goes, in longitude and latitude", false, into(request->geojson_path)},
+      {"file", "FILE", "file to inspect: a .kiln, a .glb or a map", false, store_text(request->path)},
+      {"--layer", "NAME", "layer to write: roads, junctions, areas, buildings or plants", false,
+       store_text(request->layer)},
+      {"--geojson", "FILE", "GeoJSON file for the layer, in longitude and latitude, for example for QGIS", false,
+       store_text(request->geojson_path)},
   };
   verb.run = [request](const Console& console) { return run(*request, console); };
   return verb;

@@ -8,13 +8,13 @@
 #include <map>
 #include <set>
 
-#include "compiler/commands/join_atlases.h"
-#include "compiler/commands/join_sheets.h"
+#include "compiler/commands/join_facade_atlases.h"
+#include "compiler/commands/join_marking_atlases.h"
 
 namespace citykiln::commands {
 namespace {
 
-/// Multiples of 2^-10 m are exact in float32 up to here.
+/// float32 holds multiples of 2^-10 m exactly up to this distance.
 constexpr double kExactReach_m = 16384;
 
 Vec3 lowest_origin(std::span<const bake::BakedTile> tiles) {
@@ -25,7 +25,7 @@ Vec3 lowest_origin(std::span<const bake::BakedTile> tiles) {
   return low;
 }
 
-/// Tiles' origins and vertices are on the grid, so that the sum is exact where it is within reach.
+/// Exact within kExactReach_m, because tile origins and vertices are on the 2^-10 m grid.
 bake::Float3 moved(const bake::Float3& p, Vec3 by, double& reach_m) {
   const Vec3 q{p[0] + by.x, p[1] + by.y, p[2] + by.z};
   reach_m = std::max({reach_m, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
@@ -34,47 +34,48 @@ bake::Float3 moved(const bake::Float3& p, Vec3 by, double& reach_m) {
 
 bake::Float2 slid(const bake::Float2& uv, double across_m) { return {static_cast<float>(uv[0] + across_m), uv[1]}; }
 
-/// A tile on its way into the joined one.
-struct Guest {
+/// A tile, and how its parts map to the joined tile.
+struct SourceTile {
   const bake::BakedTile& tile;
   Vec3 offset;                          ///< From the joined origin to the tile's.
-  double sheet_m;                       ///< From the joined sheet's left edge to that of the tile's.
-  JoinedAtlases::Place on_atlas;        ///< Of the tile's atlas on the joined one.
-  std::vector<std::uint32_t> features;  ///< The tile's numbers to the joined ones.
+  double sheet_m;                       ///< Offset of its marking atlas in the joined one, metres along u.
+  JoinedFacadeAtlases::Place on_atlas;  ///< Place of its facade atlas in the joined one.
+  std::vector<std::uint32_t> features;  ///< The joined tile's feature index for each of its own.
 };
 
-Guest guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, double sheet_m,
-               const JoinedAtlases::Place& on_atlas) {
-  Guest guest{tile, tile.origin - joined.origin, sheet_m, on_atlas, {}};
+SourceTile guest_of(const bake::BakedTile& tile, const bake::BakedTile& joined, double sheet_m,
+                    const JoinedFacadeAtlases::Place& on_atlas) {
+  SourceTile source{tile, tile.origin - joined.origin, sheet_m, on_atlas, {}};
   for (const OsmId feature : tile.features) {
-    guest.features.push_back(
+    source.features.push_back(
         static_cast<std::uint32_t>(std::ranges::lower_bound(joined.features, feature) - joined.features.begin()));
   }
-  return guest;
+  return source;
 }
 
-bake::Float2 on_joined(const bake::Float2& uv, materials::ColourSource colour_source, const Guest& guest) {
-  if (colour_source == materials::ColourSource::kByMarkingAtlas) return slid(uv, guest.sheet_m);
+bake::Float2 on_joined(const bake::Float2& uv, materials::ColourSource colour_source, const SourceTile& source) {
+  if (colour_source == materials::ColourSource::kByMarkingAtlas) return slid(uv, source.sheet_m);
   if (colour_source != materials::ColourSource::kByAtlas) return uv;
-  const auto& [at_m, scale] = guest.on_atlas;
+  const auto& [at_m, scale] = source.on_atlas;
   return {static_cast<float>(at_m.x + scale * uv[0]), static_cast<float>(at_m.y + scale * uv[1])};
 }
 
-void add_primitive(bake::Primitive& to, const bake::Primitive& from, const Guest& guest, double& reach_m) {
+void add_primitive(bake::Primitive& to, const bake::Primitive& from, const SourceTile& source, double& reach_m) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
-  for (const bake::Float3& p : from.positions) to.positions.push_back(moved(p, guest.offset, reach_m));
+  for (const bake::Float3& p : from.positions) to.positions.push_back(moved(p, source.offset, reach_m));
   to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
   to.colours.insert(to.colours.end(), from.colours.begin(), from.colours.end());
-  for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
-  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(on_joined(uv, from.colour_source, guest));
+  for (const std::uint32_t feature : from.features) to.features.push_back(source.features[feature]);
+  for (const bake::Float2& uv : from.uvs) to.uvs.push_back(on_joined(uv, from.colour_source, source));
   for (const auto& t : from.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-void add_instanced(bake::InstancedMesh& to, const bake::InstancedMesh& from, const Guest& guest, double& reach_m) {
-  for (const bake::Float3& p : from.translations) to.translations.push_back(moved(p, guest.offset, reach_m));
+void add_instanced(bake::InstancedMesh& to, const bake::InstancedMesh& from, const SourceTile& source,
+                   double& reach_m) {
+  for (const bake::Float3& p : from.translations) to.translations.push_back(moved(p, source.offset, reach_m));
   to.rotations.insert(to.rotations.end(), from.rotations.begin(), from.rotations.end());
   to.scales.insert(to.scales.end(), from.scales.begin(), from.scales.end());
-  for (const std::uint32_t feature : from.features) to.features.push_back(guest.features[feature]);
+  for (const std::uint32_t feature : from.features) to.features.push_back(source.features[feature]);
 }
 
 bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey& key) {
@@ -83,16 +84,16 @@ bake::Primitive& primitive_of(bake::BakedTile& joined, const bake::PrimitiveKey&
   return *joined.primitives.insert(place, bake::Primitive{key.material, {}, {}, {}, {}, {}, {}, key.colour_source});
 }
 
-/// A shared mesh as it lies on the joined sheets.
-std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, const Guest& guest) {
+/// An instanced mesh with texture coordinates of the joined atlases.
+std::vector<bake::Primitive> on_joined(std::vector<bake::Primitive> primitives, const SourceTile& source) {
   for (bake::Primitive& primitive : primitives)
-    for (bake::Float2& uv : primitive.uvs) uv = on_joined(uv, primitive.colour_source, guest);
+    for (bake::Float2& uv : primitive.uvs) uv = on_joined(uv, primitive.colour_source, source);
   return primitives;
 }
 
-/// The shared mesh of that name and shape: tiles may cut the same prototype differently.
-bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::InstancedMesh& like, const Guest& guest) {
-  std::vector<bake::Primitive> primitives = on_joined(like.primitives, guest);
+/// The joined mesh with this name and geometry, added if missing. Tiles may simplify the same prototype differently.
+bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::InstancedMesh& like, const SourceTile& source) {
+  std::vector<bake::Primitive> primitives = on_joined(like.primitives, source);
   for (bake::InstancedMesh& instanced : joined.instanced) {
     if (instanced.name == like.name && instanced.primitives == primitives && instanced.cutout == like.cutout)
       return instanced;
@@ -101,7 +102,7 @@ bake::InstancedMesh& instanced_of(bake::BakedTile& joined, const bake::Instanced
       bake::InstancedMesh{like.name, std::move(primitives), {}, {}, {}, {}, like.cutout});
 }
 
-/// One a material: tiles of one tolerance and seed have the same.
+/// Adds one texture for each material: tiles of one tolerance and seed have equal textures.
 void add_textures(bake::BakedTile& joined, std::span<const bake::BakedTile> tiles) {
   std::map<materials::Material, const materials::Texture*> first;
   for (const bake::BakedTile& tile : tiles)
@@ -119,13 +120,13 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
 
   std::vector<const materials::TextureImage*> sheets;
   for (const bake::BakedTile& tile : tiles) sheets.push_back(&tile.sheet);
-  Result<JoinedSheets> joined_sheets = join_sheets(sheets);
+  Result<JoinedMarkingAtlases> joined_sheets = join_marking_atlases(sheets);
   if (!joined_sheets) return joined_sheets.error();
   joined.sheet = std::move(joined_sheets->sheet);
 
   std::vector<const impostor::Atlas*> atlases;
   for (const bake::BakedTile& tile : tiles) atlases.push_back(&tile.facade_atlas);
-  JoinedAtlases joined_atlases = join_atlases(atlases);
+  JoinedFacadeAtlases joined_atlases = join_facade_atlases(atlases);
   joined.facade_atlas = std::move(joined_atlases.atlas);
 
   add_textures(joined, tiles);
@@ -133,11 +134,11 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
   double reach_m = 0;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     const bake::BakedTile& tile = tiles[t];
-    const Guest guest = guest_of(tile, joined, joined_sheets->offsets_m[t], joined_atlases.places[t]);
+    const SourceTile source = guest_of(tile, joined, joined_sheets->offsets_m[t], joined_atlases.places[t]);
     for (const bake::Primitive& p : tile.primitives)
-      add_primitive(primitive_of(joined, bake::key_of(p)), p, guest, reach_m);
+      add_primitive(primitive_of(joined, bake::key_of(p)), p, source, reach_m);
     for (const bake::InstancedMesh& i : tile.instanced)
-      add_instanced(instanced_of(joined, i, guest), i, guest, reach_m);
+      add_instanced(instanced_of(joined, i, source), i, source, reach_m);
     joined.tolerance_m = std::min(joined.tolerance_m, tile.tolerance_m);
     joined.error_m = std::max(joined.error_m, tile.error_m);
     joined.plant_error_m = std::max(joined.plant_error_m, tile.plant_error_m);
@@ -145,9 +146,9 @@ Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles) {
       joined.viewpoint = tile.viewpoint;
   }
   if (reach_m > kExactReach_m) {
-    return Error{
-        "", fmt::format("{:.0f} km are too wide for one file, which is exact to 16 km: bake fewer tiles, or a folder",
-                        reach_m / 1000)};
+    return Error{"", fmt::format("the tiles extend over {:.0f} km, but one file is exact to 16 km only; bake fewer "
+                                 "tiles, or bake to a folder",
+                                 reach_m / 1000)};
   }
   return joined;
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_progress) {
+Result<Loaded> bake_manifest(const LoadRequest& request, const OnProgress& on_progress) {
   Result<scene::Scene> scene = exporters::read_manifest(request.paths.front(), request.only);
   if (!scene) return scene.error();
   if (!request.time.empty()) {
@@ -28,20 +28,20 @@ Result<Loaded> fire_manifest(const LoadRequest& request, const OnProgress& on_pr
   loaded.header = scene->header;
   Report report;
   const std::vector<double> ladder_m = {request.tolerance_m};
-  const Result<Done> fired = fire(*scene, ladder_m, request.threads, report, on_progress,
-                                  [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
-                                    loaded.tiles.push_back(tile);
-                                    return Done{};
-                                  });
-  if (!fired) return fired.error();
+  const Result<Done> baked = bake_scene(*scene, ladder_m, request.threads, report, on_progress,
+                                        [&](const bake::BakedTile& tile, std::size_t) -> Result<Done> {
+                                          loaded.tiles.push_back(tile);
+                                          return Done{};
+                                        });
+  if (!baked) return baked.error();
   return loaded;
 }
 
-/// The header of the manifest that lies where a run puts it, if one does.
+/// The header of the manifest at this path, if there is one.
 Result<std::optional<scene::Header>> header_beside(const fs::path& manifest_path, scene::TileKey tile) {
   std::error_code none;
   if (!fs::exists(manifest_path, none)) return std::optional<scene::Header>();
-  // one chunk is enough to know what holds for all
+  // reads a single chunk, since only the header is needed
   const Result<scene::Scene> scene = exporters::read_manifest(manifest_path.string(), std::vector{tile});
   if (!scene) return scene.error();
   return std::optional(scene->header);
@@ -51,7 +51,7 @@ Result<Loaded> read_files(const std::vector<std::string>& paths, const fs::path&
                           const OnProgress& on_progress) {
   Loaded loaded;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    on_progress("read", static_cast<double>(i) / static_cast<double>(paths.size()));
+    on_progress("read tiles", static_cast<double>(i) / static_cast<double>(paths.size()));
     Result<bake::BakedTile> tile = exporters::read_glb(paths[i]);
     if (!tile) return tile.error();
     loaded.tiles.push_back(std::move(*tile));
@@ -72,22 +72,23 @@ Result<Loaded> read_folder(const LoadRequest& request, const OnProgress& on_prog
     const bool is_asked_for = request.only.empty() || std::ranges::binary_search(request.only, tile.tile);
     if (tile.level == request.level && is_asked_for) paths.push_back(folder + "/" + tile.file.name);
   }
-  if (paths.empty()) return Error{folder, fmt::format("holds no such tile at level {}", request.level)};
+  if (paths.empty()) return Error{folder, fmt::format("has none of the requested tiles at level {}", request.level)};
   return read_files(paths, fs::path(folder) / "scene.kiln", on_progress);
 }
 
 }  // namespace
 
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress) {
-  if (request.paths.empty()) return Error{"", "no manifest, folder or .glb is given"};
+  if (request.paths.empty())
+    return Error{"", "no input is given; expected a manifest, a folder of a run, or .glb files"};
   const std::string& first = request.paths.front();
   std::error_code none;
   const bool is_manifest = first.ends_with(".kiln"), is_folder = fs::is_directory(first, none);
   if ((is_manifest || is_folder) && request.paths.size() > 1)
-    return Error{first, "stands alone: give one manifest, one folder, or .glb files"};
-  if (is_manifest) return fire_manifest(request, on_progress);
+    return Error{first, "cannot be combined with other inputs; give one manifest, one folder, or .glb files"};
+  if (is_manifest) return bake_manifest(request, on_progress);
   if (is_folder) return read_folder(request, on_progress);
-  // OUT/glb/0_0_L0.glb has its manifest at OUT/scene.kiln
+  // the manifest of OUT/glb/0_0_L0.glb is OUT/scene.kiln
   return read_files(request.paths, fs::path(first).parent_path() / ".." / "scene.kiln", on_progress);
 }
 

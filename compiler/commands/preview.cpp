@@ -1,4 +1,4 @@
-// citykiln preview … -o picture.png: a picture of either form.
+// citykiln preview … -o picture.png: renders a picture of a manifest, a run's folder or .glb files.
 #include "preview/preview.h"
 
 #include <fmt/format.h>
@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "compiler/commands/eye_options.h"
 #include "compiler/commands/load_tiles.h"
 #include "compiler/commands/verb.h"
+#include "compiler/commands/view_options.h"
 #include "compiler/sky/plan.h"
 #include "compiler/spec.h"
 
@@ -20,13 +20,13 @@ struct Request {
   LoadRequest load;
   std::string picture_path, view = "overview";
   std::optional<Vec3> eye, look_at;             ///< Plane metres.
-  std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Degrees, degrees, metres of height.
+  std::optional<Vec3> eye_lonlat, look_lonlat;  ///< Longitude and latitude in degrees, height in metres.
   std::optional<double> fov_deg;
   PictureSize size;
   preview::Options options;
 };
 
-Result<Done> take_level(const std::string& text, std::size_t& level) {
+Result<Done> parse_level(const std::string& text, std::size_t& level) {
   const Result<std::int64_t> whole = parse_whole(text, 0);
   if (!whole) return whole.error();
   level = static_cast<std::size_t>(*whole);
@@ -38,7 +38,7 @@ Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) 
   const Result<std::optional<Vec3>> look_at = point_of(request.look_at, request.look_lonlat, loaded.header);
   if (!eye) return eye.error();
   if (!look_at) return look_at.error();
-  if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look belong together"};
+  if (eye->has_value() != look_at->has_value()) return Error{"", "--eye and --look must be given together"};
 
   Result<preview::Camera> camera =
       eye->has_value() ? Result(preview::Camera{**eye, **look_at}) : preview::named_view(loaded.tiles, request.view);
@@ -46,14 +46,14 @@ Result<preview::Camera> camera_of(const Request& request, const Loaded& loaded) 
   return camera;
 }
 
-/// The scene's sky, or that of another time; without a manifest, over a place at 45° north.
+/// The scene's sky, or the sky at another time; without a manifest at 45° north.
 Result<sky::Sky> sky_of(const Request& request, const std::optional<scene::Header>& header) {
   if (header && request.load.time.empty()) return header->sky;
   return sky::plan(header ? header->origin : map::LonLat{0, 45}, request.load.time);
 }
 
 Result<Exit> run(const Request& request, const Console& console) {
-  if (request.picture_path.empty()) return Error{"", "no picture is given (-o FILE.png or FILE.exr)"};
+  if (request.picture_path.empty()) return Error{"", "no picture is given; add -o FILE.png or -o FILE.exr"};
   const OnProgress on_progress = console.progress();
   const Result<Loaded> loaded = load_tiles(request.load, on_progress);
   if (!loaded) return loaded.error();
@@ -71,22 +71,23 @@ Result<Exit> run(const Request& request, const Console& console) {
   const Result<Done> written = preview::write_image(image, request.picture_path);
   if (!written) return written.error();
 
-  console.say(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width,
-                          image.height, options.samples, loaded->tiles.size()));
-  console.answer(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})",
-                             camera->eye.x, camera->eye.y, camera->eye.z, camera->look_at.x, camera->look_at.y,
-                             camera->look_at.z, camera->vertical_fov_deg, loaded->tiles.size()));
+  console.print_line(fmt::format("{}: {} x {} pixels, {} paths each, {} tiles", request.picture_path, image.width,
+                                 image.height, options.samples, loaded->tiles.size()));
+  console.print_json(fmt::format(R"({{"eye": [{}, {}, {}], "look": [{}, {}, {}], "fov_deg": {}, "tiles": {}}})",
+                                 camera->eye.x, camera->eye.y, camera->eye.z, camera->look_at.x, camera->look_at.y,
+                                 camera->look_at.z, camera->vertical_fov_deg, loaded->tiles.size()));
   return Exit::kDone;
 }
 
 std::vector<Option> tile_options(LoadRequest& load) {
   return {
-      {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to look at", true, onto(load.paths)},
-      {"--tolerance", "M", "what a manifest is fired at (0.1)", false,
-       [&](const std::string& t) { return take_positive(t, load.tolerance_m); }},
-      {"--level", "N", "which of a folder's levels (0)", false,
-       [&](const std::string& t) { return take_level(t, load.level); }},
-      {"--only", "X_Y[,X_Y...]", "look at these tiles alone", true,
+      {"inputs", "SCENE.kiln|OUT|FILE.glb...", "what to render: a manifest, a run's folder, or .glb files", true,
+       append_text(load.paths)},
+      {"--tolerance", "M", "tolerance in metres at which a manifest is baked (default: 0.1)", false,
+       [&](const std::string& t) { return parse_positive(t, load.tolerance_m); }},
+      {"--level", "N", "level of detail of a folder's tiles, 0 is the finest (default: 0)", false,
+       [&](const std::string& t) { return parse_level(t, load.level); }},
+      {"--only", "X_Y[,X_Y...]", "only these tiles, such as 0_0,0_-1 (default: all)", true,
        [&](const std::string& t) { return add_tiles(t, load.only); }},
       threads_option(load.threads),
   };
@@ -94,26 +95,36 @@ std::vector<Option> tile_options(LoadRequest& load) {
 
 std::vector<Option> camera_options(Request& request) {
   return {
-      {"--view", "NAME", "overview, street, top, north, south, east, west, low (overview)", false, into(request.view)},
-      {"--eye", "X,Y,Z", "where the eye is, metres of the plane", false, into_point(request.eye)},
-      {"--look", "X,Y,Z", "where it looks", false, into_point(request.look_at)},
-      {"--eye-lonlat", "LON,LAT,HEIGHT", "where the eye is, degrees and metres", false, into_point(request.eye_lonlat)},
-      {"--look-lonlat", "LON,LAT,HEIGHT", "where it looks", false, into_point(request.look_lonlat)},
-      {"--fov", "DEG", "vertical field of view", false,
-       [&](const std::string& t) { return take_fov(t, request.fov_deg); }},
+      {"--view", "NAME", "overview, street, top, north, south, east, west or low (default: overview)", false,
+       store_text(request.view)},
+      {"--eye", "X,Y,Z", "place of the viewer in plane metres, such as 0,-200,150; needs --look", false,
+       store_point(request.eye)},
+      {"--look", "X,Y,Z", "place in the middle of the picture, such as 0,0,20", false, store_point(request.look_at)},
+      {"--eye-lonlat", "LON,LAT,HEIGHT", "place of the viewer in degrees and metres, such as 7.42,43.73,150", false,
+       store_point(request.eye_lonlat)},
+      {"--look-lonlat", "LON,LAT,HEIGHT", "place in the middle of the picture in degrees and metres", false,
+       store_point(request.look_lonlat)},
+      {"--fov", "DEG", "vertical field of view in degrees (default: 45)", false,
+       [&](const std::string& t) { return parse_fov(t, request.fov_deg); }},
   };
 }
 
 std::vector<Option> picture_options(Request& request) {
   return {
-      {"--size", "WxH", "pixels (1280x720)", false, [&](const std::string& t) { return take_size(t, request.size); }},
-      {"--spp", "N", "paths a pixel (64)", false, into_whole(request.options.samples, 1)},
-      {"--bounces", "N", "of each path (3)", false, into_whole(request.options.bounces, 0)},
-      {"--exposure", "X", "brightness (1); by night on top of what eyes get used to", false,
-       [&](const std::string& t) { return take_positive(t, request.options.exposure); }},
-      {"--time", "ISO", "of the sky, UTC; else the scene's. By night a manifest is fired with lit windows", false,
-       into(request.load.time)},
-      {"-o,--out", "FILE.png|FILE.exr", "the picture", false, into(request.picture_path)},
+      {"--size", "WxH", "size in pixels (default: 1280x720)", false,
+       [&](const std::string& t) { return parse_size(t, request.size); }},
+      {"--spp", "N", "light paths for each pixel; more give less noise (default: 64)", false,
+       store_whole(request.options.samples, 1)},
+      {"--bounces", "N", "reflections of each light path (default: 3)", false, store_whole(request.options.bounces, 0)},
+      {"--exposure", "X",
+       "factor on the brightness; the adaptation of eyes to the dark is added by itself (default: 1)", false,
+       [&](const std::string& t) { return parse_positive(t, request.options.exposure); }},
+      {"--time", "ISO",
+       "date and time of the sky in UTC, such as 2026-12-21T22:00 (default: the scene's); a manifest gets lit windows "
+       "by "
+       "night",
+       false, store_text(request.load.time)},
+      {"-o,--out", "FILE.png|FILE.exr", "picture to write", false, store_text(request.picture_path)},
   };
 }
 

@@ -12,7 +12,7 @@
 namespace citykiln::commands {
 
 /// The program's exit codes. An Error is 1.
-enum class Exit : int { kDone = 0, kCannot = 1, kObjects = 2 };
+enum class Exit : int { kDone = 0, kFailed = 1, kStrictViolation = 2 };
 
 /// One option of a verb.
 struct Option {
@@ -37,11 +37,11 @@ Verb check_verb();
 Verb chart_verb();
 
 /// An option's take that keeps the text.
-std::function<Result<Done>(const std::string&)> into(std::string& text);
+std::function<Result<Done>(const std::string&)> store_text(std::string& text);
 /// One that wants a whole number, `least` or more.
-std::function<Result<Done>(const std::string&)> into_whole(int& number, int least);
+std::function<Result<Done>(const std::string&)> store_whole(int& number, int least);
 /// Adds the text to a list.
-std::function<Result<Done>(const std::string&)> onto(std::vector<std::string>& texts);
+std::function<Result<Done>(const std::string&)> append_text(std::vector<std::string>& texts);
 
 /// --threads, as all verbs have it.
 Option threads_option(int& threads);

@@ -1,5 +1,5 @@
-// Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011, section 4.3 (Philox). Constants
-// are the paper's.
+// Philox4x32-10 with the constants of Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3",
+// SC 2011, section 4.3.
 #include "compiler/contract/draw.h"
 
 namespace citykiln {

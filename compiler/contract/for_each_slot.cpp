@@ -11,13 +11,13 @@ namespace citykiln {
 
 namespace {
 
-// A loop within a loop shares its threads, so that whoever has nothing left to do in the one goes on with the other.
-bool are_enough_here(int threads) { return threads <= 0 || threads >= tbb::this_task_arena::max_concurrency(); }
+// A nested loop uses the threads of the outer loop, so that threads which finish the one continue with the other.
+bool fits_current_arena(int threads) { return threads <= 0 || threads >= tbb::this_task_arena::max_concurrency(); }
 
 }  // namespace
 
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  if (are_enough_here(threads)) return tbb::parallel_for(std::size_t{0}, count, work);
+  if (fits_current_arena(threads)) return tbb::parallel_for(std::size_t{0}, count, work);
   tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
@@ -40,18 +40,18 @@ void for_each_in_order(std::size_t count, int threads, const std::function<void(
   };
   using tbb::filter_mode;
   arena.execute([&] {
-    tbb::parallel_pipeline(static_cast<std::size_t>(kUnderWayPerThread * arena.max_concurrency()),
+    tbb::parallel_pipeline(static_cast<std::size_t>(kInFlightPerThread * arena.max_concurrency()),
                            tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, next) &
                                tbb::make_filter<std::size_t, std::size_t>(filter_mode::parallel, made) &
                                tbb::make_filter<std::size_t, void>(filter_mode::serial_in_order, taken));
   });
 }
 
-void do_beside(int threads, const std::function<void()>& work, const std::function<void()>& aside) {
-  if (threads > 0) return work(), aside();
+void run_concurrently(int threads, const std::function<void()>& work, const std::function<void()>& background) {
+  if (threads > 0) return work(), background();
   tbb::task_arena idle(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
   tbb::task_group group;
-  idle.enqueue(group.defer(aside));
+  idle.enqueue(group.defer(background));
   work();
   idle.execute([&] { group.wait(); });
 }

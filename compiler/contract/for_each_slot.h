@@ -13,16 +13,16 @@ namespace citykiln {
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 /// More than threads: while one that takes long is made, others go on behind it.
-inline constexpr int kUnderWayPerThread = 4;
+inline constexpr int kInFlightPerThread = 4;
 
 /// Calls `make(i)` as for_each_index does, and `take(i)` for one index after another, each made: no more than
-/// kUnderWayPerThread a thread are begun and not yet taken. Ends after the first `take` that returns false.
+/// kInFlightPerThread a thread are begun and not yet taken. Ends after the first `take` that returns false.
 void for_each_in_order(std::size_t count, int threads, const std::function<void(std::size_t)>& make,
                        const std::function<bool(std::size_t)>& take);
 
 /// Calls both. With as many threads as the machine has (0), those that find nothing to do in the loops of `work` begin
 /// with `aside`, and what is left of that is done when `work` is; else one after the other. Neither may need the other.
-void do_beside(int threads, const std::function<void()>& work, const std::function<void()>& aside);
+void run_concurrently(int threads, const std::function<void()>& work, const std::function<void()>& background);
 
 /// The slots that `make(i)` filled, in order.
 template <typename T, typename Make>

@@ -3,7 +3,7 @@
 namespace citykiln {
 namespace {
 
-// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection of 64 bits in which each input bit moves half of
+// The finaliser of SplitMix64 (Steele, Lea, Flood 2014): a bijection on 64 bits in which each input bit changes half of
 // the output bits.
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;

@@ -1,5 +1,5 @@
-// Hobby 1999: snap rounding. Where we differ: the cells' border lines are part of the arrangement, so that a cell can
-// be computed alone; and hot points are looked up in a grid of buckets instead of by a sweep.
+// Snap rounding after Hobby 1999, with two differences: the border lines of cells are part of the arrangement, so that
+// each cell can be computed separately; hot points are found in a bucket grid instead of by a sweep.
 #include "compiler/geometry/arrangement.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
 Int cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
 Int dot(GridPoint a, GridPoint b) { return a.x * b.x + a.y * b.y; }
 
-// The whole number nearest to n / d, halves up. d > 0.
+// The integer nearest to n / d; halves round up. d > 0.
 Int rounded_quotient(Wide n, Wide d) {
   const Wide twice = 2 * n + d, divisor = 2 * d;
   Wide quotient = twice / divisor;
@@ -33,8 +33,8 @@ Int rounded_quotient(Wide n, Wide d) {
   return static_cast<Int>(quotient);
 }
 
-// Where two segments cross in one point, rounded to the grid; nothing where they are parallel or apart, or meet at an
-// end, which is known.
+// The crossing point of two segments, rounded to the grid. Empty for parallel or disjoint segments and for segments
+// that meet at an end, which is already a hot point.
 std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegment& t) {
   const GridPoint along = s.b - s.a, other = t.b - t.a, between = t.a - s.a;
   Int d = cross(along, other), n = cross(between, other), m = cross(between, along);
@@ -44,13 +44,13 @@ std::optional<GridPoint> rounded_crossing(const OwnedSegment& s, const OwnedSegm
   return GridPoint{s.a.x + rounded_quotient(Wide{along.x} * n, d), s.a.y + rounded_quotient(Wide{along.y} * n, d)};
 }
 
-// Where a walk from a to b is: a fraction n / d of the way, d > 0.
+// A parameter n / d along a segment from a to b, d > 0.
 struct Fraction {
   Int n = 0, d = 1;
 };
 bool less(Fraction a, Fraction b) { return Wide{a.n} * b.d < Wide{b.n} * a.d; }
 
-// The part of a walk that fulfils some conditions; each end belongs to it or not.
+// An interval of parameters, each end open or closed.
 struct Stretch {
   Fraction from{0, 1}, to{1, 1};
   bool has_from = true, has_to = true;
@@ -70,7 +70,7 @@ struct Stretch {
   bool is_empty() const { return less(to, from) || (!less(from, to) && !(has_from && has_to)); }
 };
 
-// Keeps the part where low <= start + step · t < high.
+// Restricts the interval to low <= start + step · t < high.
 void keep_between(Stretch& stretch, Int start, Int step, Int low, Int high) {
   if (step > 0) {
     stretch.begin_at({low - start, step}, true);
@@ -85,10 +85,10 @@ void keep_between(Stretch& stretch, Int start, Int step, Int low, Int high) {
 
 }  // namespace
 
-// The half-open square of side 1 about p are the points that round to p.
+// The half-open unit square about p is the set of points that round to p.
 bool passes(const OwnedSegment& s, GridPoint p) {
   const GridPoint along = s.b - s.a;
-  // most are too far off the line for any point of the square to lie on it
+  // rejects most points: the line misses the whole square
   if (2 * std::abs(cross(along, p - s.a)) > std::abs(along.x) + std::abs(along.y)) return false;
   Stretch stretch;
   keep_between(stretch, 2 * s.a.x, 2 * (s.b.x - s.a.x), 2 * p.x - 1, 2 * p.x + 1);
@@ -98,14 +98,14 @@ bool passes(const OwnedSegment& s, GridPoint p) {
 
 namespace {
 
-// Square buckets over the cell. Things within a grid step outside of it fall into the rim.
+// Square buckets over the cell. Points within a grid step outside the cell fall into the outermost buckets.
 struct Buckets {
   GridBox cell;
   Int side;
   Int count;  // per row and column
 
   Buckets(const GridBox& box, std::size_t things) : cell(box) {
-    // about two things a bucket, at most 128 a side
+    // about two items per bucket, at most 128 buckets a side
     count = std::clamp<Int>(static_cast<Int>(std::sqrt(static_cast<double>(things) / 2)), 1, 128);
     side = std::max<Int>(1, (std::max(box.max.x - box.min.x, box.max.y - box.min.y) + count - 1) / count);
   }
@@ -113,14 +113,14 @@ struct Buckets {
   Int row(Int y) const { return std::clamp<Int>((y - cell.min.y) / side, 0, count - 1); }
   std::size_t index(Int c, Int r) const { return static_cast<std::size_t>(r * count + c); }
 
-  // Calls visit(bucket) for every bucket the segment may pass, one grid step wide.
+  // Calls visit(bucket) for every bucket that the segment, widened by one grid step, may touch.
   template <typename Visit>
   void for_each_along(const OwnedSegment& s, Visit visit) const {
     const auto [low, high] = s.a.y < s.b.y ? std::pair(s.a, s.b) : std::pair(s.b, s.a);
     const double slope = high.y > low.y ? static_cast<double>(high.x - low.x) / static_cast<double>(high.y - low.y) : 0;
     const Int least_x = std::min(low.x, high.x) - 2, most_x = std::max(low.x, high.x) + 2;
     for (Int r = row(low.y - 1); r <= row(high.y + 1); ++r) {
-      // the run of x in this row of buckets; the outermost rows reach as far as the segment does
+      // the x interval in this row of buckets; the outermost rows extend to the segment's ends
       const Int row_low = r == 0 ? low.y : std::max(low.y, cell.min.y + r * side - 2);
       const Int row_high = r == count - 1 ? high.y : std::min(high.y, cell.min.y + (r + 1) * side + 2);
       double x0 = static_cast<double>(low.x), x1 = static_cast<double>(high.x);
@@ -136,7 +136,7 @@ struct Buckets {
   }
 };
 
-// Things by bucket, flat.
+// Item indices sorted by bucket, in one flat vector.
 struct Bucketed {
   std::vector<std::uint32_t> starts, things;
   std::span<const std::uint32_t> of(std::size_t bucket) const {
@@ -144,7 +144,7 @@ struct Bucketed {
   }
 };
 
-// `each(visit)` calls visit(bucket, thing) in the same order every time it is called.
+// `each(visit)` must call visit(bucket, item) in the same order each time it is called.
 template <typename Each>
 Bucketed sort_into(const Buckets& buckets, Each each) {
   Bucketed sorted;
@@ -174,7 +174,7 @@ std::array<OwnedSegment, 4> border_of(const GridBox& cell) {
   return {{{sw, se, 0, 0}, {se, ne, 0, 0}, {nw, ne, 0, 0}, {sw, nw, 0, 0}}};
 }
 
-// Every end and every rounded crossing in the cell, sorted. The last four segments are the border.
+// All segment ends and rounded crossings in the cell, sorted. The last four segments are the cell's border.
 std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::span<const GridPoint> points,
                                   const GridBox& cell) {
   std::vector<GridPoint> hot;
@@ -199,13 +199,13 @@ std::vector<GridPoint> hot_points(std::span<const OwnedSegment> segments, std::s
   return hot;
 }
 
-// A piece of a segment between two hot points that follow each other on it.
+// The part of a segment between two consecutive hot points on it.
 struct Piece {
   std::uint32_t a, b, owner;
   std::int32_t winding;
 };
 
-// Bends every segment through the hot points it passes, in the order in which it passes them.
+// Splits every segment at the hot points that it passes, in order along the segment.
 std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::span<const GridPoint> hot,
                                 const GridBox& cell) {
   const Buckets buckets(cell, hot.size());
@@ -221,7 +221,7 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
       for (const std::uint32_t p : sorted.of(bucket))
         if (passes(s, hot[p])) passed.push_back(p);
     });
-    // the squares are disjoint and the walk is straight, so their centres follow each other along it
+    // the squares are disjoint and the segment is straight, so sorting their centres along it is exact
     const GridPoint along = s.b - s.a;
     std::sort(passed.begin(), passed.end(),
               [&](auto p, auto q) { return dot(hot[p] - s.a, along) < dot(hot[q] - s.a, along); });
@@ -234,7 +234,7 @@ std::vector<Piece> bend_through(std::span<const OwnedSegment> segments, std::spa
   return pieces;
 }
 
-// Joins the pieces that lie on each other; drops edges without steps, but for the border's.
+// Merges coincident pieces; drops edges whose windings cancel, except those on the cell's border.
 Arrangement join(std::vector<Piece> pieces, std::vector<GridPoint> hot, const GridBox& cell) {
   std::sort(pieces.begin(), pieces.end(),
             [](const Piece& p, const Piece& q) { return std::tie(p.a, p.b, p.owner) < std::tie(q.a, q.b, q.owner); });
@@ -259,7 +259,7 @@ Arrangement join(std::vector<Piece> pieces, std::vector<GridPoint> hot, const Gr
   return arrangement;
 }
 
-// Forgets vertices that no edge uses.
+// Removes vertices without edges.
 void drop_unused(Arrangement& arrangement) {
   std::vector<std::uint32_t> place(arrangement.vertices.size(), 0);
   for (const ArrangedEdge& e : arrangement.edges) place[e.a] = place[e.b] = 1;

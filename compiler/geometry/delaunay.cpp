@@ -22,8 +22,9 @@ using Cdt =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_tag>;
 
-// Whole numbers below 2^29: exact in double, and so are CGAL's predicates. Turned left by a right angle: of four points
-// on one circle CGAL cuts off the one that comes last by x, then y, which of a rectangle's is now the south-eastern.
+// Integers below 2^29 are exact in doubles, and CGAL's predicates are exact. The coordinates are turned left by a right
+// angle, because of four cocircular points CGAL cuts off the last by (x, y): for a rectangle that is now the
+// south-eastern corner.
 Cdt::Point cgal_point(GridPoint p) { return {static_cast<double>(-p.y), static_cast<double>(p.x)}; }
 
 }  // namespace
@@ -41,7 +42,7 @@ struct Delaunay::Triangulation {
     handles.push_back(face);
   }
 
-  // Copies CGAL's face into ours. All its neighbours must be numbered; infinite ones never are.
+  // Copies CGAL's face into ours. All finite neighbours must have numbers already.
   void refresh(Cdt::Face_handle face) {
     DelaunayFace& ours = faces[face->info().value];
     for (int i = 0; i < 3; ++i) {
@@ -60,7 +61,7 @@ struct Delaunay::Triangulation {
       changed.push_back(around->info().value);
     } while (++around != begin);
     for (const std::uint32_t face : changed) refresh(handles[face]);
-    // the ring of neighbours sees new numbers across its inner edges
+    // faces outside the changed ones get the new neighbour numbers
     for (const std::uint32_t face : changed) refresh_beyond(face, vertex);
   }
 

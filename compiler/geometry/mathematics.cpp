@@ -14,7 +14,7 @@ constexpr double kDegreesInARadian = 57.295779513082320876798154814105;
 constexpr double kLn2 = 0.69314718055994530941723212145818;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// x in 0 … tan(π/8): the first term left out is below 1e-16
+// x in 0 … tan(π/8); the first omitted term is below 1e-16
 double small_arctangent(double x) {
   const double s = x * x;
   double sum = 0;
@@ -22,7 +22,7 @@ double small_arctangent(double x) {
   return x * sum;
 }
 
-// x in 0 … 1: by halves until the series converges quickly
+// x in 0 … 1; halves the angle until the series converges quickly
 double arctangent_rad(double x) {
   constexpr double kEighth = 0.39269908169872415480783042290994;
   constexpr double kTangentOfEighth = 0.41421356237309504880168872420970;
@@ -73,7 +73,7 @@ double arccosine_deg(double x) {
 double exponential(double x) {
   if (!(x > -745)) return 0;
   if (x > 709.7) return kLargest;
-  // e^x = 2^k e^r with |r| ≤ ln 2 / 2, where the series is short
+  // e^x = 2^k e^r with |r| ≤ ln 2 / 2, where few terms suffice
   const double k = std::floor(x / kLn2 + 0.5);
   const double r = x - k * kLn2;
   double sum = 1;

@@ -12,7 +12,7 @@
 namespace citykiln {
 namespace {
 
-constexpr double kParallel = 1e-9;  // sine of the angle under which two edges have no corner
+constexpr double kParallel = 1e-9;  // sine of the angle below which two edges count as parallel
 
 std::vector<const Ring*> rings_of(const Polygon& polygon) {
   std::vector<const Ring*> rings = {&polygon.outer};
@@ -22,7 +22,8 @@ std::vector<const Ring*> rings_of(const Polygon& polygon) {
 
 Vec2 direction_of_edge(const Ring& ring, std::size_t i) { return unit(ring[(i + 1) % ring.size()] - ring[i]); }
 
-/// Where the lines of edges e0 and e1, moved to the left by d0 and d1, meet; from their corner.
+/// The intersection of the lines of edges e0 and e1 after moving them to the left by d0 and d1, relative to their
+/// common corner.
 std::optional<Vec2> corner_of(Vec2 e0, Vec2 e1, double d0, double d1) {
   const double c = cross(e0, e1);
   if (std::abs(c) > kParallel) return (e1 * d0 - e0 * d1) * (1 / c);
@@ -30,10 +31,10 @@ std::optional<Vec2> corner_of(Vec2 e0, Vec2 e1, double d0, double d1) {
   return std::nullopt;
 }
 
-/// True where the moved border goes around the corner and not into it.
+/// True where the moved border passes around the outside of the corner.
 bool goes_around(Vec2 e0, Vec2 e1, double d0, double d1) { return cross(e0, e1) * (d0 + d1) < 0; }
 
-// depths to the left: below zero they go outward
+// depths count to the left; negative depths move outward
 std::optional<Ring> moved_ring(const Ring& ring, std::span<const double> depth_m) {
   const std::size_t n = ring.size();
   Ring moved;
@@ -60,7 +61,7 @@ Polygon band_between(const Ring& ring, const Ring& moved, std::size_t i) {
   return band;
 }
 
-// rings that do not touch may still have passed each other
+// rings that do not touch may still have moved past each other
 bool is_nested(const Polygon& polygon) {
   const auto inside = [](const Ring& ring, const Ring& other) { return winding_number(ring, other.front()) != 0; };
   for (const Ring& hole : polygon.holes) {
@@ -106,8 +107,7 @@ std::optional<OffsetPolygon> offset_by_corners(const Polygon& polygon, std::span
   return offset;
 }
 
-// ---- the overlay of strips
-// ---------------------------------------------------------------------------------------------
+// ---- overlay of strips ----
 
 struct Strips {
   double scale = 1;
@@ -129,7 +129,7 @@ double scale_for(const Polygon& polygon) {
   return farthest_m < 1000 ? 64 : 1;
 }
 
-// what the strips of two edges leave open where the border goes around their corner
+// covers the gap that the strips of two edges leave where the border passes around their corner
 void add_corner(Strips& strips, const Ring& ring, std::size_t i, double d0, double d1, std::uint32_t owner) {
   const std::size_t before = (i + ring.size() - 1) % ring.size();
   const Vec2 e0 = direction_of_edge(ring, before), e1 = direction_of_edge(ring, i), v = ring[i];
@@ -175,7 +175,7 @@ OffsetPolygon taken_from(std::vector<std::vector<Polygon>> owned, std::size_t ed
   return offset;
 }
 
-// owner 0 is all that lies outside, so that nothing else does
+// owner 0 covers everything outside the polygon, so no strip gets area there
 OffsetPolygon inset_by_strips(const Polygon& polygon, std::span<const double> depth_m) {
   Strips strips{scale_for(polygon), {}};
   const Box2 box = box_of(polygon.outer).widened(1 + *std::max_element(depth_m.begin(), depth_m.end()) * kMitreLimit);
@@ -193,13 +193,13 @@ OffsetPolygon outset_by_strips(const Polygon& polygon, std::span<const double> d
   add_strips(strips, polygon, depth_m);
   const auto edges = static_cast<std::uint32_t>(depth_m.size());
   OffsetPolygon offset = taken_from(overlay(strips.segments, edges + 1), edges, strips.scale);
-  // all of them together have one owner
+  // one common owner for polygon and bands
   for (OwnedSegment& segment : strips.segments) segment.owner = 0;
   offset.moved = scaled_back(std::move(overlay(strips.segments, 1).front()), strips.scale);
   return offset;
 }
 
-/// Without edges that are points; their depths go with them. Bands are put back in their places by `from`.
+/// A polygon without zero-length edges and their depths; `from` maps its edges back to the input's.
 struct Cleaned {
   Polygon polygon;
   std::vector<double> depth_m;

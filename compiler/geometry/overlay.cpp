@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNobody = 0xffffffffu;
 
-// Who is on top beside an edge, walking from its a to its b.
+// The top owners left and right of an edge, seen from its a to its b.
 struct Sides {
   std::uint32_t left = kNobody, right = kNobody;
 };
@@ -18,7 +18,7 @@ std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// How often a place is inside of each owner.
+// The winding number of a point for each owner.
 class Windings {
  public:
   explicit Windings(std::uint32_t owners) : counts_(owners) {}
@@ -35,7 +35,7 @@ class Windings {
   std::vector<std::int32_t> counts_;
 };
 
-// An arrangement about its own corner, in half units: middles of edges are whole numbers, products fit 64 bits.
+// An arrangement relative to its own corner, in half units: edge midpoints are integers and products fit into 64 bits.
 struct Local {
   const Arrangement& arrangement;
   std::vector<GridPoint> vertices;
@@ -47,7 +47,7 @@ struct Local {
   std::span<const WindingStep> steps(const ArrangedEdge& e) const { return {&arrangement.steps[e.first], e.count}; }
 };
 
-// Walks in from the far west (from the far south to a level edge) to the edge's middle, and counts.
+// Counts crossings along a ray from the far west (for horizontal edges from the far south) to the edge's midpoint.
 Sides sides_of(const Local& local, const ArrangedEdge& edge, Windings& windings) {
   const GridPoint a = local.vertices[edge.a], b = local.vertices[edge.b];
   const GridPoint middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -57,16 +57,16 @@ Sides sides_of(const Local& local, const ArrangedEdge& edge, Windings& windings)
   for (const ArrangedEdge& other : local.arrangement.edges) {
     if (&other == &edge || other.count == 0) continue;
     const GridPoint c = local.vertices[other.a], d = local.vertices[other.b];
-    // vertices are sorted by x, so nothing from here on lies west of the middle
+    // vertices are sorted by x, so no further edge begins west of the midpoint
     if (c.x > middle.x) break;
     if ((along(c) <= along(middle)) == (along(d) <= along(middle))) continue;
-    const std::int64_t side = turn(c, d, middle);  // > 0: the middle lies to the left
+    const std::int64_t side = turn(c, d, middle);  // > 0: the midpoint lies to the left
     const bool rises = along(d) > along(c);
-    // a rising edge has west on its left, and south on its right
+    // a rising edge has west on its left and south on its right
     const bool is_passed = is_level ? rises == (side > 0) : rises == (side < 0);
     if (is_passed) windings.cross(local.steps(other), side > 0 ? 1 : -1);
   }
-  // we stand west of the edge, or south of it
+  // the ray ends just west of the edge, or just south of it
   const bool stand_left = !is_level && b.y > a.y;
   const std::uint32_t here = windings.top();
   windings.cross(local.steps(edge), stand_left ? -1 : 1);
@@ -74,7 +74,7 @@ Sides sides_of(const Local& local, const ArrangedEdge& edge, Windings& windings)
   return stand_left ? Sides{here, beyond} : Sides{beyond, here};
 }
 
-// A border of one owner, who lies on its left.
+// A border edge of one owner, which lies to its left.
 struct Border {
   std::uint32_t owner, from, to;
 };
@@ -97,7 +97,7 @@ std::vector<Border> borders_of(const Local& local, std::uint32_t owner_count) {
   return borders;
 }
 
-// Does u come before v, turning clockwise from `start`? All of them differ in direction.
+// True if u comes before v in clockwise order from `start`. All three directions must differ.
 bool is_sooner_clockwise(GridPoint start, GridPoint u, GridPoint v) {
   const auto cross = [](GridPoint p, GridPoint q) { return p.x * q.y - p.y * q.x; };
   const auto dot = [](GridPoint p, GridPoint q) { return p.x * q.x + p.y * q.y; };
@@ -110,7 +110,8 @@ bool is_sooner_clockwise(GridPoint start, GridPoint u, GridPoint v) {
   return hu != hv ? hu < hv : cross(u, v) < 0;
 }
 
-// One owner's borders, walked into closed paths: at each vertex on to the border that bounds the same corner.
+// Links the border edges of one owner into closed paths: each vertex continues with the edge that bounds the same
+// corner.
 class Tracer {
  public:
   Tracer(const Local& local, std::span<const Border> borders)
@@ -152,7 +153,7 @@ class Tracer {
     return path;
   }
 
-  // A path that comes back to a vertex is two rings that touch there.
+  // A path that returns to a vertex is split there into two rings that touch.
   template <typename OnRing>
   void split(const std::vector<std::uint32_t>& path, OnRing on_ring) const {
     std::vector<std::uint32_t> open;
@@ -178,13 +179,13 @@ Ring plane_ring(const Arrangement& arrangement, std::span<const std::uint32_t> v
   return ring;
 }
 
-// Half a step beside the middle of the hole's first edge, inside of what has the hole.
+// A point half a step beside the middle of the hole's first edge, inside the polygon that has the hole.
 Vec2 beside(const Ring& hole) {
   const Vec2 d = unit(hole[1] - hole[0]);
   return (hole[0] + hole[1]) * 0.5 + left_of(d) * 0x1p-12;
 }
 
-// Holes go to the smallest outer ring about them.
+// Assigns each hole to the smallest outer ring around it.
 std::vector<Polygon> polygons_of(std::vector<Ring> rings) {
   std::vector<Polygon> polygons;
   std::vector<Ring> holes;

@@ -12,10 +12,10 @@ std::int64_t squared_distance(GridPoint a, GridPoint b) {
 
 struct Nearest {
   std::uint32_t index = 0;
-  std::int64_t squared = -1;  // none yet
+  std::int64_t squared = -1;  // negative: no point found
 };
 
-// Looks at the buckets that are `ring` columns or rows away from a bucket.
+// Tests the points in all buckets at a distance of `ring` columns or rows from a bucket.
 void look_at_ring(Nearest& nearest, const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p,
                   std::int64_t ring) {
   const std::int64_t column = buckets.column(p.x), row = buckets.row(p.y);
@@ -41,7 +41,7 @@ PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, Gri
   const double width = static_cast<double>(std::max<std::int64_t>(max.x - min.x, 1));
   const double height = static_cast<double>(std::max<std::int64_t>(max.y - min.y, 1));
   const double wanted = std::max(1.0, static_cast<double>(points.size()) / 2);
-  // at most a thousand a side, for boxes that are long and thin
+  // at most 1024 a side, for long and thin boxes
   const double side = std::max({std::sqrt(width * height / wanted), width / 1024, height / 1024, 1.0});
   buckets.side = static_cast<std::int64_t>(std::ceil(side));
   buckets.per_side = 1 / static_cast<double>(buckets.side);
@@ -74,7 +74,7 @@ std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoi
   Nearest nearest;
   const std::int64_t rings = std::max(buckets.columns, buckets.rows);
   for (std::int64_t ring = 0; ring <= rings; ++ring) {
-    // whatever lies in this ring or beyond is at least so far away
+    // a lower bound on the distance to points in this ring and beyond
     const std::int64_t least = std::max<std::int64_t>(ring - 1, 0) * buckets.side;
     if (nearest.squared >= 0 && nearest.squared < least * least) break;
     look_at_ring(nearest, buckets, points, p, ring);
@@ -82,8 +82,8 @@ std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoi
   return nearest.index;
 }
 
-Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y) {
-  Run run{INT64_MAX, INT64_MIN};
+XInterval x_interval_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y) {
+  XInterval run{INT64_MAX, INT64_MIN};
   const auto reach = [&](double x) {
     run.low = std::min(run.low, static_cast<std::int64_t>(std::floor(x)) - 2);
     run.high = std::max(run.high, static_cast<std::int64_t>(std::ceil(x)) + 2);

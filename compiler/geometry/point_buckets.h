@@ -57,10 +57,10 @@ void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
 
 /// The x between which a triangle lies in the rows low_y … high_y, or wider by a few steps; low > high: nowhere.
-struct Run {
+struct XInterval {
   std::int64_t low, high;
 };
-Run run_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
+XInterval x_interval_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
 
 /// Calls visit(index) for every point in the buckets near a triangle: all points within a grid step of it (in x and in
 /// y), and some around. Stops where visit returns true; whether it did.
@@ -70,13 +70,13 @@ bool any_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const std::int64_t last = buckets.row(high_y + 1);
   // in one column or two there is nothing to leave out
-  const Run all{low_x - 1, high_x + 1};
+  const XInterval all{low_x - 1, high_x + 1};
   const bool is_narrow = buckets.column(all.high) - buckets.column(all.low) < 2;
   for (std::int64_t row = buckets.row(low_y - 1); row <= last; ++row) {
     // the rim's buckets have no end outwards
     const std::int64_t low = row == 0 ? low_y : buckets.min.y + row * buckets.side - 1;
     const std::int64_t high = row == buckets.rows - 1 ? high_y : buckets.min.y + (row + 1) * buckets.side + 1;
-    const Run run = is_narrow ? all : run_of_triangle(corners, low, high);
+    const XInterval run = is_narrow ? all : x_interval_of_triangle(corners, low, high);
     if (run.low > run.high) continue;
     for (std::int64_t column = buckets.column(run.low); column <= buckets.column(run.high); ++column)
       for (const std::uint32_t i : buckets.bucket(column, row))

@@ -8,7 +8,7 @@ namespace {
 
 enum Side : unsigned { kLeft = 1, kRight = 2, kBelow = 4, kAbove = 8 };
 
-// The sides of the box on which a point lies strictly outside.
+// The sides of the box beyond which the point lies, as bits of Side.
 unsigned outside(Vec2 p, const Box2& box) {
   return (p.x < box.min.x ? kLeft : 0u) | (p.x > box.max.x ? kRight : 0u) | (p.y < box.min.y ? kBelow : 0u) |
          (p.y > box.max.y ? kAbove : 0u);
@@ -18,7 +18,7 @@ unsigned outside(Vec2 p, const Box2& box) {
 
 double signed_area_m2(std::span<const Vec2> ring) {
   if (ring.size() < 3) return 0;
-  // relative to the first point, so that far-away rings keep their digits
+  // relative to the first point, to keep digits far from the origin
   double twice = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   return twice / 2;
@@ -62,7 +62,7 @@ Ring without_repeats(std::span<const Vec2> ring) {
     if (kept.empty() || kept.back() != p) kept.push_back(p);
   };
   for (const Vec2 p : ring) push(p);
-  // the seam between last and first, until nothing is left to mend there
+  // repeats across the seam between last and first point until nothing changes
   for (bool changed = true; changed && kept.size() >= 3;) {
     changed = true;
     const std::size_t n = kept.size();
@@ -78,8 +78,8 @@ Ring without_repeats(std::span<const Vec2> ring) {
 
 Ring trimmed_to(std::span<const Vec2> ring, const Box2& box) {
   if (ring.empty() || !box_of(ring).touches(box)) return {};
-  // a vertex may go if it, its kept predecessor and its successor all lie beyond one same side: the path between them
-  // stays out there
+  // a vertex is dropped if it, its kept predecessor and its successor all lie beyond one common side: the path between
+  // them stays beyond that side
   Ring kept = {ring[0]};
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const Vec2 before = kept.back();

@@ -5,7 +5,7 @@
 namespace citykiln {
 namespace {
 
-// Whole steps of 2^-10 m, 24 bits and a sign: differences and their products are exact.
+// Coordinates are integers of 24 bits and a sign in units of 2^-10 m: differences and their products are exact.
 int turn(Vec2 a, Vec2 b, Vec2 c) {
   const double v = cross(b - a, c - a);
   return (v > 0) - (v < 0);
@@ -29,7 +29,7 @@ bool edges_touch(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          (cdb == 0 && in_box(c, d, b));
 }
 
-// b lies between its neighbours' edges: they share it alone.
+// True where the edge b-c doubles back on the edge a-b, so that the two share more than b.
 bool turns_back(Vec2 a, Vec2 b, Vec2 c) { return turn(a, b, c) == 0 && dot(a - b, c - b) > 0; }
 
 }  // namespace

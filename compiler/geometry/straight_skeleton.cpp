@@ -16,7 +16,7 @@ namespace {
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// CGAL's coordinates as doubles; of a lazy exact number, the double depends on who asked before unless it is made exact
+// Coordinates as doubles. A lazy exact number must be made exact first: else its double depends on earlier evaluations.
 double value(double v) { return v; }
 double value(const Exact::FT& v) { return CGAL::to_double(v.exact()); }
 
@@ -27,7 +27,7 @@ std::vector<typename Kernel::Point_2> cgal_points(const Ring& ring, Vec2 origin)
   return points;
 }
 
-// How far CGAL has come.
+// Events processed by CGAL so far.
 struct Progress {
   std::size_t events = 0, most_events = 0;
   bool is_swept = false;
@@ -35,8 +35,9 @@ struct Progress {
 
 struct Stopped : std::exception {};
 
-// CGAL goes in circles on what its own rounding has broken: while it sweeps, and while it joins nodes in one place
-// afterwards. So we count its events, and leave before it joins: whoever lays faces on a grid joins nodes that way.
+// CGAL can loop forever on skeletons that its own rounding has made inconsistent: in the sweep, and when it merges
+// coincident nodes afterwards. The visitor counts events and stops CGAL before the merge; callers snap faces to a grid,
+// which merges the nodes.
 template <typename Skeleton>
 struct Watch : CGAL::Dummy_straight_skeleton_builder_2_visitor<Skeleton> {
   using Vertex = typename Skeleton::Vertex_const_handle;
@@ -71,7 +72,7 @@ bool are_apart(const Polygon& polygon) {
   return true;
 }
 
-// Every edge by its first point: rings that are apart share none.
+// Edges by first point, which is unique because rings do not touch.
 using EdgeByStart = std::map<Vec2, SkeletonFace>;
 
 EdgeByStart edges_of(const Polygon& polygon) {
@@ -84,10 +85,10 @@ EdgeByStart edges_of(const Polygon& polygon) {
   return edges;
 }
 
-// Nothing where the walk around the face does not end.
+// Empty if the walk around the face does not return to its start.
 template <typename FaceHandle>
 Ring ring_of(FaceHandle face, Vec2 origin, std::size_t most_points) {
-  // a face's halfedge is the polygon's edge, and points at its end
+  // a face's halfedge is the polygon's edge and points to the edge's end
   const auto first = face->halfedge()->prev();
   Ring ring;
   auto at = first;
@@ -100,13 +101,13 @@ Ring ring_of(FaceHandle face, Vec2 origin, std::size_t most_points) {
   return ring;
 }
 
-// The skeleton as the sweep leaves it: nodes may be double. Null where it did not come to its end.
+// The skeleton at the end of the sweep; nodes may coincide. Null if the sweep was stopped.
 template <typename Kernel>
 auto swept(const Polygon& polygon, Vec2 origin) {
   using Skeleton = CGAL::Straight_skeleton_2<Kernel>;
   using Traits = CGAL::Straight_skeleton_builder_traits_2<Kernel>;
   Progress progress;
-  // an event takes away an edge, or a reflex corner, which are fewer than the edges
+  // each event removes an edge or a reflex corner, and there are no more of these than edges
   progress.most_events = 4 * corners_of(polygon);
   Watch<Skeleton> watch;
   watch.progress = &progress;
@@ -123,7 +124,7 @@ auto swept(const Polygon& polygon, Vec2 origin) {
 
 template <typename Kernel>
 std::vector<SkeletonFace> faces_of(const Polygon& polygon) {
-  // near the origin CGAL's doubles have digits to spare
+  // coordinates near the origin keep more digits
   const Vec2 origin = polygon.outer.front();
   const auto skeleton = swept<Kernel>(polygon, origin);
   if (!skeleton) return {};
@@ -152,7 +153,7 @@ bool are_whole(const std::vector<SkeletonFace>& faces) {
 
 std::vector<SkeletonFace> straight_skeleton(const Polygon& polygon, SkeletonKernel kernel) {
   if (!are_apart(polygon)) return {};
-  // CGAL throws where its own conditions do not hold
+  // CGAL throws when its own invariants fail
   try {
     auto faces = kernel == SkeletonKernel::kExact ? faces_of<Exact>(polygon) : faces_of<Inexact>(polygon);
     return are_whole(faces) ? faces : std::vector<SkeletonFace>{};

@@ -24,25 +24,25 @@ std::uint32_t turned_right(const DelaunayFace& face, std::uint32_t vertex) {
   return face.neighbours[(corner_of(face, vertex) + 2) % 3];
 }
 
-// Does b lie farther along from v through w?
+// True if b lies beyond w on the ray from v through w.
 bool is_beyond(FinePoint v, FinePoint w, FinePoint b) {
   return Wide{w.x - v.x} * (b.x - w.x) + Wide{w.y - v.y} * (b.y - w.y) > 0;
 }
 
-// From the walk's vertex along the edge to another one.
-Met along_edge(StraightWalk& walk, std::uint32_t end) {
+// Moves from the walk's vertex along an edge to the vertex `end`.
+WalkStep along_edge(StraightWalk& walk, std::uint32_t end) {
   if (!is_beyond(place(walk, walk.vertex), place(walk, end), walk.to)) return {};
   walk.vertex = end;
   return {end, end};
 }
 
-Met through_vertex(StraightWalk& walk, std::uint32_t vertex) {
+WalkStep through_vertex(StraightWalk& walk, std::uint32_t vertex) {
   walk.vertex = vertex;
   return {vertex, vertex};
 }
 
-// Across edge i of the walk's face. Ends where there is nothing beyond.
-Met across_edge(StraightWalk& walk, int i) {
+// Moves across edge i of the walk's face; ends the walk at the triangulation's border.
+WalkStep across_edge(StraightWalk& walk, int i) {
   const DelaunayFace& face = walk.ground.faces[walk.face];
   if (face.neighbours[i] == kNoFace) return {};
   walk.before = walk.face;
@@ -51,7 +51,7 @@ Met across_edge(StraightWalk& walk, int i) {
   return {face.vertices[(i + 1) % 3], face.vertices[(i + 2) % 3]};
 }
 
-Met leave_vertex(StraightWalk& walk) {
+WalkStep leave_vertex(StraightWalk& walk) {
   const std::uint32_t vertex = walk.vertex;
   const FinePoint v = place(walk, vertex);
   walk.face = walk.ground.first_faces[vertex];
@@ -64,14 +64,15 @@ Met leave_vertex(StraightWalk& walk) {
       walk.face = f;
       if (right == 0) return along_edge(walk, p);
       if (left == 0) return along_edge(walk, q);
-      return side_of(place(walk, p), place(walk, q), walk.to) >= 0 ? Met{} : across_edge(walk, i);
+      return side_of(place(walk, p), place(walk, q), walk.to) >= 0 ? WalkStep{} : across_edge(walk, i);
     }
     f = turned_left(face, vertex);
     if (f == kNoFace || f == walk.face) return {};
   }
 }
 
-// The edge of the walk's face by which it goes on: the goal lies beyond it, and the line passes it. -1: it has arrived.
+// The edge through which the walk leaves its face: the line passes it and the goal lies beyond it. -1: the goal is
+// reached.
 int way_out(const StraightWalk& walk) {
   const DelaunayFace& face = walk.ground.faces[walk.face];
   for (int i = 0; i < 3; ++i) {
@@ -83,9 +84,9 @@ int way_out(const StraightWalk& walk) {
   return -1;
 }
 
-// Across an edge, the walk has the edge's ends on either side: the third corner tells by which of the others it goes
-// on.
-Met leave_crossed(StraightWalk& walk) {
+// After crossing an edge, its ends lie on either side of the line, so the side of the third corner decides through
+// which of the other two edges the walk leaves.
+WalkStep leave_crossed(StraightWalk& walk) {
   const DelaunayFace& face = walk.ground.faces[walk.face];
   const int tip = face.neighbours[0] == walk.before ? 0 : face.neighbours[1] == walk.before ? 1 : 2;
   const std::uint32_t r = face.vertices[tip], left = face.vertices[(tip + 1) % 3], right = face.vertices[(tip + 2) % 3];
@@ -97,7 +98,7 @@ Met leave_crossed(StraightWalk& walk) {
   return across_edge(walk, (tip + (is_left_out ? 2 : 1)) % 3);
 }
 
-Met leave_face(StraightWalk& walk) {
+WalkStep leave_face(StraightWalk& walk) {
   if (walk.before != kNoFace) return leave_crossed(walk);
   for (;;) {
     const int i = way_out(walk);
@@ -106,9 +107,9 @@ Met leave_face(StraightWalk& walk) {
     const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
     if (side_of(walk.from, walk.to, place(walk, p)) == 0) return through_vertex(walk, p);
     if (side_of(walk.from, walk.to, place(walk, q)) == 0) return through_vertex(walk, q);
-    // an edge that it starts on is not met
+    // an edge on which the walk starts is not reported
     const bool starts_here = side_of(place(walk, p), place(walk, q), walk.from) == 0;
-    const Met met = across_edge(walk, i);
+    const WalkStep met = across_edge(walk, i);
     if (met.is_end() || !starts_here) return met;
     return leave_crossed(walk);
   }
@@ -136,17 +137,17 @@ std::vector<std::uint32_t> first_faces(const Delaunay& triangulation) {
   return first;
 }
 
-StraightWalk walk_from_vertex(const WalkGround& ground, std::uint32_t vertex, FinePoint to) {
+StraightWalk walk_from_vertex(const TriangulationView& ground, std::uint32_t vertex, FinePoint to) {
   return {ground, fine_point(ground.vertices[vertex]), to, ground.first_faces[vertex], vertex};
 }
 
-StraightWalk walk_from_face(const WalkGround& ground, std::uint32_t face, FinePoint from, FinePoint to) {
+StraightWalk walk_from_face(const TriangulationView& ground, std::uint32_t face, FinePoint from, FinePoint to) {
   StraightWalk walk{ground, from, to, face, kNoVertex};
   for (const std::uint32_t v : ground.faces[face].vertices)
     if (place(walk, v) == from) walk.vertex = v;
   return walk;
 }
 
-Met next(StraightWalk& walk) { return walk.vertex == kNoVertex ? leave_face(walk) : leave_vertex(walk); }
+WalkStep next(StraightWalk& walk) { return walk.vertex == kNoVertex ? leave_face(walk) : leave_vertex(walk); }
 
 }  // namespace citykiln

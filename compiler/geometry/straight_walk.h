@@ -27,7 +27,7 @@ int side_of(FinePoint a, FinePoint b, FinePoint c);
 std::vector<std::uint32_t> first_faces(const Delaunay& triangulation);
 
 /// What a walk goes through. Refers to a triangulation and its first_faces().
-struct WalkGround {
+struct TriangulationView {
   std::span<const GridPoint> vertices;
   std::span<const DelaunayFace> faces;
   std::span<const std::uint32_t> first_faces;
@@ -36,19 +36,19 @@ struct WalkGround {
 inline constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
 struct StraightWalk {
-  WalkGround ground;
+  TriangulationView ground;
   FinePoint from, to;
   std::uint32_t face = kNoFace;      ///< Where it is; at its end the face that holds `to` (closed).
   std::uint32_t vertex = kNoVertex;  ///< Where it is at a vertex.
   std::uint32_t before = kNoFace;    ///< Not at a vertex: the face from which it has come across an edge, if it has.
 };
 
-StraightWalk walk_from_vertex(const WalkGround& ground, std::uint32_t vertex, FinePoint to);
+StraightWalk walk_from_vertex(const TriangulationView& ground, std::uint32_t vertex, FinePoint to);
 /// @param face  Holds `from` (closed).
-StraightWalk walk_from_face(const WalkGround& ground, std::uint32_t face, FinePoint from, FinePoint to);
+StraightWalk walk_from_face(const TriangulationView& ground, std::uint32_t face, FinePoint from, FinePoint to);
 
 /// An edge crossed between its ends (p to the walk's right, q to its left), or a vertex passed (p = q).
-struct Met {
+struct WalkStep {
   std::uint32_t p = kNoVertex, q = kNoVertex;
   bool is_end() const { return p == kNoVertex; }
   bool is_vertex() const { return p == q; }
@@ -58,6 +58,6 @@ struct Met {
 /// Where `to` lies outside the triangulation, the walk ends at the rim. O(1), at a vertex O(faces about it).
 /// Ends in every triangulation, Delaunay or not. Source: Devillers, Pion, Teillaud, "Walking in a triangulation",
 /// Internat. J. Found. Comput. Sci. 13, 2002 (the straight walk). All tests exact in 128 bits.
-Met next(StraightWalk& walk);
+WalkStep next(StraightWalk& walk);
 
 }  // namespace citykiln

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = 0xffffffffu;
 
-// A vertex knows its point; crossings that CGAL puts in have none at first.
+// The index of a vertex's point; crossings that CGAL inserts have none at first.
 struct PointIndex {
   std::uint32_t value = kNoPoint;
 };
@@ -47,7 +47,7 @@ void insert_ring(Cdt& cdt, const Ring& ring, std::vector<Vec2>& points) {
     if (const auto next = handles[(i + 1) % handles.size()]; next != handles[i]) constrain_edge(cdt, handles[i], next);
 }
 
-// All faces that can be reached from `start` without crossing a constraint.
+// All faces connected to `start` without crossing a constraint.
 std::vector<Cdt::Face_handle> region_of(const Cdt& cdt, Cdt::Face_handle start) {
   std::vector<Cdt::Face_handle> region = {start};
   start->info().is_seen = true;
@@ -83,7 +83,7 @@ void append(PlaneTriangles& product, Cdt::Face_handle face) {
     }
     triangle[i] = index;
   }
-  // snapping a crossing can flatten a sliver
+  // snapping a crossing can give a triangle zero area
   const auto& p = product.points;
   if (area_m2(p[triangle[0]], p[triangle[1]], p[triangle[2]]) > 0) product.triangles.push_back(triangle);
 }

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kTau = 6.283185307179586476925286766559;
 
-// Taylor polynomials about 0 on |x| <= π/4: the first term left out is below 1e-18.
+// Taylor polynomials about 0 for |x| <= π/4; the first omitted term is below 1e-18.
 double small_sine(double x) {
   const double s = x * x;
   double sum = 1;
@@ -23,7 +23,7 @@ double small_cosine(double x) {
 }  // namespace
 
 Vec2 direction_of(double turns) {
-  // the nearest quarter turn, and what is left of it, at most an eighth of a turn
+  // the nearest quarter turn, and the remainder of at most an eighth of a turn
   const double fraction = turns - std::floor(turns);
   const double quarter = std::floor(fraction * 4 + 0.5);
   const double x = (fraction - quarter * 0.25) * kTau;

@@ -41,8 +41,8 @@ constexpr YearRow kYears[] = {
 constexpr bool is_phase(char letter) {
   return std::ranges::any_of(kPhases, [&](const PhaseRow& row) { return row.letter == letter; });
 }
-static_assert(std::ranges::species_in(kYears, [](const YearRow& year) {
-  return year.months.size() == 12 && year.months[5] == 's' && std::ranges::species_in(year.months, is_phase);
+static_assert(std::ranges::all_of(kYears, [](const YearRow& year) {
+  return year.months.size() == 12 && year.months[5] == 's' && std::ranges::all_of(year.months, is_phase);
 }));
 
 // How far each variant is ahead of the mean where leaves turn; the first two, which are all that some levels have, as

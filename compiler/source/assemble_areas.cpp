@@ -1,6 +1,6 @@
 #include "compiler/source/assemble_areas.h"
 
-// GCC 12 takes the user name behind an osmium::OSMObject for a read past its end
+// GCC 12 reports a false read past the end for the user name that follows an osmium::OSMObject in memory
 #pragma GCC diagnostic ignored "-Wstringop-overread"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace citykiln::source {
 namespace {
 
-// candidates a slot: enough to hide the cost of handing out work; relations take longer and differ more
+// candidates per task: enough to hide the cost of scheduling; relations take longer and vary more
 constexpr std::size_t kWaysPerSlot = 256;
 constexpr std::size_t kRelationsPerSlot = 1;
 
@@ -27,7 +27,7 @@ struct Candidate {
   const osmium::Relation* relation = nullptr;
 };
 
-// The areas of one slot; ranges count from the slot's own vectors.
+// The areas of one task; their ranges index the task's own vectors.
 struct Slot : AssembledAreas {
   std::vector<OsmId> broken;
 };
@@ -38,11 +38,11 @@ OsmId id_of(const Candidate& candidate) {
 }
 
 bool has_description(const osmium::TagList& tags) {
-  return std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return describes(tag.key()); });
+  return std::any_of(tags.begin(), tags.end(), [](const osmium::Tag& tag) { return is_descriptive(tag.key()); });
 }
 
 bool is_candidate(const osmium::Way& way) {
-  constexpr std::size_t kNodesOfATriangle = 4;  // the first again as the last
+  constexpr std::size_t kNodesOfATriangle = 4;  // the first node is repeated at the end
   if (way.nodes().size() < kNodesOfATriangle || way.tags().has_tag("area", "no") || !has_description(way.tags()))
     return false;
   if (way.ends_have_same_id()) return true;
@@ -62,7 +62,7 @@ bool has_missing_nodes(const osmium::Way& way) {
                      [](const osmium::NodeRef& node_ref) { return !node_ref.location().valid(); });
 }
 
-// The closed way without its missing nodes, closed again.
+// A copy of the closed way without its missing nodes, closed again.
 const osmium::Way& close_around_gaps(const osmium::Way& way, osmium::memory::Buffer& buffer) {
   {
     osmium::builder::WayBuilder builder(buffer);
@@ -88,15 +88,15 @@ osmium::area::AssemblerConfig assembler_config() {
   return config;
 }
 
-// What the assembler reads where an element has gaps, and where it writes; apart, since growing moves a buffer's
-// contents. The assembler keeps a reference to its settings.
+// Input copies for elements with gaps, and the assembler's output. Two buffers, because a buffer moves its contents
+// when it grows. The assembler keeps a reference to its configuration.
 struct Workspace {
   osmium::area::AssemblerConfig config = assembler_config();
   osmium::memory::Buffer mended{16 * 1024};
   osmium::memory::Buffer areas{64 * 1024};
 };
 
-// A relation and its way members, all there.
+// A relation whose way members are all present.
 struct Members {
   const osmium::Relation* relation = nullptr;
   std::vector<const osmium::Way*> ways;
@@ -109,7 +109,7 @@ const osmium::Way* find_way(const Elements& elements, std::int64_t id) {
   return found != elements.ways.end() && (*found)->id() == id ? *found : nullptr;
 }
 
-// The relation with only those way members that are in the extract: the assembler wants each of them.
+// A copy of the relation without way members that are missing from the extract: the assembler requires every member.
 const osmium::Relation& without_absent(const osmium::Relation& relation, const Elements& elements,
                                        osmium::memory::Buffer& buffer) {
   {
@@ -141,7 +141,7 @@ using Segment = std::pair<osmium::Location, osmium::Location>;
 
 Segment segment(osmium::Location a, osmium::Location b) { return a < b ? Segment{a, b} : Segment{b, a}; }
 
-// Segments of the members that are called inner. Where their outer ring is missing they must not pass for outer ones.
+// Segments of the members with role inner. If their outer ring is missing they must not become an outer ring.
 std::set<Segment> segments_of_inner_members(const Members& members) {
   std::set<Segment> segments;
   auto way = members.ways.begin();
@@ -156,8 +156,8 @@ std::set<Segment> segments_of_inner_members(const Members& members) {
 
 Location location_of(const osmium::NodeRef& node_ref) { return {node_ref.location().x(), node_ref.location().y()}; }
 
-// Exact: the turn at the westernmost point of a simple ring. The products stay below 2^63, since longitudes differ by
-// less than 2^32 and latitudes by less than 2^31.
+// The orientation at the westernmost point of a simple ring. Exact: longitudes differ by less than 2^32 and latitudes
+// by less than 2^31, so the products stay below 2^63.
 bool is_counter_clockwise(std::span<const Location> ring) {
   const Location west = ring.front(), before = ring.back(), after = ring[1];
   const auto dx1 = std::int64_t{after.lon_e7} - west.lon_e7, dy1 = std::int64_t{after.lat_e7} - west.lat_e7;
@@ -180,7 +180,7 @@ bool is_made_of(const osmium::NodeRefList& ring, const std::set<Segment>& segmen
   return segments.contains(segment(ring[0].location(), ring[1].location()));
 }
 
-// Copies the rings of an assembled area; leaves out outer rings made of `not_outer`. False if nothing is left.
+// Copies the rings of an assembled area, except outer rings made of `not_outer`. Returns false if no ring remains.
 bool add_area(const osmium::Area& assembled, OsmId from, const std::set<Segment>& not_outer, Slot& slot) {
   Area area;
   area.from = from;
@@ -264,7 +264,7 @@ Candidates find_candidates(const Elements& elements) {
   return candidates;
 }
 
-// Spans of at most `size` candidates.
+// Cuts the candidates into spans of at most `size`.
 void cut(const std::vector<Candidate>& candidates, std::size_t size, std::vector<std::span<const Candidate>>& pieces) {
   for (std::size_t first = 0; first < candidates.size(); first += size) {
     pieces.push_back(std::span(candidates).subspan(first, std::min(size, candidates.size() - first)));
@@ -273,8 +273,8 @@ void cut(const std::vector<Candidate>& candidates, std::size_t size, std::vector
 
 }  // namespace
 
-bool describes(std::string_view key) {
-  // as libosmium's AssemblerLegacy has it, the test keys of osm-testdata included
+bool is_descriptive(std::string_view key) {
+  // the list of libosmium's AssemblerLegacy, including the test keys of osm-testdata
   constexpr std::array<std::string_view, 6> kSayNothing = {"type",       "source",  "note",
                                                            "created_by", "test:id", "test:section"};
   return std::find(kSayNothing.begin(), kSayNothing.end(), key) == kSayNothing.end();
@@ -283,7 +283,7 @@ bool describes(std::string_view key) {
 AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report) {
   AssembledAreas all;
   const Candidates candidates = find_candidates(elements);
-  // relations first: one of them can take as long as all ways together
+  // relations first, because one relation can take as long as all ways together
   std::vector<std::span<const Candidate>> pieces;
   cut(candidates.relations, kRelationsPerSlot, pieces);
   const std::size_t relation_slots = pieces.size();

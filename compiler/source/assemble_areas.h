@@ -11,7 +11,7 @@
 namespace citykiln::source {
 
 /// True where the element may say what an area is: a key other than type, source, note, created_by and the like.
-bool describes(std::string_view key);
+bool is_descriptive(std::string_view key);
 
 /// As the vectors of the same names in OsmData; the areas without tags.
 struct AssembledAreas {

@@ -14,7 +14,7 @@
 #include <osmium/thread/pool.hpp>
 #include <thread>
 
-#include "compiler/source/osm_file_kind.h"
+#include "compiler/source/osm_format.h"
 
 namespace citykiln::source {
 namespace {
@@ -40,7 +40,7 @@ std::optional<LonLatBox> box_of(const osmium::io::Header& header) {
 }
 
 DecodedOsm decode(const std::string& path, OsmFormat format, int threads) {
-  // absolute, since libosmium would hand a name like http:x to curl
+  // an absolute path, since libosmium would pass a name like http:x to curl
   const osmium::io::File file(std::filesystem::absolute(path).string(), osmium_name(format));
   osmium::thread::Pool pool(threads > 0 ? threads
                                         : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

@@ -1,6 +1,7 @@
-// Laplace's equation on the void samples, by multigrid. The first guess comes from means over ever larger blocks; then
-// V-cycles of Gauss-Seidel sweeps bring the residual down, the same share each cycle for small and large holes. W.
-// Briggs, V. E. Henson, S. McCormick, "A Multigrid Tutorial", SIAM 2000, chapters 3 (cycles) and 4 (cell by cell).
+// Solves Laplace's equation on the void samples by multigrid. The initial guess comes from block means on ever coarser
+// grids; V-cycles of Gauss-Seidel sweeps then reduce the residual by the same factor for small and large holes.
+// Source: W. Briggs, V. E. Henson, S. McCormick, "A Multigrid Tutorial", SIAM 2000, chapters 3 (cycles) and 4
+// (cell-centred grids).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,18 +12,18 @@ namespace citykiln::source {
 namespace {
 
 constexpr double kVoid = std::numeric_limits<double>::quiet_NaN();
-// each sweep smooths the error over a sample or two, which is what the next coarser level cannot see
+// one sweep smooths errors with wavelengths of a sample or two, which the next coarser grid cannot represent
 constexpr int kSweeps = 2;
-// cycles end when no sample is farther than the quantum of heights from the mean of its neighbours, or after so many:
-// each brings that down to a fifth, to four fifths for holes at the raster's edge
-constexpr double kStill_m = 0x1p-10;
-constexpr int kMostCycles = 30;
+// Cycles end when every sample is within the height quantum of the mean of its neighbours, or after kMaxCycles. One
+// cycle reduces that distance to a fifth, or to four fifths for holes at the raster's edge.
+constexpr double kConvergence_m = 0x1p-10;
+constexpr int kMaxCycles = 30;
 
 struct Cell {
   int column = 0, row = 0;
 };
 
-// The equation of each void: value - mean of the neighbours = right side. The other values stay.
+// The equation of each void: value - mean of its neighbours = right side. All other values are fixed.
 struct Grid {
   int columns = 0, rows = 0;
   std::vector<double> values;
@@ -33,10 +34,9 @@ struct Grid {
   double right_side(std::size_t at) const { return right_sides.empty() ? 0 : right_sides[at]; }
 };
 
-// ---- one level
-// -------------------------------------------------------------------------------------------------------
+// ---- one grid ----
 
-// Of the up to four neighbours: beyond the raster's edge nothing pulls.
+// The mean of the neighbours inside the raster (a free boundary at its edge).
 double mean_of_neighbours(const Grid& grid, Cell cell) {
   const double* value = grid.values.data() + grid.index(cell.column, cell.row);
   const bool has_west = cell.column > 0, has_east = cell.column + 1 < grid.columns;
@@ -49,7 +49,7 @@ double mean_of_neighbours(const Grid& grid, Cell cell) {
   return sum / (has_west + has_east + has_north + has_south);
 }
 
-void sweep(Grid& grid, int times) {
+void relax(Grid& grid, int times) {
   for (int i = 0; i < times; ++i) {
     for (const Cell cell : grid.voids) {
       const std::size_t at = grid.index(cell.column, cell.row);
@@ -69,10 +69,9 @@ double largest_residual(const Grid& grid) {
   return largest;
 }
 
-// ---- between levels: each coarse cell is a block of two by two
-// ----------------------------------------------------------
+// ---- between grids: each coarse cell is a block of two by two ----
 
-Grid half_size(const Grid& fine) {
+Grid coarse_grid_size(const Grid& fine) {
   Grid coarse;
   coarse.columns = (fine.columns + 1) / 2;
   coarse.rows = (fine.rows + 1) / 2;
@@ -87,7 +86,7 @@ void for_each_in_block(const Grid& fine, int column, int row, Look look) {
   }
 }
 
-// The coarse value at a fine cell, interpolated between the nearest four coarse cells.
+// The coarse value at a fine cell, interpolated bilinearly between the four nearest coarse cells.
 double interpolate(const Grid& coarse, Cell fine) {
   const int column = fine.column / 2, row = fine.row / 2;
   const int beside = std::clamp(column + (fine.column % 2 == 0 ? -1 : 1), 0, coarse.columns - 1);
@@ -98,12 +97,11 @@ double interpolate(const Grid& coarse, Cell fine) {
   return 0.75 * along_row(row) + 0.25 * along_row(above);
 }
 
-// ---- the first guess
-// -------------------------------------------------------------------------------------------------
+// ---- initial guess ----
 
-// Blocks take the mean of their samples; those without one are the voids of the coarse grid.
+// Each block takes the mean of its samples; blocks without a sample are the voids of the coarse grid.
 Grid means_of_blocks(const Grid& fine) {
-  Grid coarse = half_size(fine);
+  Grid coarse = coarse_grid_size(fine);
   for (int row = 0; row < coarse.rows; ++row) {
     for (int column = 0; column < coarse.columns; ++column) {
       double sum = 0;
@@ -120,22 +118,21 @@ Grid means_of_blocks(const Grid& fine) {
   return coarse;
 }
 
-// Not all cells may be void.
-void guess(Grid& grid) {
+// At least one cell must have a value.
+void set_initial_guess(Grid& grid) {
   if (grid.voids.empty()) return;
   Grid coarse = means_of_blocks(grid);
-  guess(coarse);
+  set_initial_guess(coarse);
   for (const Cell cell : grid.voids) grid.values[grid.index(cell.column, cell.row)] = interpolate(coarse, cell);
-  sweep(grid, kSweeps);
+  relax(grid, kSweeps);
 }
 
-// ---- the solution
-// ------------------------------------------------------------------------------------------------------
+// ---- solution ----
 
-// The equation of the correction: void are the blocks of voids alone, elsewhere the correction is 0. A right side is
-// the mean residual of its block times four, since the squared distance of neighbours is four times as large.
+// The equation of the correction. Its unknowns are the blocks that consist of voids only; elsewhere the correction is
+// 0. The right side is four times the block's mean residual, since the squared grid step is four times as large.
 Grid coarse_of(const Grid& fine) {
-  Grid coarse = half_size(fine);
+  Grid coarse = coarse_grid_size(fine);
   const std::size_t size = static_cast<std::size_t>(coarse.columns) * coarse.rows;
   coarse.values.assign(size, 0);
   coarse.right_sides.assign(size, 0);
@@ -157,14 +154,14 @@ Grid coarse_of(const Grid& fine) {
   return coarse;
 }
 
-void cycle(Grid& grid) {
-  sweep(grid, kSweeps);
+void v_cycle(Grid& grid) {
+  relax(grid, kSweeps);
   Grid coarse = coarse_of(grid);
   if (!coarse.voids.empty()) {
-    cycle(coarse);
+    v_cycle(coarse);
     for (const Cell cell : grid.voids) grid.values[grid.index(cell.column, cell.row)] += interpolate(coarse, cell);
   }
-  sweep(grid, kSweeps);
+  relax(grid, kSweeps);
 }
 
 Grid grid_of(const Raster& raster) {
@@ -179,11 +176,11 @@ Grid grid_of(const Raster& raster) {
 
 void solve(Grid& grid) {
   if (grid.voids.size() == grid.values.size()) {
-    std::fill(grid.values.begin(), grid.values.end(), 0.0);  // no rim to start from
+    std::fill(grid.values.begin(), grid.values.end(), 0.0);  // no boundary values
     return;
   }
-  guess(grid);
-  for (int i = 0; i < kMostCycles && largest_residual(grid) > kStill_m; ++i) cycle(grid);
+  set_initial_guess(grid);
+  for (int i = 0; i < kMaxCycles && largest_residual(grid) > kConvergence_m; ++i) v_cycle(grid);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace citykiln::source {
 namespace {
 
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-// of a sample: far below what heights notice, far above what is lost when a file writes its place as decimals
+// in samples: far below what changes a height, far above what is lost when a file stores its origin in decimals
 constexpr double kSamePlace = 1e-4;
 
 /// Columns [west, east) and rows [north, south) of a grid.
@@ -29,7 +29,7 @@ bool is_empty(const Raster& raster) { return raster.columns == 0 || raster.rows 
 bool has_same_steps(const Raster& a, const Raster& b) {
   const auto& p = a.from_grid;
   const auto& q = b.from_grid;
-  // over all columns and rows of both
+  // steps must agree over all columns and rows of both
   const double samples = std::max({a.columns, a.rows, b.columns, b.rows});
   const double allowed = kSamePlace / samples * (std::abs(p[1]) + std::abs(p[5]));
   for (const int i : {1, 2, 4, 5}) {
@@ -38,7 +38,7 @@ bool has_same_steps(const Raster& a, const Raster& b) {
   return true;
 }
 
-/// Where b lies in the grid of a; nothing if on none of its samples.
+/// The extent of b in the grid of a. Empty if b's samples do not coincide with the grid.
 std::optional<Extent> extent_in(const Raster& a, const Raster& b) {
   if (a.system_wkt != b.system_wkt || !has_same_steps(a, b)) return std::nullopt;
   const auto& g = a.from_grid;
@@ -51,7 +51,7 @@ std::optional<Extent> extent_in(const Raster& a, const Raster& b) {
   return Extent{west, north, west + b.columns, north + b.rows};
 }
 
-/// Whether the two, side by side or one over the other, leave no place of the rectangle around them empty.
+/// True if the two, side by side or one above the other, fill the rectangle around them.
 bool fill_a_rectangle(const Extent& a, const Extent& b) {
   const bool is_beside = a.north == b.north && a.south == b.south && a.west <= b.east && b.west <= a.east;
   const bool is_above = a.west == b.west && a.east == b.east && a.north <= b.south && b.north <= a.south;
@@ -59,7 +59,7 @@ bool fill_a_rectangle(const Extent& a, const Extent& b) {
   return is_beside || is_above || both == a || both == b;
 }
 
-/// `extent` of the grid whose sample (0, 0) is the source's first.
+/// @param extent  The source's place in the grid of the joined raster's first input.
 void copy_into(const Raster& source, const Extent& extent, const Extent& whole, Raster& joined) {
   for (int row = 0; row < source.rows; ++row) {
     for (int column = 0; column < source.columns; ++column) {
@@ -71,7 +71,8 @@ void copy_into(const Raster& source, const Extent& extent, const Extent& whole, 
   }
 }
 
-/// Where the north-western sample lies: as the part says that begins there, so that nothing is rounded; else reckoned.
+/// Sets the place of the north-western sample: copied from the part that begins there, which rounds nothing, else
+/// computed.
 void place(const Raster& a, const Raster& b, const Extent& of_b, const Extent& whole, Raster& joined) {
   const bool is_a_first = whole.west == 0 && whole.north == 0;
   const bool is_b_first = whole.west == of_b.west && whole.north == of_b.north;
@@ -97,7 +98,7 @@ std::optional<Raster> joined(const Raster& a, const Raster& b) {
   return both;
 }
 
-/// Joins the first two of the run from `first` that can be; false if none can.
+/// Joins the first possible pair of the run [first, last); returns false if there is none.
 bool join_one(std::vector<Raster>& rasters, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     for (std::size_t j = i + 1; j < last; ++j) {
@@ -111,7 +112,7 @@ bool join_one(std::vector<Raster>& rasters, std::size_t first, std::size_t last)
   return false;
 }
 
-/// Behind the last of those from `first` on that share its grid: what another grid parts keeps its order.
+/// The end of the run of rasters from `first` on that share its grid. Rasters separated by another grid stay separate.
 std::size_t end_of_run(const std::vector<Raster>& rasters, std::size_t first) {
   std::size_t last = first + 1;
   const auto is_on_grid = [&](const Raster& raster) {

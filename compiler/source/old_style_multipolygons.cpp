@@ -1,5 +1,5 @@
-// The rules are those of libosmium's AssemblerLegacy (osmium/area/assembler_legacy.hpp); unlike it, a closed outer way
-// stays an area of its own where the relation has tags itself.
+// The rules of libosmium's AssemblerLegacy (osmium/area/assembler_legacy.hpp), with one difference: a closed outer way
+// remains an area if the relation has tags of its own.
 #include "compiler/source/old_style_multipolygons.h"
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 namespace citykiln::source {
 namespace {
 
-using Words = std::pair<std::uint32_t, std::uint32_t>;
+using TagText = std::pair<std::uint32_t, std::uint32_t>;
 
-// Sorted pairs of key and value that describe.
-std::vector<Words> description_of(const OsmData& data, Range tags) {
-  std::vector<Words> words;
+// The descriptive tags as sorted pairs of key and value.
+std::vector<TagText> description_of(const OsmData& data, Range tags) {
+  std::vector<TagText> words;
   for (const Tag& tag : data.tags_of(tags)) {
-    if (describes(data.strings[tag.key])) words.emplace_back(tag.key, tag.value);
+    if (is_descriptive(data.strings[tag.key])) words.emplace_back(tag.key, tag.value);
   }
   std::sort(words.begin(), words.end());
   return words;
@@ -49,30 +49,30 @@ MemberWays ways_of(const OsmData& data, const Relation& relation) {
   return ways;
 }
 
-std::vector<Words> common_description(const OsmData& data, const std::vector<const Way*>& ways) {
+std::vector<TagText> common_description(const OsmData& data, const std::vector<const Way*>& ways) {
   if (ways.empty()) return {};
-  std::vector<Words> common = description_of(data, ways.front()->tags);
+  std::vector<TagText> common = description_of(data, ways.front()->tags);
   for (const Way* way : ways) {
-    const std::vector<Words> theirs = description_of(data, way->tags);
-    std::erase_if(common, [&](Words words) { return !std::binary_search(theirs.begin(), theirs.end(), words); });
+    const std::vector<TagText> theirs = description_of(data, way->tags);
+    std::erase_if(common, [&](TagText words) { return !std::binary_search(theirs.begin(), theirs.end(), words); });
   }
   return common;
 }
 
-// Appends the area's own tags and `more` as its new tags.
-void add_tags(OsmData& data, Area& area, const std::vector<Words>& more) {
+// Replaces the area's tags by its own and `more`.
+void add_tags(OsmData& data, Area& area, const std::vector<TagText>& more) {
   const auto first = static_cast<std::uint32_t>(data.tags.size());
   for (std::uint32_t i = 0; i < area.tags.count; ++i) data.tags.push_back(Tag(data.tags[area.tags.first + i]));
   for (const auto& [key, value] : more) data.tags.push_back({key, value});
   area.tags = {first, static_cast<std::uint32_t>(data.tags.size()) - first};
-  const auto by_words = [](const Tag& a, const Tag& b) { return Words{a.key, a.value} < Words{b.key, b.value}; };
+  const auto by_words = [](const Tag& a, const Tag& b) { return TagText{a.key, a.value} < TagText{b.key, b.value}; };
   std::sort(data.tags.begin() + first, data.tags.end(), by_words);
 }
 
-// Mends the tags of one multipolygon and notes the ways whose areas it takes the place of.
+// Completes the tags of one multipolygon and collects the ways whose areas it replaces.
 void merge(OsmData& data, Area& area, const Relation& relation, std::set<std::int64_t>& merged_ways) {
   const MemberWays ways = ways_of(data, relation);
-  std::vector<Words> description = description_of(data, area.tags);
+  std::vector<TagText> description = description_of(data, area.tags);
   if (description.empty()) {
     description = common_description(data, ways.outer);
     if (description.empty()) return;

@@ -9,7 +9,7 @@
 namespace citykiln::source {
 namespace {
 
-// ways a slot: enough to hide the cost of handing out work
+// ways per task: enough to hide the cost of scheduling
 constexpr std::size_t kWaysPerSlot = 512;
 
 OsmId id_of(const osmium::OSMObject& object) {
@@ -23,19 +23,19 @@ std::string_view bytes_of(const osmium::OSMObject& object) {
   return {reinterpret_cast<const char*>(object.data()), object.byte_size()};
 }
 
-// by id, then the one to keep first
-bool goes_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
+// orders by id; of equal ids the element to keep comes first
+bool is_before(const osmium::OSMObject* a, const osmium::OSMObject* b) {
   if (a->id() != b->id()) return a->id() < b->id();
   if (a->version() != b->version()) return a->version() > b->version();
   return bytes_of(*a) < bytes_of(*b);
 }
 
-// Sorts, then keeps the first of each id.
+// Sorts the elements and keeps the first of each id.
 template <typename Pointer>
 void keep_one_each(std::vector<Pointer>& elements, Account& account, Report& report) {
   const auto not_rising = [](Pointer a, Pointer b) { return a->id() >= b->id(); };
   if (std::adjacent_find(elements.begin(), elements.end(), not_rising) == elements.end()) return;
-  std::sort(elements.begin(), elements.end(), goes_before);
+  std::sort(elements.begin(), elements.end(), is_before);
   const auto same_id = [&](Pointer kept, Pointer next) {
     if (kept->id() != next->id()) return false;
     report.add(Code::kDuplicateElement, id_of(*next));
@@ -64,7 +64,7 @@ void drop_nodes_without_place(std::vector<const osmium::Node*>& nodes, Account& 
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), has_no_place), nodes.end());
 }
 
-// The elements of one buffer in the order of the file, and what is to be done about them.
+// The elements of one buffer in file order, and what has to be done with them.
 struct Collected {
   Elements elements;
   const osmium::OSMObject* first = nullptr;
@@ -73,7 +73,7 @@ struct Collected {
   bool has_losses = false;  // deleted elements or nodes without a place
 };
 
-bool goes_behind(const osmium::OSMObject& a, const osmium::OSMObject& b) {
+bool is_out_of_order(const osmium::OSMObject& a, const osmium::OSMObject& b) {
   return osmium::object_order_type_id_version{}(b, a);
 }
 
@@ -90,7 +90,7 @@ Collected collect(osmium::memory::Buffer& buffer) {
       all.elements.relations.push_back(static_cast<osmium::Relation*>(&object));
     }
     if (!all.first) all.first = &object;
-    if (all.last && goes_behind(*all.last, object)) all.is_sorted = false;
+    if (all.last && is_out_of_order(*all.last, object)) all.is_sorted = false;
     all.last = &object;
   }
   return all;
@@ -101,7 +101,7 @@ void append(const std::vector<Pointer>& more, std::vector<Pointer>& all) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// The buffers one after the other. OSM files are sorted if nodes, ways and relations follow each other, each by id.
+// Concatenates the buffers. An OSM file is sorted if it lists nodes, ways and relations in turn, each by id.
 Collected join(const std::vector<Collected>& parts) {
   Collected all;
   for (const Collected& part : parts) {
@@ -109,7 +109,7 @@ Collected join(const std::vector<Collected>& parts) {
     append(part.elements.nodes, all.elements.nodes);
     append(part.elements.ways, all.elements.ways);
     append(part.elements.relations, all.elements.relations);
-    all.is_sorted &= part.is_sorted && !(all.last && goes_behind(*all.last, *part.first));
+    all.is_sorted &= part.is_sorted && !(all.last && is_out_of_order(*all.last, *part.first));
     all.has_losses |= part.has_losses;
     all.last = part.last;
   }
@@ -123,7 +123,7 @@ void clean(std::vector<Pointer>& elements, bool has_losses, Account& account, Re
   if (has_losses) drop_deleted(elements, account, report);
 }
 
-// Ids and places side by side: the search then touches no element.
+// Node ids and places in contiguous vectors, so that the search does not touch the elements.
 struct NodePlaces {
   std::vector<osmium::object_id_type> ids;
   std::vector<osmium::Location> places;
@@ -143,7 +143,7 @@ NodePlaces places_of(const std::vector<const osmium::Node*>& nodes) {
 void locate(osmium::Way& way, const NodePlaces& nodes) {
   std::size_t guess = nodes.ids.size();
   for (osmium::NodeRef& node_ref : way.nodes()) {
-    // nodes of a way are mostly drawn one after the other, so the next id is the likeliest
+    // consecutive nodes of a way often have consecutive ids
     if (guess >= nodes.ids.size() || nodes.ids[guess] != node_ref.ref()) {
       guess = static_cast<std::size_t>(std::lower_bound(nodes.ids.begin(), nodes.ids.end(), node_ref.ref()) -
                                        nodes.ids.begin());

@@ -13,12 +13,12 @@ namespace citykiln::source {
 namespace {
 
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-// SRTM's void, whatever the file says
+// SRTM's value for voids, used even where the file declares none
 constexpr double kSrtmVoid = -32768;
-// no height in any unit; what is beyond is a nodata value that the file forgot to name
+// larger values are heights in no unit: they are undeclared nodata values
 constexpr double kNoHeight = 1e9;
 
-// Reads one band's window as doubles. False on failure.
+// Reads a window of one band as doubles. Returns false on failure.
 bool read_band(GDALRasterBand& band, const PixelWindow& window, std::vector<double>& values) {
   values.resize(static_cast<std::size_t>(window.columns) * window.rows);
   return band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values.data(), window.columns,
@@ -84,12 +84,12 @@ Result<std::vector<float>> read_samples(GDALDataset& dataset, const PixelWindow&
   const int bands = dataset.GetRasterCount();
   GDALRasterBand& first = *dataset.GetRasterBand(1);
   if (spec.encoding.empty()) {
-    if (first.GetColorTable()) return Error{spec.path, "a picture with a palette holds no heights"};
-    if (bands > 2) return Error{spec.path, "a coloured picture needs encoding=terrarium or encoding=mapbox"};
+    if (first.GetColorTable()) return Error{spec.path, "a picture with a colour palette contains no heights"};
+    if (bands > 2) return Error{spec.path, "a colour picture needs encoding=terrarium or encoding=mapbox"};
     return read_plain(dataset, window, spec);
   }
   if (bands < 3 || first.GetRasterDataType() != GDT_Byte) {
-    return Error{spec.path, "encoding=" + spec.encoding + " needs three bands of 8 bits"};
+    return Error{spec.path, "encoding=" + spec.encoding + " needs three bands with 8 bits each"};
   }
   return read_coloured(dataset, window, spec);
 }

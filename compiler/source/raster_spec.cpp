@@ -28,7 +28,7 @@ std::optional<Number> parse_number(std::string_view text) {
   return number;
 }
 
-// `count` numbers with slashes between them
+// `count` numbers separated by slashes
 template <typename Number>
 std::optional<std::vector<Number>> parse_numbers(std::string_view text, std::size_t count) {
   std::vector<Number> numbers;
@@ -41,10 +41,10 @@ std::optional<std::vector<Number>> parse_numbers(std::string_view text, std::siz
   return numbers;
 }
 
-// Each of these says what it expected if the value does not parse; nothing if it does.
-using Complaint = std::optional<std::string_view>;
+// What a setter expected, if the value does not parse; else empty.
+using ParseError = std::optional<std::string_view>;
 
-Complaint set_bounds(std::string_view value, RasterSpec& spec) {
+ParseError set_bounds(std::string_view value, RasterSpec& spec) {
   const auto edges = parse_numbers<double>(value, 4);
   if (!edges) return "W/S/E/N in degrees";
   const LonLatBox box{(*edges)[0], (*edges)[1], (*edges)[2], (*edges)[3]};
@@ -55,7 +55,7 @@ Complaint set_bounds(std::string_view value, RasterSpec& spec) {
   return std::nullopt;
 }
 
-Complaint set_tile(std::string_view value, RasterSpec& spec) {
+ParseError set_tile(std::string_view value, RasterSpec& spec) {
   constexpr int kDeepestZoom = 30;
   const auto zxy = parse_numbers<int>(value, 3);
   if (!zxy) return "Z/X/Y as whole numbers";
@@ -65,14 +65,14 @@ Complaint set_tile(std::string_view value, RasterSpec& spec) {
   return std::nullopt;
 }
 
-Complaint set_number(std::string_view value, double& number) {
+ParseError set_number(std::string_view value, double& number) {
   const std::optional<double> parsed = parse_number<double>(value);
   if (!parsed) return "a number";
   number = *parsed;
   return std::nullopt;
 }
 
-Complaint set_encoding(std::string_view value, RasterSpec& spec) {
+ParseError set_encoding(std::string_view value, RasterSpec& spec) {
   if (value != "terrarium" && value != "mapbox") return "terrarium or mapbox";
   spec.encoding = value;
   return std::nullopt;
@@ -80,7 +80,7 @@ Complaint set_encoding(std::string_view value, RasterSpec& spec) {
 
 constexpr std::string_view kKeys = "bounds, scale, offset, encoding, tile, credit";
 
-Complaint set(std::string_view key, std::string_view value, RasterSpec& spec, bool& is_known) {
+ParseError set(std::string_view key, std::string_view value, RasterSpec& spec, bool& is_known) {
   if (key == "bounds") return set_bounds(value, spec);
   if (key == "scale") return set_number(value, spec.scale);
   if (key == "offset") return set_number(value, spec.offset_m);
@@ -100,14 +100,15 @@ Result<RasterSpec> parse_raster_spec(std::string_view text) {
   const std::vector<std::string_view> pieces = split(text, ',');
   RasterSpec spec;
   spec.path = pieces.front();
-  if (spec.path.empty()) return Error{std::string(text), "expected a heightmap's file name first"};
+  if (spec.path.empty())
+    return Error{std::string(text), "expected the file name of a heightmap first, such as N43E007.hgt"};
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const std::size_t equals = pieces[i].find('=');
     const std::string_view key = pieces[i].substr(0, equals);
     if (equals == std::string_view::npos)
       return Error{spec.path, fmt::format("expected key=value, found '{}'", pieces[i])};
     bool is_known = true;
-    const Complaint expected = set(key, pieces[i].substr(equals + 1), spec, is_known);
+    const ParseError expected = set(key, pieces[i].substr(equals + 1), spec, is_known);
     if (!is_known) return Error{spec.path, fmt::format("unknown key '{}'; expected one of {}", key, kKeys)};
     if (expected)
       return Error{spec.path,

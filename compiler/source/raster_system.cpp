@@ -55,7 +55,7 @@ Place place_of(const Raster& raster, double column, double row) {
   return {a[0] + a[1] * column + a[2] * row, a[3] + a[4] * column + a[5] * row};
 }
 
-// From one place in longitude and latitude to one near by, metres east and north, on the ellipsoid of WGS84.
+// The offset between two close places, metres east and north on the WGS84 ellipsoid.
 Vec2 offset_m(Place a, Place b) {
   constexpr double kEquator_m = 6378137.0, kEccentricity2 = 6.69437999014e-3, kRadians = M_PI / 180;
   const double latitude = (a.y + b.y) / 2 * kRadians;
@@ -65,7 +65,7 @@ Vec2 offset_m(Place a, Place b) {
   return {(b.x - a.x) * kRadians * prime_vertical_m * std::cos(latitude), (b.y - a.y) * kRadians * meridian_m};
 }
 
-// East and north, of a grid whose columns and rows are so far apart.
+// Spacing east and north of a grid with these offsets between columns and between rows.
 Vec2 east_and_north_m(Vec2 column, Vec2 row) {
   constexpr double kTurned = 0.125;
   const auto runs_east = [](Vec2 v) { return std::abs(v.y) <= kTurned * std::abs(v.x); };
@@ -76,7 +76,7 @@ Vec2 east_and_north_m(Vec2 column, Vec2 row) {
   return {least_m, least_m};
 }
 
-// From the raster's system to longitude and latitude; nothing where no way is known.
+// The transformation from the raster's system to longitude and latitude; null if PROJ knows none.
 Transform to_wgs84(const std::string& wkt) {
   const OGRSpatialReference from = system_from(wkt), to = wgs84();
   return Transform(OGRCreateCoordinateTransformation(&from, &to));
@@ -112,7 +112,7 @@ Result<ToRasterSystem> to_system_of(const Raster& raster) {
   const OGRSpatialReference from = wgs84(), to = system_from(raster.system_wkt);
   const std::shared_ptr<OGRCoordinateTransformation> transform(OGRCreateCoordinateTransformation(&from, &to));
   if (!transform)
-    return Error{raster.file_name, "its reference system cannot be reached from WGS84: " + quiet.last_message()};
+    return Error{raster.file_name, "its reference system cannot be converted from WGS84: " + quiet.last_message()};
   return ToRasterSystem([transform](double& x, double& y) {
     const QuietGdal quiet_call;
     if (!transform->Transform(1, &x, &y)) x = y = std::numeric_limits<double>::quiet_NaN();

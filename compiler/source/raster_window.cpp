@@ -9,9 +9,9 @@
 namespace citykiln::source {
 namespace {
 
-// for interpolation, resampling and the reach of smooth filling beyond the box
+// samples for interpolation and resampling, and for voids and spikes that reach beyond the box
 constexpr int kMargin = 16;
-// steps along an edge of the box: its image bends by less than the margin between two of them
+// points along each edge of the box: between two of them its image bends by less than the margin
 constexpr int kSteps = 32;
 
 struct Bounds {
@@ -22,7 +22,7 @@ struct Bounds {
   }
 };
 
-// First index and count, within 0 … size - 1.
+// The first index and the count, limited to 0 … size - 1.
 std::pair<int, int> clamp(Bounds bounds, int size) {
   const double first = std::max(0.0, std::floor(bounds.low) - kMargin);
   const double last = std::min(size - 1.0, std::ceil(bounds.high) + kMargin);

@@ -1,4 +1,4 @@
-// Decode once into memory, put the elements in order, look up places, flatten, assemble areas.
+// Decodes the file once into memory, sorts the elements, looks up node places, flattens tags and assembles areas.
 #include "compiler/source/read_osm.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void sort_run(Range run, OsmData& data) {
             [](const Tag& a, const Tag& b) { return a.key != b.key ? a.key < b.key : a.value < b.value; });
 }
 
-// Renumbers keys, values and roles by the alphabet, then sorts each element's tags.
+// Renumbers keys, values and roles in alphabetical order, then sorts each element's tags.
 void sort_strings(const UniqueStrings& strings, OsmData& data) {
   data.strings = strings.sorted();
   const std::vector<std::uint32_t> places = strings.places_in_sorted();
@@ -121,7 +121,7 @@ void sort_strings(const UniqueStrings& strings, OsmData& data) {
   for (const Relation& relation : data.relations) sort_run(relation.tags, data);
 }
 
-// The relation's tags without its type, which says how it is built and not what it is.
+// The relation's tags without `type`, which states how it is built and not what it is.
 Range tags_without_type(Range tags, OsmData& data) {
   Range run{size_of(data.tags), 0};
   for (std::uint32_t i = 0; i < tags.count; ++i) {
@@ -132,7 +132,7 @@ Range tags_without_type(Range tags, OsmData& data) {
   return run;
 }
 
-// Areas and elements are both sorted, so one walk over each kind finds the tags.
+// Gives each area the tags of its element, by one walk over two sorted vectors per kind.
 void tag_areas(OsmData& data) {
   auto way = data.ways.begin();
   auto relation = data.relations.begin();
@@ -147,7 +147,7 @@ void tag_areas(OsmData& data) {
   }
 }
 
-// Everything but the areas.
+// Converts all elements except areas.
 OsmData flatten(const Elements& elements, Report& report) {
   OsmData data;
   UniqueStrings strings;
@@ -158,7 +158,7 @@ OsmData flatten(const Elements& elements, Report& report) {
   return data;
 }
 
-// Flattens and assembles at the same time: one large relation is done by one thread alone.
+// Flattens and assembles at the same time, because one large relation can keep a single thread busy.
 OsmData build(const Elements& elements, int threads, Report& report) {
   OsmData data;
   AssembledAreas areas;

@@ -1,4 +1,4 @@
-// Open with the few drivers that we need, find out where the samples lie, cut the window, read it.
+// Opens the file with the few GDAL drivers needed, locates its samples, cuts the window and reads it.
 #include "compiler/source/read_raster.h"
 
 #include <cpl_string.h>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 // half the circumference of the Earth in Web Mercator
 constexpr double kMercatorHalf_m = 20037508.342789244;
 
-// all of GDAL's drivers would take 70 ms
+// registering all of GDAL's drivers would take 70 ms
 void register_drivers() {
   GDALRegister_SRTMHGT();
   GDALRegister_GTiff();
@@ -39,7 +39,7 @@ bool has_suffix(std::string path, std::string_view suffix) {
   return path.ends_with(suffix);
 }
 
-// The name of the heightmap inside a zip archive, as GDAL wants it.
+// GDAL's path of the heightmap inside a zip archive.
 std::optional<std::string> name_in_zip(const std::string& path) {
   const std::string archive = "/vsizip/{" + path + "}";
   const CPLStringList entries(VSIReadDirRecursive(archive.c_str()));
@@ -67,12 +67,12 @@ Result<GDALDatasetUniquePtr> open(const std::string& path) {
     const bool is_hgt = has_suffix(*name, ".hgt");
     return Error{path, is_hgt
                            ? "not an SRTM heightmap: expected 1201 or 3601 samples a side and a name like N42E001.hgt"
-                           : "not a heightmap that can be read: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
+                           : "not a readable heightmap: expected .hgt, GeoTIFF, an ASCII grid or PNG"};
   }
   return dataset;
 }
 
-// Sample centres from the outer corner of the first pixel and the steps to the next column and row.
+// Converts a geotransform from the outer corner of the first pixel to the centre of the first sample.
 std::array<double, 6> centres(const std::array<double, 6>& corner) {
   return {corner[0] + 0.5 * corner[1] + 0.5 * corner[2], corner[1], corner[2],
           corner[3] + 0.5 * corner[4] + 0.5 * corner[5], corner[4], corner[5]};
@@ -93,11 +93,11 @@ void place_in(const LonLatBox& box, Raster& raster) {
 bool lies_on_earth(const Raster& raster) {
   const std::array<double, 6>& a = raster.from_grid;
   const double east = a[0] + a[1] * (raster.columns - 1), south = a[3] + a[5] * (raster.rows - 1);
-  // a pixel more than the globe is still the globe
+  // a global raster may extend one pixel beyond the globe
   return std::abs(a[0]) <= 361 && std::abs(east) <= 361 && std::abs(a[3]) <= 91 && std::abs(south) <= 91;
 }
 
-// Where the samples lie: as the person says, else as the file says.
+// Locates the samples by the user's settings, else by the file.
 std::optional<Error> place(GDALDataset& dataset, const RasterSpec& spec, Raster& raster) {
   if (spec.tile_zxy) {
     place_as_tile(*spec.tile_zxy, raster);
@@ -110,19 +110,19 @@ std::optional<Error> place(GDALDataset& dataset, const RasterSpec& spec, Raster&
   const QuietGdal quiet;
   std::array<double, 6> corner{};
   if (dataset.GetGeoTransform(corner.data()) != CE_None) {
-    return Error{spec.path, "the file does not say where it lies; give bounds=W/S/E/N or tile=Z/X/Y"};
+    return Error{spec.path, "the file has no georeference; add bounds=W/S/E/N or tile=Z/X/Y"};
   }
   raster.from_grid = centres(corner);
   const OGRSpatialReference* system = dataset.GetSpatialRef();
   if (system && !system->IsLocal()) {
     raster.system_wkt = system_wkt_of(*system);
   } else if (!lies_on_earth(raster)) {
-    return Error{spec.path, "the file names no reference system and its coordinates are not degrees"};
+    return Error{spec.path, "the file has no reference system and its coordinates are not degrees"};
   }
   return std::nullopt;
 }
 
-// Turns rows given from south to north, so that row 0 is the northernmost.
+// Reverses rows given from south to north, so that row 0 is the northernmost.
 void put_north_first(Raster& raster) {
   if (raster.from_grid[5] <= 0) return;
   for (int row = 0; row < raster.rows / 2; ++row) {

@@ -12,20 +12,21 @@ namespace citykiln::source {
 namespace {
 
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-// Chosen on the real heightmaps of the tests: the least that leaves every sea stack, river bank and cliff alone (18.5 m
-// on a coast of 20 m samples is the worst), and finds what is plainly broken (17 m in a plain of 7 m samples).
+// Chosen on the real heightmaps of the tests: the smallest values that keep every sea stack, river bank and cliff (the
+// worst is 18.5 m on a coast with 20 m samples) and still find clear errors (17 m in a plain with 7 m samples).
 constexpr double kLeast_m = 12, kLeastSlope = 0.5;
 constexpr double kBends = 5;
-// of the land around, in samples from the block
+// radius of the surrounding land that is examined, in samples from the block
 constexpr int kAround = 3;
-// so few bends say nothing about the land
+// fewer bends than this are no sample of the land
 constexpr std::size_t kFewestBends = 8;
 constexpr int kFewestKnown = 5;
-// a spike may hide the one beside it until it is gone; each round looks 5 samples far
+// a spike may hide its neighbour until it is removed; each round depends on samples up to 5 away
 constexpr int kRounds = 2;
-static_assert(kRounds * 5 <= kSpikeReach);
+static_assert(kRounds * 5 <= kSpikeInfluence);
 
-// Which of two by two samples are the spike: bit 0 is the anchor, 1 its eastern, 2 its southern neighbour, 3 between.
+// The subsets of a block of two by two that can be a spike: bit 0 is the anchor, 1 its eastern, 2 its southern, 3 its
+// south-eastern neighbour.
 constexpr std::array<int, 10> kShapes = {0b0001, 0b0011, 0b0101, 0b1001, 0b0110,
                                          0b0111, 0b1011, 0b1101, 0b1110, 0b1111};
 
@@ -49,20 +50,19 @@ double least_m(const Raster& raster, int width) {
   return kLeast_m + kLeastSlope * std::min(raster.spacing_m.x, raster.spacing_m.y) * width;
 }
 
-// NaN beyond the edges.
+// The height of a sample; NaN outside the raster.
 float height_m(const Raster& raster, int column, int row) {
   const bool is_inside = column >= 0 && row >= 0 && column < raster.columns && row < raster.rows;
   return is_inside ? raster.at(column, row) : kVoid;
 }
 
-// ---- what neighbours foretell
-// ------------------------------------------------------------------------------------------------------
+// ---- prediction from neighbours ----
 
-// Two samples outside the block, along one way, the nearer of them beyond a void at most.
+// Two samples outside the block along one direction; the nearer one lies behind at most one void.
 struct Ahead {
-  int steps = 1;  // to the first
+  int steps = 1;  // to the nearer sample
   float first_m = kVoid, second_m = kVoid;
-  bool is_next = true;  // no void lies before the first
+  bool is_next = true;  // no void lies before the nearer sample
 
   double straight_on_m() const { return first_m + (static_cast<double>(first_m) - second_m) * steps; }
 };
@@ -78,10 +78,10 @@ Ahead look_ahead(const Raster& raster, const Block& block, int column, int row, 
   return ahead;
 }
 
-// How far one height lies on one side of all others.
+// How far one height lies above or below all predicted heights.
 struct Excess {
   double above_m = std::numeric_limits<double>::infinity(), below_m = above_m;
-  int known = 0;  // neighbours
+  int known = 0;  // neighbours with a height
 
   double largest_m() const { return std::max(above_m, below_m); }
 };
@@ -92,7 +92,7 @@ void foretell(double own_m, double foretold_m, Excess& excess) {
   excess.below_m = std::min(excess.below_m, foretold_m - own_m);
 }
 
-// What one line through the sample foretells.
+// Adds the predictions along one line through the sample.
 void foretell_along(const Raster& raster, const Block& block, int column, int row, Way way, Excess& excess) {
   const double own_m = raster.at(column, row);
   const Ahead on = look_ahead(raster, block, column, row, way);
@@ -108,14 +108,13 @@ Excess excess_of(const Raster& raster, const Block& block, int column, int row, 
   Excess excess;
   for (const Way way : kLines) {
     foretell_along(raster, block, column, row, way, excess);
-    // nearly always the first line settles it
+    // the first line rejects nearly all samples
     if (excess.largest_m() < floor_m) break;
   }
   return excess;
 }
 
-// ---- the land around
-// ------------------------------------------------------------------------------------------------------
+// ---- surrounding land ----
 
 void take_bend(const Raster& raster, const Block& block, int column, int row, int east, int south,
                std::vector<double>& bends_m) {
@@ -128,7 +127,7 @@ void take_bend(const Raster& raster, const Block& block, int column, int row, in
   if (!std::isnan(bend_m)) bends_m.push_back(bend_m);
 }
 
-// The median distance of samples from the middle between two neighbours. Nothing where too few are known.
+// The median distance of samples from the mean of their two neighbours. Empty if too few are known.
 std::optional<double> median_bend_m(const Raster& raster, const Block& block) {
   std::vector<double> bends_m;
   for (int r = block.row - kAround; r < block.row + block.width() + kAround; ++r) {
@@ -145,15 +144,14 @@ std::optional<double> median_bend_m(const Raster& raster, const Block& block) {
   return *middle;
 }
 
-// ---- decisions
-// ------------------------------------------------------------------------------------------------------
+// ---- decision ----
 
 struct Spike {
   std::size_t at = 0;
   double size_m = 0;
 };
 
-// The block's samples if all of them stand out to the same side; else nothing.
+// The samples of the block if all of them stand out to the same side; else none.
 std::vector<Spike> standing_out(const Raster& raster, const Block& block, double floor_m) {
   std::vector<Spike> spikes;
   int above = 0;
@@ -179,7 +177,7 @@ void find_at(const Raster& raster, const Block& block, std::vector<Spike>& found
   found.insert(found.end(), spikes.begin(), spikes.end());
 }
 
-// What spares nearly all samples the rest: whether one stands out of its row, whichever of its neighbours is with it.
+// A quick test that rejects nearly all samples: does the sample stand out of its row, whichever neighbour is with it?
 bool leaves_its_row(const Raster& raster, int column, int row) {
   if (std::isnan(raster.at(column, row))) return false;
   const auto stands_out = [&](const Block& block) {
@@ -191,13 +189,13 @@ bool leaves_its_row(const Raster& raster, int column, int row) {
          stands_out({column - 1, row, 0b0011});
 }
 
-// Sorted by sample, each once, with its largest size.
+// All spikes sorted by sample, each sample once with its largest size.
 std::vector<Spike> find_spikes(const Raster& raster) {
   std::vector<Spike> found;
   for (int row = 0; row < raster.rows; ++row) {
     for (int column = 0; column < raster.columns; ++column) {
       if (!leaves_its_row(raster, column, row)) continue;
-      // every block that holds the sample
+      // every block that contains the sample
       for (const Way back : {Way{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
         for (const int shape : kShapes) {
           const Block block{column - back.east, row - back.south, shape};
@@ -216,7 +214,7 @@ std::vector<Spike> find_spikes(const Raster& raster) {
 
 Raster spikes_to_voids(Raster raster, Report& report) {
   for (int round = 0; round < kRounds; ++round) {
-    // all are found before any is taken away, so that none depends on the order
+    // all are found before any is removed, so the result does not depend on the order
     const std::vector<Spike> spikes = find_spikes(raster);
     if (spikes.empty()) break;
     for (const Spike& spike : spikes) {

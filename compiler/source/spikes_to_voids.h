@@ -7,7 +7,7 @@
 namespace citykiln::source {
 
 /// No sample's fate depends on another more columns or rows away.
-inline constexpr int kSpikeReach = 10;
+inline constexpr int kSpikeInfluence = 10;
 
 /// Takes spikes for voids, which fill_voids then fills from what surrounds them. Run it before fill_voids.
 ///
@@ -19,7 +19,7 @@ inline constexpr int kSpikeReach = 10;
 ///
 /// Guarantees: a sample stays where any line of neighbours leads up or down to it, as at summits, ridges, cliffs,
 /// shores and towers more than two samples wide; nothing is changed but to NaN; a window gives what the whole raster
-/// gives but within kSpikeReach of its edge; a second run finds nothing
+/// gives but within kSpikeInfluence of its edge; a second run finds nothing
 /// but what three spikes in a row hid from each other. Diagnosed kHeightSpike, once a sample, with metres from the
 /// nearest foretold height. Total: where fewer than five of the eight neighbours are known, nothing can be said, and
 /// the sample stays. Cost: O(samples); 0.3 s a million.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/grading/span_influence.h"
 #include "compiler/structures/deck.h"
 

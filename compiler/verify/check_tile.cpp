@@ -9,6 +9,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/ground_cells.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/generate.h"
 #include "compiler/scene/graded_terrain.h"
@@ -24,17 +25,17 @@
 namespace citykiln::verify {
 namespace {
 
-// A million places a tile.
+// A million samples per tile.
 constexpr int kSamplesASide = 1024;
 
-// Every tile is one thread's.
+// Tiles are checked in parallel, each on one thread.
 constexpr int kOneThread = 1;
 
-// What the ground of some levels is to be: how it is carved, what covers it, and each cell as exact as it gets. Cells
-// refer to the graded terrain: it stays where it is.
-struct Truth {
+// The ground that a level must show: graded terrain, land cover, and the reference mesh of each cell. The reference
+// meshes refer to `graded`, which must not move.
+struct ExpectedGround {
   Box2 box;
-  bool is_plain;  // roads as from kRoadDetail_m on
+  bool is_plain;  // without Detail::kRoadSurfaces
   ground::GradedTerrain graded;
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<ground::Reference> cells;
@@ -47,7 +48,7 @@ struct Truth {
   }
 };
 
-// The levels of standing water by the name of its faces.
+// The levels of standing water by the id of the water.
 using WaterLevels = std::multimap<OsmId, double>;
 
 WaterLevels water_levels_of(const scene::Chunk& chunk) {
@@ -57,40 +58,42 @@ WaterLevels water_levels_of(const scene::Chunk& chunk) {
   return levels;
 }
 
-// What all levels of a tile are held against.
+// A tile, and what is kept from one level to the next.
 struct TileUnderCheck {
-  const Subject& subject;
+  const LoadedRun& loaded;
   const scene::Chunk& chunk;
   Box2 box;
   WaterLevels waters;
-  std::unique_ptr<Truth> truth;  // of the level before
+  std::unique_ptr<ExpectedGround> expected;  // of the previous level
   CheckedTile checked;
 
-  Findings& findings() { return checked.findings; }
+  CheckResults& results() { return checked.results; }
 };
 
-bool is_plain(double tolerance_m) { return tolerance_m >= scene::kRoadDetail_m; }
+bool is_plain(double tolerance_m) { return !has_detail(Detail::kRoadSurfaces, tolerance_m); }
 
-// That of the level before where it is the same.
-const Truth& truth_at(TileUnderCheck& tile, double tolerance_m) {
-  const scene::Header& header = tile.subject.scene.header;
+// Returns the previous level's expected ground where this level's is the same.
+const ExpectedGround& expected_ground_at(TileUnderCheck& tile, double tolerance_m) {
+  const scene::Header& header = tile.loaded.scene.header;
   std::vector<ground::LandCoverPolygon> surfaces = scene::land_cover_of(header, tile.chunk, tolerance_m).surfaces;
-  const Truth* before = tile.truth.get();
+  const ExpectedGround* before = tile.expected.get();
   if (before && before->is_plain == is_plain(tolerance_m) && before->surfaces == surfaces) return *before;
-  tile.truth = std::make_unique<Truth>(Truth{tile.box,
-                                             is_plain(tolerance_m),
-                                             scene::graded_terrain_of(header, tile.chunk, tolerance_m),
-                                             std::move(surfaces),
-                                             {}});
-  tile.truth->cells = bake::reference_cells(tile.truth->graded, tile.truth->surfaces, tile.box, kOneThread);
-  const Truth& truth = *tile.truth;
-  const auto at = [&](Vec2 p) -> const ground::Reference& { return truth.at(p); };
-  tile.findings().following = worse(tile.findings().following,
-                                    measure_following(truth.graded, truth.surfaces, at, tile.box, kSamplesASide / 2));
-  return truth;
+  tile.expected =
+      std::make_unique<ExpectedGround>(ExpectedGround{tile.box,
+                                                      is_plain(tolerance_m),
+                                                      scene::graded_terrain_of(header, tile.chunk, tolerance_m),
+                                                      std::move(surfaces),
+                                                      {}});
+  tile.expected->cells = bake::reference_cells(tile.expected->graded, tile.expected->surfaces, tile.box, kOneThread);
+  const ExpectedGround& expected = *tile.expected;
+  const auto at = [&](Vec2 p) -> const ground::Reference& { return expected.at(p); };
+  tile.results().reference_errors =
+      combined(tile.results().reference_errors,
+               measure_reference_errors(expected.graded, expected.surfaces, at, tile.box, kSamplesASide / 2));
+  return expected;
 }
 
-// The cells of one tile, put together again: their areas must add up.
+// Compares the plan area of all ground cells with the area of the tile.
 void check_area(TileUnderCheck& tile, std::span<const ground::GroundMesh> cells, const std::string& name) {
   double ground_m2 = 0;
   for (const ground::GroundMesh& cell : cells) {
@@ -100,96 +103,97 @@ void check_area(TileUnderCheck& tile, std::span<const ground::GroundMesh> cells,
     }
   }
   const double tile_m2 = tile.box.width() * tile.box.height();
-  tile.findings().area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
-                            fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
+  tile.results().area.test(std::abs(ground_m2 - tile_m2) <= 1e-9 * tile_m2,
+                           fmt::format("{}: {} m² instead of {}", name, ground_m2, tile_m2));
 }
 
-// Standing water lies at one of its levels, all else on any layer.
-double off_m(const TileUnderCheck& tile, const Truth& truth, Vec2 p, double z_m, OsmId feature) {
+// The deviation from the nearest level of a standing water, else from the nearest layer of the graded terrain.
+double deviation_m(const TileUnderCheck& tile, const ExpectedGround& expected, Vec2 p, double z_m, OsmId feature) {
   double least_m = std::numeric_limits<double>::infinity();
   const auto keep = [&](double height_m) { least_m = std::min(least_m, std::abs(z_m - height_m)); };
   const auto [first, last] = tile.waters.equal_range(feature);
   for (auto level = first; level != last; ++level) keep(level->second);
   if (first != last) return least_m;
   for (std::size_t layer = 0; layer < static_cast<std::size_t>(ground::HeightLayer::kCount); ++layer)
-    keep(ground::height_m_at(truth.at(p), p, static_cast<ground::HeightLayer>(layer)));
+    keep(ground::height_m_at(expected.at(p), p, static_cast<ground::HeightLayer>(layer)));
   return least_m;
 }
 
 void check_ground(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const Truth& truth = truth_at(tile, level.tolerance_m);
+  const ExpectedGround& expected = expected_ground_at(tile, level.tolerance_m);
   const GroundSamples samples = sample_ground(
-      level, tile.subject.standing,
-      [&](Vec2 p, double z_m, OsmId feature) { return off_m(tile, truth, p, z_m, feature); }, tile.box, kSamplesASide);
-  // the baked ground is snapped to the grid, half a quantum to either side
-  tile.findings().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
-                                  fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
-                                              level.error_m, samples.at.x, samples.at.y));
-  tile.findings().height.test_all(
+      level, tile.loaded.non_ground,
+      [&](Vec2 p, double z_m, OsmId feature) { return deviation_m(tile, expected, p, z_m, feature); }, tile.box,
+      kSamplesASide);
+  // baked ground is snapped to the grid, by up to half a quantum
+  tile.results().height.test_all(samples.count, samples.error_m <= level.error_m + kQuantum_m,
+                                 fmt::format("{}: {} m where {} m is stated, at {},{}", name, samples.error_m,
+                                             level.error_m, samples.at.x, samples.at.y));
+  tile.results().height.test_all(
       0, samples.uncovered == 0,
       fmt::format("{}: {} places without ground, at {},{}", name, samples.uncovered, samples.hole.x, samples.hole.y));
 }
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, double tolerance_m, const GroundIndex& ground) {
   return measure_road_faces(chunk, box, !is_plain(tolerance_m), [&](const roads::Road& road, Vec2 p) {
-    const std::vector<GroundPlace> places = ground_at(ground, p);
+    const std::vector<GroundHit> places = ground_at(ground, p);
     const bool is_its_own = !places.empty() && places.front().feature == road.id.osm;
     return is_its_own ? std::vector{places.front().z_m} : std::vector<double>{};
   });
 }
 
-// What stands and lies on the ground of one file, by its own triangles.
+// Measures roads, waters and buildings by the triangles of one file.
 void check_heights(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
-  const GroundIndex ground = index_ground(level, tile.subject.standing);
+  const GroundIndex ground = index_ground(level, tile.loaded.non_ground);
   const RoadFaces roads = road_faces_of(tile.chunk, tile.box, level.tolerance_m, ground);
-  tile.findings().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
-                                 fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
-                                             roads.at.y, to_string(roads.worst)));
+  tile.results().roads.test_all(roads.places, roads.largest_gap_m <= level.error_m + kQuantum_m,
+                                fmt::format("{}: {} m at {}, {} of {}", name, roads.largest_gap_m, roads.at.x,
+                                            roads.at.y, to_string(roads.worst)));
   const Lakes lakes = measure_lakes(tile.chunk, ground);
-  tile.findings().lakes.test_all(lakes.waters, lakes.not_level == 0,
-                                 fmt::format("{}: {} by {} m", name, to_string(lakes.worst), lakes.largest_m));
-  const double allowed_m = std::max(kNoGap_m, level.error_m);
+  tile.results().lakes.test_all(lakes.waters, lakes.not_level == 0,
+                                fmt::format("{}: {} by {} m", name, to_string(lakes.worst), lakes.largest_m));
+  const double allowed_m = std::max(kAllowedGap_m, level.error_m);
   const Footing footing = measure_footing(tile.chunk, tile.box, allowed_m, level, ground);
-  tile.findings().footing.test_all(footing.corners, footing.floating == 0,
-                                   fmt::format("{}: {} buildings, {} by {} m", name, footing.floating,
-                                               to_string(footing.worst), footing.largest_gap_m));
+  tile.results().footing.test_all(footing.corners, footing.floating == 0,
+                                  fmt::format("{}: {} buildings, {} by {} m", name, footing.floating,
+                                              to_string(footing.worst), footing.largest_gap_m));
 }
 
 void check_trunks(TileUnderCheck& tile, const bake::BakedTile& level, const std::string& name) {
   const std::vector<ground::LandCoverPolygon> surfaces = scene::coarse_land_cover(tile.chunk);
   const Trunks trunks = measure_trunks(level, ground::index_land_cover(surfaces, tile.box.widened(scene::kHalo_m)));
-  tile.findings().trunks.test_all(trunks.trees, trunks.misplaced == 0,
-                                  fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
-                                              trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y));
+  tile.results().trunks.test_all(trunks.trees, trunks.misplaced == 0,
+                                 fmt::format("{}: {} of {} trunks, {} at {:.2f}, {:.2f}", name, trunks.misplaced,
+                                             trunks.trees, to_string(trunks.worst), trunks.at.x, trunks.at.y));
 }
 
-// Whether a file's bytes are what the recipes bake.
-bool is_baked(const Subject& subject, bake::PreparedTile& prepared, std::size_t level,
+// True if baking the recipes gives exactly the bytes of the file.
+bool is_baked(const LoadedRun& loaded, bake::PreparedTile& prepared, std::size_t level,
               std::span<const std::byte> bytes) {
   Report ignored;
-  const RunRecord& record = subject.record;
+  const RunRecord& record = loaded.record;
   const bake::BakedTile baked = bake::bake_prepared(prepared, level, kOneThread, ignored);
   const exporters::EncodedTile encoded =
-      exporters::encode_tile(baked, subject.scene.header, instancing_of(record.instances_as_nodes),
+      exporters::encode_tile(baked, loaded.scene.header, instancing_of(record.instances_as_nodes),
                              compression_of(record.compress), kOneThread);
   return std::ranges::equal(encoded.glb, bytes);
 }
 
 Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std::size_t level,
                          const WrittenFile& file) {
-  const Subject& subject = tile.subject;
-  const std::string path = subject.folder + "/" + file.name;
+  const LoadedRun& loaded = tile.loaded;
+  const std::string path = loaded.folder + "/" + file.name;
   const Result<std::vector<std::byte>> bytes = exporters::read_file(path);
   if (!bytes) return bytes.error();
   const Result<bake::BakedTile> written = exporters::decode_glb(*bytes, path);
   if (!written) return written.error();
   check_area(tile, bake::ground_of(prepared, level), file.name);
-  tile.findings().forms.test(is_baked(subject, prepared, level, *bytes), file.name);
+  tile.results().glb_bytes.test(is_baked(loaded, prepared, level, *bytes), file.name);
   check_ground(tile, *written, file.name);
   check_heights(tile, *written, file.name);
   check_trunks(tile, *written, file.name);
-  const auto edges_at_x = [&](double x) { return border_edges_along_x(*written, subject.standing, x); };
-  const auto edges_at_y = [&](double y) { return border_edges_along_y(*written, subject.standing, y); };
+  const auto edges_at_x = [&](double x) { return border_edges_along_x(*written, loaded.non_ground, x); };
+  const auto edges_at_y = [&](double y) { return border_edges_along_y(*written, loaded.non_ground, y); };
   tile.checked.borders.push_back(
       {edges_at_x(tile.box.min.x), edges_at_x(tile.box.max.x), edges_at_y(tile.box.min.y), edges_at_y(tile.box.max.y)});
   return Done{};
@@ -197,15 +201,15 @@ Result<Done> check_level(TileUnderCheck& tile, bake::PreparedTile& prepared, std
 
 }  // namespace
 
-Result<CheckedTile> check_tile(const Subject& subject, std::span<const WrittenTile> levels) {
-  const scene::Scene& scene = subject.scene;
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels) {
+  const scene::Scene& scene = loaded.scene;
   const auto chunk = std::ranges::find(scene.chunks, levels.front().tile, &scene::Chunk::tile);
   if (chunk == scene.chunks.end())
-    return Error{subject.folder + "/" + levels.front().file.name, "is a tile that the manifest does not have"};
+    return Error{loaded.folder + "/" + levels.front().file.name, "is a tile that the manifest does not contain"};
   std::vector<double> ladder_m;
   for (const WrittenTile& level : levels) ladder_m.push_back(level.tolerance_m);
-  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, subject.prototypes);
-  TileUnderCheck tile{subject, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
+  const auto prepared = bake::prepare(scene.header, *chunk, ladder_m, kOneThread, loaded.prototypes);
+  TileUnderCheck tile{loaded, *chunk, scene::box_of(scene.header, chunk->tile), water_levels_of(*chunk), nullptr, {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
     if (const Result<Done> done = check_level(tile, *prepared, i, levels[i].file); !done) return done.error();
   return std::move(tile.checked);

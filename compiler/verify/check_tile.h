@@ -9,18 +9,18 @@
 #include "compiler/bake/prototype_cache.h"
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
-#include "compiler/verify/findings.h"
+#include "compiler/verify/check_results.h"
 #include "compiler/verify/measure_ground.h"
 #include "compiler/verify/run_report.h"
 
 namespace citykiln::verify {
 
 /// What a run left, in memory but for the tiles.
-struct Subject {
+struct LoadedRun {
   std::string folder;
   RunRecord record;
   scene::Scene scene;
-  Standing standing;
+  NonGroundObjects non_ground;
   std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
 
@@ -30,13 +30,13 @@ struct Borders {
 };
 
 struct CheckedTile {
-  Findings findings;
+  CheckResults results;
   std::vector<Borders> borders;  ///< One a level.
 };
 
 /// @param levels  The files of one tile.
 /// Errors: a file that cannot be read; a tile that the manifest does not have. On one thread. Memory: one level, and
 /// the ground of all.
-Result<CheckedTile> check_tile(const Subject& subject, std::span<const WrittenTile> levels);
+Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
 
 }  // namespace citykiln::verify

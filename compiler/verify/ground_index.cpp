@@ -8,7 +8,7 @@
 namespace citykiln::verify {
 namespace {
 
-/// Faces along roads are some metres long.
+/// Ground faces along roads are some metres long.
 constexpr double kBucket_m = 4;
 
 double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
@@ -17,10 +17,10 @@ double plan_area_m2(const GroundFace& face) {
   return twice_area_m2(in_plan(face.corners[0]), in_plan(face.corners[1]), in_plan(face.corners[2])) / 2;
 }
 
-/// Borders lie where the plane's grid lets them.
+/// Snapping moves borders by up to this much.
 constexpr double kBeside_m = 2 * kQuantum_m;
 
-/// Beyond an edge by no more than what borders are off by.
+/// True if the point is inside the edge, or outside by at most kBeside_m.
 bool is_inside(double twice_area, Vec3 a, Vec3 b) {
   return twice_area >= -kBeside_m * distance(in_plan(a), in_plan(b));
 }
@@ -32,14 +32,14 @@ std::optional<double> height_m_at(const GroundFace& face, Vec2 p) {
   const double of_c = area - of_a - of_b;
   if (!is_inside(of_a, b, c) || !is_inside(of_b, c, a) || !is_inside(of_c, a, b)) return std::nullopt;
   const double z_m = (of_a * a.z + of_b * b.z + of_c * c.z) / area;
-  // beside a thin face its plane may be anywhere
+  // the plane of a thin face is steep, so its height beside the face is limited to the corners' heights
   return std::clamp(z_m, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
 }
 
 }  // namespace
 
-GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing) {
-  GroundIndex index{ground_faces(tile, standing), {}};
+GroundIndex index_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground) {
+  GroundIndex index{ground_faces(tile, non_ground), {}};
   std::erase_if(index.faces, [](const GroundFace& face) { return plan_area_m2(face) <= 0; });
   std::vector<Box2> boxes;
   for (const GroundFace& face : index.faces)
@@ -49,11 +49,11 @@ GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing) 
   return index;
 }
 
-std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p) {
-  std::vector<GroundPlace> places;
+std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p) {
+  std::vector<GroundHit> places;
   for (const std::uint32_t i : boxes_about(index.grid, p))
     if (const auto z_m = height_m_at(index.faces[i], p)) places.push_back({*z_m, index.faces[i].feature});
-  std::ranges::stable_sort(places, {}, &GroundPlace::z_m);
+  std::ranges::stable_sort(places, {}, &GroundHit::z_m);
   return places;
 }
 

@@ -17,15 +17,15 @@ struct GroundIndex {
 };
 
 /// @param standing  Overlooked. O(triangles).
-GroundIndex index_ground(const bake::BakedTile& tile, const Standing& standing);
+GroundIndex index_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
 
-struct GroundPlace {
+struct GroundHit {
   double z_m = 0;  ///< Plane metres.
   OsmId feature;   ///< What covers it.
 };
 
 /// The faces that hold the place, or end beside it by no more than the plane's grid moves borders, from the lowest to
 /// the highest: two where the ground steps, none where there is none. O(1) expected.
-std::vector<GroundPlace> ground_at(const GroundIndex& index, Vec2 p);
+std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::verify

@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
@@ -21,8 +22,8 @@ namespace {
 
 using map::LandCoverGroup;
 
-/// Of the graded terrain: no kerbs.
-constexpr double kTolerance_m = scene::kRoadDetail_m;
+/// The tolerance of the graded terrain: no kerbs.
+constexpr double kTolerance_m = tolerances_with(Detail::kRoadSurfaces).below_m;
 constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
@@ -30,7 +31,7 @@ enum class Kind { kBore, kGround, kDeck };
 
 LandCoverGroup group_of(map::LandCoverClass surface) { return map::values_of(surface).group; }
 
-/// A road of the ground as far as a chunk knows it, or a span.
+/// The part of a ground road that a chunk holds, or a bridge or tunnel.
 struct Line {
   const roads::Road* road = nullptr;
   Kind kind{};
@@ -57,16 +58,16 @@ std::vector<Line> lines_of(const scene::Chunk& chunk) {
   return lines;
 }
 
-/// Vertices in common join lines.
+/// The graph of all lines; they are connected at common vertices.
 struct Network {
   struct Edge {
     std::size_t from, to;
-    double length_m;  ///< As it counts towards being joined.
+    double length_m;  ///< Weighted: as it counts towards being joined (joining_m).
     bool is_off = false;
   };
   std::vector<Vec2> places;  ///< Sorted.
   std::vector<bool> is_on_ground;
-  std::vector<Edge> edges;  ///< Both ways, sorted by the first.
+  std::vector<Edge> edges;  ///< Both directions, sorted by `from`.
 
   std::size_t of(Vec2 p) const {
     return static_cast<std::size_t>(std::ranges::lower_bound(places, p) - places.begin());
@@ -103,9 +104,9 @@ Network network_of(const scene::Scene& scene) {
   const auto key = [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off); };
   std::ranges::sort(network.edges, {},
                     [](const Network::Edge& e) { return std::tuple(e.from, e.to, e.is_off, e.length_m); });
-  // what is in several chunks is one
+  // lines in several chunks give the same edges
   erase_repeated(network.edges, key);
-  // what ends on nothing ends on the ground
+  // a bridge end without another line ends on the ground
   for (std::size_t i = 0; i < network.edges.size(); ++i) {
     const std::size_t place = network.edges[i].from;
     const bool is_last = i + 1 == network.edges.size() || network.edges[i + 1].from != place;
@@ -124,8 +125,8 @@ struct Place {
   Vec2 to() const { return line->road->axis[segment + 1]; }
 };
 
-/// From a place along all that is joined, nearest first, until visit(place, run) says false; off the ground alone if so
-/// asked.
+/// Visits the vertices connected to a place, nearest first (Dijkstra), until visit(place, run) returns false.
+/// @param off_ground_only  Follow bridges and tunnels only.
 void walk(const Network& network, const Place& start, bool off_ground_only,
           const std::function<bool(std::size_t, double)>& visit) {
   std::map<std::size_t, double> runs;
@@ -173,7 +174,7 @@ double distance_to(const Polyline& axis, Vec2 p) {
   return least_m;
 }
 
-/// Whether a span ends on the ground beside another line, close by.
+/// True if a bridge or tunnel reaches the ground close to another line.
 bool lands_on(const Network& network, const Place& on, const Line& other) {
   if (on.line->kind == Kind::kGround) return false;
   const double reach_m = on.line->half_m() + other.half_m();
@@ -193,7 +194,7 @@ std::optional<Vec2> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return a + (b - a) * s;
 }
 
-/// Of pairs of names, where most is missing.
+/// The largest clearance shortfall between two objects.
 struct Worst {
   double shortfall_m = 0;
   Vec2 at;
@@ -304,7 +305,7 @@ class Measurer {
   void cross_water(const Line& line) {
     const Polyline& axis = line.road->axis;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-      for (const roads::Strip& stream : chunk_.streams) cross_stream({&line, i, {}}, stream);
+      for (const roads::Strip& stream : chunk_.watercourses) cross_stream({&line, i, {}}, stream);
       for (const ground::LandCoverPolygon& water : chunk_.surfaces)
         if (water.level_m) cross_standing({&line, i, {}}, water);
     }

@@ -11,7 +11,7 @@ namespace {
 
 using buildings::Building;
 
-/// Half-open, so that a corner on a border between tiles is looked at once.
+/// Half-open, so that a corner on a border between tiles is counted once.
 bool is_in(const Box2& box, Vec2 p) {
   return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
 }
@@ -24,7 +24,7 @@ void consider(Footing& footing, const Building& building, double gap_m) {
 }
 
 /// The largest gap under a building's corners.
-double gap_under(const Building& building, const Box2& box, const GroundUnder& ground, const WallAt& wall,
+double gap_under(const Building& building, const Box2& box, const GroundHeightAt& ground, const WallBaseAt& wall,
                  Footing& footing) {
   double largest_m = -1e9;
   const auto look_at = [&](const Ring& ring) {
@@ -41,15 +41,15 @@ double gap_under(const Building& building, const Box2& box, const GroundUnder& g
   return largest_m;
 }
 
-/// An upright edge of a wall.
+/// A vertical edge of a wall.
 struct UprightEdge {
   double top_m = 0, low_m = 0;
 };
-/// By feature and place.
+/// Vertical edges by feature and place.
 using Walls = std::map<std::pair<OsmId, Vec2>, std::vector<UprightEdge>>;
 
-/// As far down as walls stand on each other below the floor; none where no wall reaches that. Kerbs and walls of the
-/// ground under a house are the house's too, but end at the ground.
+/// The lower end of the chain of wall edges that begins at the floor; empty where no wall reaches the floor. Kerbs and
+/// ground steps under a building have the building's id too, but they end at the ground.
 std::optional<double> lowest_m(std::vector<UprightEdge> walls, double floor_m) {
   std::ranges::sort(walls, std::ranges::greater{}, &UprightEdge::top_m);
   std::optional<double> lowest_m;
@@ -83,7 +83,7 @@ Walls walls_of(const scene::Chunk& chunk, const bake::BakedTile& tile) {
   return walls;
 }
 
-// Of buildings with one name the lowest.
+// The lowest floor of all buildings with the same id.
 std::map<OsmId, double> floors_of(const scene::Chunk& chunk) {
   std::map<OsmId, double> floors_m;
   for (const Building& building : chunk.buildings) {
@@ -95,13 +95,13 @@ std::map<OsmId, double> floors_of(const scene::Chunk& chunk) {
 
 }  // namespace
 
-Footing worse(const Footing& a, const Footing& b) {
+Footing combined(const Footing& a, const Footing& b) {
   const Footing& worst = b.largest_gap_m > a.largest_gap_m ? b : a;
   return {a.corners + b.corners, a.floating + b.floating, worst.largest_gap_m, worst.worst};
 }
 
-Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundUnder& ground,
-                        const WallAt& wall) {
+Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundHeightAt& ground,
+                        const WallBaseAt& wall) {
   Footing footing;
   for (const Building& building : chunk.buildings)
     if (building.stands_on_ground) footing.floating += gap_under(building, box, ground, wall, footing) > allowed_m;
@@ -113,8 +113,8 @@ Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allow
   const Walls walls = walls_of(chunk, tile);
   const std::map<OsmId, double> floors_m = floors_of(chunk);
   const auto ground_under = [&](Vec2 p) -> std::optional<double> {
-    const std::vector<GroundPlace> places = ground_at(ground, p);
-    // where the ground steps at a corner, a house stands on the upper side: the step's own wall closes what is below
+    const std::vector<GroundHit> places = ground_at(ground, p);
+    // at a step in the ground the building stands on the upper side; the step's vertical face closes the gap below
     return places.empty() ? std::nullopt : std::optional(places.back().z_m);
   };
   const auto wall_at = [&](const Building& building, Vec2 p) -> std::optional<double> {

@@ -12,7 +12,7 @@
 namespace citykiln::verify {
 
 /// A gap under a corner that is no larger is none.
-inline constexpr double kNoGap_m = 0.05;
+inline constexpr double kAllowedGap_m = 0.05;
 
 struct Footing {
   std::uint64_t corners = 0;    ///< Looked at.
@@ -22,15 +22,15 @@ struct Footing {
 };
 
 /// Of both, counted together.
-Footing worse(const Footing& a, const Footing& b);
+Footing combined(const Footing& a, const Footing& b);
 
 /// How high the ground lies, and how low a building's walls reach, under a corner of it; none where that is unknown.
-using GroundUnder = std::function<std::optional<double>(Vec2 corner)>;
-using WallAt = std::function<std::optional<double>(const buildings::Building& building, Vec2 corner)>;
+using GroundHeightAt = std::function<std::optional<double>(Vec2 corner)>;
+using WallBaseAt = std::function<std::optional<double>(const buildings::Building& building, Vec2 corner)>;
 
 /// The corners in the box of all buildings that stand on the ground. O(corners).
-Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundUnder& ground,
-                        const WallAt& wall);
+Footing measure_footing(const scene::Chunk& chunk, const Box2& box, double allowed_m, const GroundHeightAt& ground,
+                        const WallBaseAt& wall);
 
 /// The same of a baked tile's own triangles: at a corner stands what its upright edges there reach, one below the
 /// other, down from the floor or above. Where the tolerance has left no edge at a corner nothing is known of it.

@@ -15,7 +15,7 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 
 bool is_of_ground(materials::Material material) {
-  // what holds steep land in towns and beside roads
+  // retaining walls in towns and beside roads
   if (material == materials::Material::kStone) return true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(map::LandCoverClass::kCount); ++i) {
     if (map::values_of(static_cast<map::LandCoverClass>(i)).material == material) return true;
@@ -23,25 +23,24 @@ bool is_of_ground(materials::Material material) {
   return false;
 }
 
-// Nothing of a building itself is made of what lies under it.
+// The material of land cover under buildings; no building uses it for its own faces.
 const materials::Material kUnderHouses = map::values_of(map::LandCoverClass::kBuilding).material;
 
-bool stands(const Standing& standing, OsmId feature, materials::Material material) {
-  if (std::ranges::binary_search(standing.leaving, feature)) return true;
-  if (material == materials::Material::kStone && std::ranges::binary_search(standing.steps, feature)) return true;
-  return material != kUnderHouses && std::ranges::binary_search(standing.houses, feature) &&
-         !std::ranges::binary_search(standing.fields, std::pair{feature, material});
+bool stands(const NonGroundObjects& non_ground, OsmId feature, materials::Material material) {
+  if (std::ranges::binary_search(non_ground.off_ground, feature)) return true;
+  if (material == materials::Material::kStone && std::ranges::binary_search(non_ground.stairs, feature)) return true;
+  return material != kUnderHouses && std::ranges::binary_search(non_ground.building_ids, feature) &&
+         !std::ranges::binary_search(non_ground.land_cover_materials, std::pair{feature, material});
 }
 
-/// Calls visit(corners, feature) for every triangle of a ground material whose feature stays on the ground, in plane
-/// metres.
+/// Calls visit(corners, feature) for every ground triangle, in plane metres.
 template <typename Visit>
-void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& standing, Visit visit) {
+void for_each_ground_triangle(const bake::BakedTile& tile, const NonGroundObjects& non_ground, Visit visit) {
   for (const bake::Primitive& primitive : tile.primitives) {
     if (!is_of_ground(primitive.material)) continue;
     for (const auto& triangle : primitive.triangles) {
       const OsmId feature = tile.features[primitive.features[triangle[0]]];
-      if (stands(standing, feature, primitive.material)) continue;
+      if (stands(non_ground, feature, primitive.material)) continue;
       Corners corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const bake::Float3& p = primitive.positions[triangle[i]];
@@ -54,13 +53,13 @@ void for_each_ground_triangle(const bake::BakedTile& tile, const Standing& stand
 
 double twice_area_m2(Vec2 a, Vec2 b, Vec2 c) { return cross(b - a, c - a); }
 
-/// A place in each square of a lattice, and the lowest ground there.
+/// A random place in each square of a lattice, with the lowest ground there.
 struct Lattice {
   Box2 box;
   int a_side;
   std::vector<Vec2> places;
   std::vector<double> lowest_m;
-  std::vector<OsmId> features;  ///< What covers it there.
+  std::vector<OsmId> features;  ///< Of the lowest ground.
 
   std::size_t number(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(a_side) + static_cast<std::size_t>(i);
@@ -81,7 +80,7 @@ Lattice lattice_of(const Box2& box, int a_side) {
   return lattice;
 }
 
-/// Lowers the lattice where places lie in the triangle.
+/// Lowers the lattice heights at all places inside the triangle.
 void lower(Lattice& lattice, const Corners& t, OsmId feature) {
   const double area = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2]));
   if (area <= 0) return;
@@ -98,7 +97,7 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
       const double a = twice_area_m2(p, in_plan(t[1]), in_plan(t[2])),
                    b = twice_area_m2(in_plan(t[0]), p, in_plan(t[2]));
       const double c = area - a - b;
-      // what lies on an edge belongs to both sides, however it is rounded
+      // a place on an edge counts for both triangles despite rounding
       const double slack = -1e-9 * area;
       if (a < slack || b < slack || c < slack) continue;
       const std::size_t n = lattice.number(i, j);
@@ -108,11 +107,12 @@ void lower(Lattice& lattice, const Corners& t, OsmId feature) {
   }
 }
 
-/// Edges whose both ends have the coordinate.
+/// Edges with both ends at the coordinate.
 template <typename Coordinate>
-BorderEdges border_edges(const bake::BakedTile& tile, const Standing& standing, double at, Coordinate coordinate) {
+BorderEdges border_edges(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at,
+                         Coordinate coordinate) {
   BorderEdges edges;
-  for_each_ground_triangle(tile, standing, [&](const Corners& t, OsmId) {
+  for_each_ground_triangle(tile, non_ground, [&](const Corners& t, OsmId) {
     const bool is_upright = twice_area_m2(in_plan(t[0]), in_plan(t[1]), in_plan(t[2])) <= 0;
     std::vector<BorderEdge>& kind = is_upright ? edges.upright : edges.ground;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -138,9 +138,9 @@ bool are_above_each_other(const BorderEdge& one, const BorderEdge& other) {
 
 }  // namespace
 
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing& standing) {
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const NonGroundObjects& non_ground) {
   std::vector<GroundFace> faces;
-  for_each_ground_triangle(tile, standing, [&](const Corners& corners, OsmId feature) {
+  for_each_ground_triangle(tile, non_ground, [&](const Corners& corners, OsmId feature) {
     faces.push_back({corners, feature});
   });
   return faces;
@@ -154,10 +154,10 @@ void keep_worst(GroundSamples& samples, double error_m, Vec2 at) {
 
 }  // namespace
 
-GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standing, const OffAt& off_m, const Box2& box,
-                            int a_side) {
+GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
+                            const DeviationAt& deviation_m, const Box2& box, int a_side) {
   Lattice lattice = lattice_of(box, a_side);
-  for_each_ground_triangle(tile, standing,
+  for_each_ground_triangle(tile, non_ground,
                            [&](const Corners& corners, OsmId feature) { lower(lattice, corners, feature); });
 
   GroundSamples samples;
@@ -166,22 +166,22 @@ GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standin
     if (std::isinf(lattice.lowest_m[i])) {
       if (samples.uncovered++ == 0) samples.hole = lattice.places[i];
     } else {
-      keep_worst(samples, off_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
+      keep_worst(samples, deviation_m(lattice.places[i], lattice.lowest_m[i], lattice.features[i]), lattice.places[i]);
     }
   }
   return samples;
 }
 
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at) {
-  return border_edges(tile, standing, at, [](Vec3 p) { return p.x; });
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at) {
+  return border_edges(tile, non_ground, at, [](Vec3 p) { return p.x; });
 }
 
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at) {
-  return border_edges(tile, standing, at, [](Vec3 p) { return p.y; });
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at) {
+  return border_edges(tile, non_ground, at, [](Vec3 p) { return p.y; });
 }
 
-bool meet(const BorderEdges& own, const BorderEdges& other) {
-  // both are sorted by place, and a tile has one edge a place
+bool borders_match(const BorderEdges& own, const BorderEdges& other) {
+  // both lists are sorted, and a tile has each edge once
   const std::vector<BorderEdge> here = only_in(own.ground, other.ground), there = only_in(other.ground, own.ground);
   return std::ranges::equal(here, there, [&](const BorderEdge& a, const BorderEdge& b) {
     return are_above_each_other(a, b) &&

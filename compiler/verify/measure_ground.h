@@ -15,11 +15,12 @@
 namespace citykiln::verify {
 
 /// What stands on the ground, or leaves it, and may be made of the same materials. All sorted.
-struct Standing {
-  std::vector<OsmId> leaving;  ///< Bridges, tunnels, walls: no ground, whatever they are made of.
-  std::vector<OsmId> houses;   ///< No ground but for what lies under them, and their fields.
-  std::vector<std::pair<OsmId, materials::Material>> fields{};  ///< Of houses that are also a field of that material.
-  std::vector<OsmId> steps{};                                   ///< Ways of steps: what is of stone there is stairs.
+struct NonGroundObjects {
+  std::vector<OsmId> off_ground;    ///< Bridges, tunnels, walls: no ground, whatever they are made of.
+  std::vector<OsmId> building_ids;  ///< No ground but for what lies under them, and their fields.
+  std::vector<std::pair<OsmId, materials::Material>>
+      land_cover_materials{};   ///< Of houses that are also a field of that material.
+  std::vector<OsmId> stairs{};  ///< Ways of steps: what is of stone there is stairs.
 };
 
 /// A triangle of the ground, in plane metres.
@@ -30,7 +31,7 @@ struct GroundFace {
 
 /// All triangles of a ground material, upright ones too.
 /// @param standing  As below.
-std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const Standing& standing);
+std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
 
 /// What looking straight down at a lattice of places found.
 struct GroundSamples {
@@ -42,15 +43,15 @@ struct GroundSamples {
 };
 
 /// How far a height is off what it should be at a place of the plane, where a feature covers it.
-using OffAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
+using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
 /// Samples a random place in every square of a lattice over the box: the lowest upward triangle of a ground material
 /// there is the ground.
 /// @param standing  Overlooked.
 /// @param a_side   Squares along each side of the box.
 /// O(triangles + samples).
-GroundSamples sample_ground(const bake::BakedTile& tile, const Standing& standing, const OffAt& off_m, const Box2& box,
-                            int a_side);
+GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
+                            const DeviationAt& deviation_m, const Box2& box, int a_side);
 
 /// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;
@@ -62,11 +63,11 @@ struct BorderEdges {
 };
 
 /// The edges of ground triangles that lie in the line x = at (or y = at), those straight up left out.
-BorderEdges border_edges_along_x(const bake::BakedTile& tile, const Standing& standing, double at);
-BorderEdges border_edges_along_y(const bake::BakedTile& tile, const Standing& standing, double at);
+BorderEdges border_edges_along_x(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
+BorderEdges border_edges_along_y(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
 
 /// Whether the ground of neighbouring tiles meets: it has the same edges, or an upright face of one of them stands
 /// between two, where a border between surfaces runs along the tile's.
-bool meet(const BorderEdges& own, const BorderEdges& other);
+bool borders_match(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::verify

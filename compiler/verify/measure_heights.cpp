@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/scene/graded_terrain.h"
@@ -12,21 +13,22 @@
 namespace citykiln::verify {
 namespace {
 
-/// Fine enough to see kerbs, if there are any.
-constexpr double kFine_m = scene::kRoadDetail_m / 2;
+/// Fine enough for kerbs.
+constexpr double kFine_m = tolerances_with(Detail::kRoadSurfaces).below_m / 2;
 
 Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   Lakes lakes;
   for (const ground::LandCoverPolygon& surface : chunk.surfaces) {
     if (!surface.level_m) continue;
-    double off_m = 0;
+    double deviation_m = 0;
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
         if (box.contains(p))
-          off_m = std::max(off_m, std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
+          deviation_m = std::max(deviation_m,
+                                 std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
     ++lakes.waters;
-    lakes.not_level += off_m > kQuantum_m;
-    if (off_m > lakes.largest_m) lakes.largest_m = off_m, lakes.worst = surface.id.osm;
+    lakes.not_level += deviation_m > kQuantum_m;
+    if (deviation_m > lakes.largest_m) lakes.largest_m = deviation_m, lakes.worst = surface.id.osm;
   }
   return lakes;
 }
@@ -40,7 +42,7 @@ RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground
 Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   const auto ground = [&](Vec2 p) -> std::optional<double> { return land_m(graded, p); };
   const auto wall = [](const buildings::Building& b, Vec2) -> std::optional<double> { return b.bottom_m; };
-  return measure_footing(chunk, box, kNoGap_m, ground, wall);
+  return measure_footing(chunk, box, kAllowedGap_m, ground, wall);
 }
 
 HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
@@ -59,9 +61,9 @@ void add(HeightMeasures& sum, const HeightMeasures& tile) {
   sum.grades.length_m += tile.grades.length_m, sum.grades.over_m += tile.grades.over_m;
   sum.rises.streams += tile.rises.streams, sum.rises.rising += tile.rises.rising;
   sum.rises.largest_m = std::max(sum.rises.largest_m, tile.rises.largest_m);
-  sum.road_faces = worse(sum.road_faces, tile.road_faces);
-  sum.lakes = worse(sum.lakes, tile.lakes);
-  sum.footing = worse(sum.footing, tile.footing);
+  sum.road_faces = combined(sum.road_faces, tile.road_faces);
+  sum.lakes = combined(sum.lakes, tile.lakes);
+  sum.footing = combined(sum.footing, tile.footing);
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 namespace citykiln::verify {
 namespace {
 
-/// The levels that go by one name, and how far its faces are off.
+/// The levels of the waters with one id, and the largest deviation of their faces.
 struct Water {
   std::vector<double> levels_m;
-  double off_m = -1;
+  double deviation_m = -1;
 };
 
-double off_m(const std::vector<double>& levels_m, double z_m) {
+double deviation_m(const std::vector<double>& levels_m, double z_m) {
   double least_m = 1e9;
   for (const double level_m : levels_m) least_m = std::min(least_m, std::abs(z_m - level_m));
   return least_m;
@@ -24,7 +24,7 @@ double off_m(const std::vector<double>& levels_m, double z_m) {
 
 }  // namespace
 
-Lakes worse(const Lakes& a, const Lakes& b) {
+Lakes combined(const Lakes& a, const Lakes& b) {
   const Lakes& worst = b.largest_m > a.largest_m ? b : a;
   return {a.waters + b.waters, a.not_level + b.not_level, worst.largest_m, worst.worst};
 }
@@ -37,14 +37,14 @@ Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground) {
     const auto water = waters.find(face.feature);
     if (water == waters.end()) continue;
     for (const Vec3& corner : face.corners)
-      water->second.off_m = std::max(water->second.off_m, off_m(water->second.levels_m, corner.z));
+      water->second.deviation_m = std::max(water->second.deviation_m, deviation_m(water->second.levels_m, corner.z));
   }
   Lakes lakes;
   for (const auto& [id, water] : waters) {
-    if (water.off_m < 0) continue;
+    if (water.deviation_m < 0) continue;
     ++lakes.waters;
-    lakes.not_level += water.off_m > kQuantum_m;
-    if (water.off_m > lakes.largest_m) lakes.largest_m = water.off_m, lakes.worst = id;
+    lakes.not_level += water.deviation_m > kQuantum_m;
+    if (water.deviation_m > lakes.largest_m) lakes.largest_m = water.deviation_m, lakes.worst = id;
   }
   return lakes;
 }

@@ -14,19 +14,19 @@ namespace {
 
 using structures::Span;
 
-/// A stretch of even grade in the tile.
+/// Adds a piece of constant grade inside the tile.
 void add_stretch(Grades& grades, map::LandCoverClass surface, double run_m, double rise_m) {
   const double limit = ground::grade_rule_of(surface).limit;
   grades.length_m += run_m;
   if (std::abs(rise_m) > limit * run_m + 2 * ground::kKnotError_m) grades.over_m += run_m;
 }
 
-/// Half-open: what lies on a border between tiles counts once.
+/// Half-open, so that a place on a border between tiles counts once.
 bool is_in(const Box2& box, Vec2 p) {
   return box.min.x <= p.x && p.x < box.max.x && box.min.y <= p.y && p.y < box.max.y;
 }
 
-/// How much of a road's axis between two places of its way lies in the box.
+/// The length of a road's axis inside the box, between two distances along its way.
 double length_in_m(const roads::Road& road, const std::vector<double>& along, double from_m, double to_m,
                    const Box2& box) {
   double sum_m = 0;
@@ -59,7 +59,7 @@ void add_span(Grades& grades, const Span& span) {
   }
 }
 
-/// A line's height at a vertex of it.
+/// The height of a line at one of its vertices.
 struct Passing {
   Vec2 at;
   bool is_off_ground;
@@ -98,7 +98,7 @@ Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(header, chunk.tile);
   Grades grades;
   for (const roads::Road& road : chunk.roads) add_road(grades, road, box);
-  // each is whole, and in every chunk that it touches
+  // bridges and tunnels are stored whole in every chunk that they touch
   for (const auto* spans : {&chunk.bridges, &chunk.tunnels})
     for (const Span& span : *spans)
       if (scene::is_anchored(header, chunk.tile, span.axis.front())) add_span(grades, span);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kEvery_m = 4, kBucket_m = 32;
 
-/// Closer to another road's edge than this, heights are mixed.
+/// Closer than this to another road's edge, heights are blended.
 constexpr double kMixed_m = 2 * ground::kBlend_m;
 
-/// A straight piece of a road's axis, and how far the road is felt from it.
+/// A straight piece of a road's axis, and the distance up to which the road influences heights.
 struct Piece {
   Vec2 a, b;
   double from_m = 0, to_m = 0, reach_m = 0;
@@ -39,7 +39,7 @@ double away_m(const Piece& piece, Vec2 p) {
   return distance(p, piece.a + along * t);
 }
 
-/// True where a further piece, of another road or of a bend of this one, reaches the place.
+/// True where another road, or another bend of the same road, influences the height.
 bool is_mixed(const std::vector<Piece>& pieces, const BoxGrid& grid, std::uint32_t own, Vec2 p) {
   return std::ranges::any_of(boxes_about(grid, p),
                              [&](std::uint32_t i) { return i != own && away_m(pieces[i], p) < pieces[i].reach_m; });
@@ -55,7 +55,7 @@ double gap_m(const roads::Road& road, double at_m, bool has_kerbs, const std::ve
   return least_m;
 }
 
-/// Places between the ends of a piece, where its neighbours along the road are out of reach too.
+/// Visits sample places on a piece beyond the influence of its neighbours along the road.
 template <typename Visit>
 void for_each_place(const Piece& piece, Visit visit) {
   const int n = static_cast<int>((piece.to_m - piece.from_m) / kEvery_m);
@@ -67,12 +67,13 @@ void for_each_place(const Piece& piece, Visit visit) {
 
 }  // namespace
 
-RoadFaces worse(const RoadFaces& a, const RoadFaces& b) {
+RoadFaces combined(const RoadFaces& a, const RoadFaces& b) {
   const RoadFaces& worst = b.largest_gap_m > a.largest_gap_m ? b : a;
   return {a.places + b.places, worst.largest_gap_m, worst.worst, worst.at};
 }
 
-RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs, const RoadFacesAt& faces_at) {
+RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs,
+                             const RoadSurfaceAt& faces_at) {
   const std::vector<Piece> pieces = pieces_of(chunk.roads);
   std::vector<Box2> boxes;
   for (const Piece& piece : pieces) boxes.push_back(box_of(std::array{piece.a, piece.b}).widened(piece.reach_m));

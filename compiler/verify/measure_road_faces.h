@@ -17,14 +17,14 @@ struct RoadFaces {
 };
 
 /// Of both, counted together.
-RoadFaces worse(const RoadFaces& a, const RoadFaces& b);
+RoadFaces combined(const RoadFaces& a, const RoadFaces& b);
 
 /// The heights at which the road's face lies at a place of it; none where something else covers it.
-using RoadFacesAt = std::function<std::vector<double>(const roads::Road& road, Vec2 p)>;
+using RoadSurfaceAt = std::function<std::vector<double>(const roads::Road& road, Vec2 p)>;
 
 /// Every few metres along the axes of all roads with profiles, in the box: as far as no other road is near, with which
 /// heights are mixed. O(n log n).
 /// @param has_kerbs  As a tolerance sees them.
-RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs, const RoadFacesAt& faces_at);
+RoadFaces measure_road_faces(const scene::Chunk& chunk, const Box2& box, bool has_kerbs, const RoadSurfaceAt& faces_at);
 
 }  // namespace citykiln::verify

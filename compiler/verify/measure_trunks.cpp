@@ -13,7 +13,7 @@ bool has_trunk(Species species) {
   return plants::values_of(species).leaves != plants::LeafForm::kBlade && species != Species::kHedge;
 }
 
-/// "oak_3", "PostTopLamp".
+/// True for names of tree prototypes, "oak_3"; false for others, "PostTopLamp".
 bool is_tree(std::string_view name) {
   const std::string_view stem = name.substr(0, name.rfind('_'));
   for (int s = 0; s < static_cast<int>(Species::kCount); ++s)

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Enough to find the place in the map, few enough to read.
+/// Object ids listed for each diagnosis.
 constexpr std::size_t kNamedObjects = 20;
 
 Json ledger_of(const Report& report) {
@@ -30,7 +30,7 @@ Json ledger_of(const Report& report) {
   return ledger;
 }
 
-/// All diagnoses of one code.
+/// All diagnoses with one code.
 struct Tally {
   std::uint64_t count = 0;
   double largest = 0;
@@ -44,7 +44,7 @@ Json diagnoses_of(const Report& report) {
     ++tally.count;
     tally.largest = std::max(tally.largest, diagnosis.size);
     tally.objects.insert(diagnosis.object);
-    // the lowest ids, whatever the order in which they were found
+    // keeps the lowest ids, so the list does not depend on the order of diagnoses
     if (tally.objects.size() > kNamedObjects) tally.objects.erase(std::prev(tally.objects.end()));
   }
   Json diagnoses = Json::object();
@@ -52,15 +52,15 @@ Json diagnoses_of(const Report& report) {
     Json objects = Json::array();
     for (const OsmId object : tally.objects) objects.push_back(to_string(object));
     diagnoses[std::string(name_of(code))] = {{"severity", name_of(severity_of(code))},
-                                             {"what", text_of(code)},
+                                             {"meaning", text_of(code)},
                                              {"count", tally.count},
-                                             {"largest", tally.largest},
+                                             {"largest_size", tally.largest},
                                              {"objects", objects}};
   }
   return diagnoses;
 }
 
-/// How many different objects the chunks hold: what crosses a border is in several.
+/// The number of different objects in all chunks: an object that crosses a tile border is in several.
 template <typename T>
 std::size_t different(const scene::Scene& scene, std::vector<T> scene::Chunk::*member) {
   std::set<ObjectId> ids;
@@ -76,7 +76,7 @@ Json counts_of(const scene::Scene& scene) {
   return {{"tiles", scene.chunks.size()},
           {"roads", different(scene, &scene::Chunk::roads)},
           {"junctions", junctions},
-          {"surfaces", different(scene, &scene::Chunk::surfaces)},
+          {"land_cover_polygons", different(scene, &scene::Chunk::surfaces)},
           {"bridges", different(scene, &scene::Chunk::bridges)},
           {"tunnels", different(scene, &scene::Chunk::tunnels)},
           {"buildings", different(scene, &scene::Chunk::buildings)},
@@ -85,13 +85,13 @@ Json counts_of(const scene::Scene& scene) {
           {"lamps", different(scene, &scene::Chunk::lamps)}};
 }
 
-/// What no manifest holds yet is counted by the run that planned it.
+/// Adds counts of objects that are planned but not stored in the manifest.
 void add_planned_counts(const Report& report, Json& counts) {
   const auto planned = report.ledger().find("roads/junction_off_ground");
   if (planned != report.ledger().end()) counts["junctions_off_ground"] = planned->second.out;
 }
 
-Json levels_of(const Written& written, const Outputs& outputs) {
+Json levels_of(const WrittenFiles& written, const Outputs& outputs) {
   Json levels = Json::array();
   for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
     std::uint64_t bytes = 0, triangles = 0;
@@ -113,7 +113,7 @@ Json levels_of(const Written& written, const Outputs& outputs) {
 
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-/// Of the recipes, or as the planner saw them.
+/// @param measured  Measures of the recipes, or those of the planner.
 Json clearances_of(const auto& measured) {
   return {{"crossings", measured.crossings},
           {"shortfalls", measured.shortfalls},
@@ -122,31 +122,31 @@ Json clearances_of(const auto& measured) {
           {"largest_shortfall_m", measured.largest_shortfall_m}};
 }
 
-/// Aims are 0 but for what is shared out over the length of roads, and for clearances.
-Json heights_of(const HeightsRecord& heights) {
+/// Every value should be 0, except lengths, shares over the grade limit, and clearances.
+Json heights_of(const HeightReport& heights) {
   const HeightMeasures& m = heights.recipes;
   Json json = {{"graded_length_m", m.grades.length_m},
-               {"over_grade_limit_m", m.grades.over_m},
+               {"length_over_grade_limit_m", m.grades.over_m},
                {"share_over_grade_limit", share(m.grades.over_m, m.grades.length_m)},
-               {"largest_jump_m", m.jumps.largest_m},
+               {"largest_height_step_m", m.jumps.largest_m},
                {"largest_gap_road_to_ground_m", m.road_faces.largest_gap_m},
-               {"streams_that_rise", m.rises.rising},
-               {"largest_rise_m", m.rises.largest_m},
-               {"standing_waters_not_level", m.lakes.not_level},
-               {"buildings_with_a_gap", m.footing.floating},
-               {"largest_gap_under_a_building_m", std::max(0.0, m.footing.largest_gap_m)}};
+               {"watercourses_flowing_uphill", m.rises.rising},
+               {"largest_uphill_rise_m", m.rises.largest_m},
+               {"lakes_not_level", m.lakes.not_level},
+               {"buildings_above_ground", m.footing.floating},
+               {"largest_gap_below_building_m", std::max(0.0, m.footing.largest_gap_m)}};
   json["clearances"] = clearances_of(m.clearances);
-  if (heights.planned) json["clearances_as_planned"] = clearances_of(*heights.planned);
+  if (heights.planned) json["planned_clearances"] = clearances_of(*heights.planned);
   return json;
 }
 
-Json files_of(const Written& written) {
+Json files_of(const WrittenFiles& written) {
   Json files = Json::array();
   for (const WrittenFile& file : written.files) files.push_back({{"file", file.name}, {"bytes", file.bytes}});
   return files;
 }
 
-Json tiles_of(const Written& written) {
+Json tiles_of(const WrittenFiles& written) {
   Json tiles = Json::array();
   for (const WrittenTile& tile : written.tiles) {
     tiles.push_back({{"file", tile.file.name},
@@ -162,7 +162,7 @@ Json tiles_of(const Written& written) {
   return tiles;
 }
 
-/// in + split = out + merged + dropped, from the file's own numbers.
+/// in + split = out + merged + dropped, recomputed from the file's numbers.
 bool balances(const Json& account) {
   std::uint64_t lost = 0;
   for (const auto& [code, count] : account.at("dropped").items()) lost += count.get<std::uint64_t>();
@@ -182,7 +182,7 @@ RunRecord record_of(const Json& report) {
                             tile.at("instances")});
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
-  // runs of before there was a choice do not say
+  // reports of older versions have no such key
   if (const auto compress = parse_compress(report.value("compress", "none")); compress) record.compress = *compress;
   for (const Json& file : report.at("files")) record.has_manifest |= file.at("file") == "scene.kiln";
   for (const auto& [name, account] : report.at("ledger").items()) {
@@ -193,7 +193,7 @@ RunRecord record_of(const Json& report) {
 
 }  // namespace
 
-std::uint64_t Written::bytes() const {
+std::uint64_t WrittenFiles::bytes() const {
   std::uint64_t sum = 0;
   for (const WrittenFile& file : files) sum += file.bytes;
   for (const WrittenTile& tile : tiles) sum += tile.file.bytes;
@@ -201,7 +201,7 @@ std::uint64_t Written::bytes() const {
 }
 
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
-                        const Written& written, const Outputs& outputs, const HeightsRecord& heights) {
+                        const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
@@ -248,7 +248,7 @@ exporters::Instancing instancing_of(bool instances_as_nodes) {
   return instances_as_nodes ? exporters::Instancing::kNodes : exporters::Instancing::kExtension;
 }
 
-bool has_objections(const Report& report) {
+bool has_mended_or_dropped(const Report& report) {
   return std::ranges::any_of(report.diagnoses(),
                              [](const Diagnosis& d) { return severity_of(d.code) != Severity::kNote; });
 }
@@ -256,11 +256,11 @@ bool has_objections(const Report& report) {
 Result<RunRecord> read_report(const std::string& folder) {
   const std::string path = folder + "/report.json";
   std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path, "cannot be read: not the folder of a finished run"};
+  if (!file) return Error{path, "cannot be read; expected the folder of a finished run"};
   try {
     return record_of(Json::parse(file));
   } catch (const nlohmann::json::exception&) {
-    return Error{path, "is not a report of this program"};
+    return Error{path, "is not a report written by citykiln"};
   }
 }
 

@@ -12,7 +12,7 @@
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
-#include "compiler/stage_watch.h"
+#include "compiler/stage_timer.h"
 #include "compiler/verify/measure_heights.h"
 #include "exporters/gltf/compression.h"
 #include "exporters/gltf/glb.h"
@@ -35,21 +35,21 @@ struct WrittenTile {
   std::uint64_t instances = 0;
 };
 
-struct Written {
+struct WrittenFiles {
   std::vector<WrittenFile> files;  ///< Those that are not tiles.
   std::vector<WrittenTile> tiles;
   std::uint64_t bytes() const;
 };
 
 /// How well heights agree: what the recipes say, and what only a run that had the map can say.
-struct HeightsRecord {
+struct HeightReport {
   HeightMeasures recipes;
   std::optional<ground::ProfileMeasures> planned{};
 };
 
 /// The report as JSON. Same inputs, same bytes: no times, no folders, no thread counts in it.
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
-                        const Written& written, const Outputs& outputs, const HeightsRecord& heights);
+                        const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
 /// The settings of a run as the writer of .glb files has them.
@@ -57,7 +57,7 @@ exporters::Compression compression_of(Compress compress);
 exporters::Instancing instancing_of(bool instances_as_nodes);
 
 /// True where something was mended or dropped: what --strict objects to.
-bool has_objections(const Report& report);
+bool has_mended_or_dropped(const Report& report);
 
 /// What `check` and `preview` need of a report.json.
 struct RunRecord {

@@ -105,9 +105,9 @@ std::optional<std::size_t> cutout_image_of(const tinygltf::Model& model, int mes
 void read_pictures(GltfReader& source, std::span<const std::optional<std::size_t>> cutouts, BakedTile& tile) {
   const std::pair<const char*, materials::TextureImage*> sheets[] = {{"marking_atlas", &tile.sheet},
                                                                      {"facade_atlas", &tile.facade_atlas.colour},
-                                                                     {"facadesSurface", &tile.facade_atlas.surface},
-                                                                     {"facadesEmission", &tile.facade_atlas.emission},
-                                                                     {"facadesNormal", &tile.facade_atlas.normal}};
+                                                                     {"facade_atlas_surface", &tile.facade_atlas.surface},
+                                                                     {"facade_atlas_emission", &tile.facade_atlas.emission},
+                                                                     {"facade_atlas_normal", &tile.facade_atlas.normal}};
   const auto& images = source.model.images;
   std::size_t i = 0;
   for (const auto& [name, place] : sheets)

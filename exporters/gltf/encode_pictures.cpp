@@ -85,9 +85,9 @@ void add_pictures(GlbBuilder& f) {
   if (!f.tile.facade_atlas.colour.texels.empty()) {
     const int clamped = add_sampler(f, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE);
     add_picture(f, f.tile.facade_atlas.colour, "facade_atlas", clamped);
-    add_picture(f, f.tile.facade_atlas.surface, "facadesSurface", clamped);
-    add_picture(f, f.tile.facade_atlas.emission, "facadesEmission", clamped);
-    add_picture(f, f.tile.facade_atlas.normal, "facadesNormal", clamped);
+    add_picture(f, f.tile.facade_atlas.surface, "facade_atlas_surface", clamped);
+    add_picture(f, f.tile.facade_atlas.emission, "facade_atlas_emission", clamped);
+    add_picture(f, f.tile.facade_atlas.normal, "facade_atlas_normal", clamped);
   }
   add_textures(f);
   if (f.cutouts.empty()) return;

@@ -52,7 +52,7 @@ std::uint64_t tables_hash() {
   for (int b = 0; b < static_cast<int>(map::BuildingClass::kCount); ++b)
     names += values_of(static_cast<map::BuildingClass>(b)).name, names += ' ';
   for (int s = 0; s < static_cast<int>(buildings::Style::kCount); ++s)
-    names += buildings::rules_of(static_cast<buildings::Style>(s)), names += ' ';
+    names += buildings::rule_file_of(static_cast<buildings::Style>(s)), names += ' ';
   for (int s = 0; s < static_cast<int>(plants::Species::kCount); ++s)
     names += values_of(static_cast<plants::Species>(s)).file, names += ' ';
   for (int m = 0; m < static_cast<int>(plants::PlantCommunity::kCount); ++m)

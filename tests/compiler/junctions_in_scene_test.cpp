@@ -15,7 +15,7 @@ namespace {
 
 const std::filesystem::path kData = CITYKILN_DATA;
 
-Result<Compiled> compiled(const std::filesystem::path& map, int threads) {
+Result<CompileResult> compiled(const std::filesystem::path& map, int threads) {
   CompileSpec spec;
   spec.map_path = map.string();
   spec.threads = threads;

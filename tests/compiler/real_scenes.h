@@ -23,7 +23,7 @@ inline scene::Scene scene_of(const Extract& extract, double tile_m) {
   spec.map_path = kData / extract.map;
   spec.tile_m = tile_m;
   if (extract.heights) spec.rasters.emplace_back().path = kData / extract.heights;
-  Result<Compiled> compiled = compile(spec, [](auto&&...) {});
+  Result<CompileResult> compiled = compile(spec, [](auto&&...) {});
   EXPECT_TRUE(compiled) << extract.map;
   return compiled ? std::move(compiled->scene) : scene::Scene{};
 }

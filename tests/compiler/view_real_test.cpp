@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compiler/bake/view_levels.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
@@ -19,7 +20,7 @@ namespace {
 
 const std::filesystem::path kData = CITYKILN_DATA;
 
-Result<Compiled> compiled_village() {
+Result<CompileResult> compiled_village() {
   CompileSpec spec;
   spec.map_path = (kData / "andorra/cut-canillo-village.osm.pbf").string();
   Result<source::RasterSpec> raster = source::parse_raster_spec((kData / "andorra/N42E001.hgt").string());
@@ -89,7 +90,7 @@ class ViewReal : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists(kData / "andorra/cut-canillo-village.osm.pbf")) GTEST_SKIP() << "absent";
-    Result<Compiled> compiled = compiled_village();
+    Result<CompileResult> compiled = compiled_village();
     ASSERT_TRUE(compiled);
     scene = std::move(compiled->scene);
     view = view_of(scene);
@@ -136,7 +137,8 @@ TEST_F(ViewReal, RandomPlacesOfTheGroundAreOffByNoMoreThanThePixelsAskedFor) {
 }
 
 bool see_roads_alike(const Seen& a, const Seen& b) {
-  return (a.level.tolerance_m < scene::kRoadDetail_m) == (b.level.tolerance_m < scene::kRoadDetail_m);
+  return has_detail(Detail::kRoadSurfaces, a.level.tolerance_m) ==
+         has_detail(Detail::kRoadSurfaces, b.level.tolerance_m);
 }
 
 TEST_F(ViewReal, CellsOfAllLevelsMeetEdgeForEdge) {

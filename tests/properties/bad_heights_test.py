@@ -153,7 +153,7 @@ class BadHeights(ProgramTest):
                           "ShoreSpike": LAKE}.items():
             self.assertIn(f"w{way}", told.get(code, []), f"{code}: {json.dumps(diagnoses, indent=1)}")
         self.assertEqual(diagnoses["HeightSpike"]["count"], SPIKES)
-        self.assertGreater(diagnoses["HeightSpike"]["largest"], 150)
+        self.assertGreater(diagnoses["HeightSpike"]["largest_size"], 150)
         self.assertIn("VoidFilled", diagnoses)
 
         vertices, worst = 0, (0, None)

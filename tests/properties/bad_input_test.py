@@ -67,7 +67,7 @@ class BadInput(ProgramTest):
         self.fails(self.written("empty.osm.pbf", ""), words=["empty.osm.pbf"])
 
     def test_a_map_that_holds_nothing(self):
-        self.fails(self.written("nothing.osm", EMPTY_MAP), words=["nothing.osm", "holds nothing to compile"])
+        self.fails(self.written("nothing.osm", EMPTY_MAP), words=["nothing.osm", "contains nothing to compile"])
 
     def test_a_name_of_no_known_kind(self):
         self.fails(self.written("map.txt", MAP), words=["map.txt"])

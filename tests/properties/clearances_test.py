@@ -18,13 +18,13 @@ class ClearancesReal(ProgramTest):
             with self.subTest(map_path):
                 folder = self.compiled(f"place{number}", self.data(map_path), "--dem", self.data(dem), "--emit", "kiln")
                 done = run("check", folder, "--json")
-                stated = [s for s in json.loads(done.stdout) if s.get("stated") == "crossings that lack clearance"]
+                stated = [s for s in json.loads(done.stdout) if s.get("measure") == "crossings with too little clearance"]
                 self.assertEqual(len(stated), 1)
                 heights = report_of(folder)["heights"]
                 self.assertGreater(heights["clearances"]["crossings"], 50)
                 for figure in FIGURES:
                     self.assertEqual(stated[0][figure], heights["clearances"][figure], figure)
-                planned = heights["clearances_as_planned"]
+                planned = heights["planned_clearances"]
                 self.assertLess(abs(planned["crossings"] - heights["clearances"]["crossings"]), 0.1 * planned["crossings"])
 
 

@@ -41,7 +41,7 @@ class Walk(ProgramTest):
     def walk(self, map_path, *arguments):
         out = self.folder / map_path.name
         done = run("compile", map_path, *arguments, "-o", out)
-        if self.may_hold_nothing and done.returncode == 1 and "holds nothing to compile" in done.stderr:
+        if self.may_hold_nothing and done.returncode == 1 and "contains nothing to compile" in done.stderr:
             return
         self.assertEqual(done.returncode, 0, done.stderr)
         report = report_of(out)

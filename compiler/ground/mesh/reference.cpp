@@ -9,7 +9,7 @@
 namespace citykiln::ground {
 namespace {
 
-WalkGround walk_ground(const Reference& reference) {
+TriangulationView walk_ground(const Reference& reference) {
   return {reference.triangulation.vertices(), reference.triangulation.faces(), reference.first_faces};
 }
 
@@ -102,7 +102,7 @@ void consider_vertex(WorstPoint& worst, const Reference& reference, const MeshEd
   consider(worst, std::abs(between(edge.a.z, edge.b.z, share) - height_of(reference, v, layer)), plane_point(place));
 }
 
-void consider_crossing(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, Met met,
+void consider_crossing(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, WalkStep met,
                        HeightLayer layer) {
   const GridPoint p = reference.triangulation.vertices()[met.p], q = reference.triangulation.vertices()[met.q];
   // whole numbers below 2^62: their sum is exact too
@@ -221,7 +221,7 @@ WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, Heigh
   const MeshEdge edge{a.at, b.at, grid_point(in_plan(a.at)), grid_point(in_plan(b.at))};
   WorstPoint worst;
   StraightWalk walk = walk_from_face(walk_ground(reference), a.face, fine_point(edge.from), fine_point(edge.to));
-  for (Met met = next(walk); !met.is_end(); met = next(walk)) {
+  for (WalkStep met = next(walk); !met.is_end(); met = next(walk)) {
     if (met.is_vertex())
       consider_vertex(worst, reference, edge, met.p, layer);
     else

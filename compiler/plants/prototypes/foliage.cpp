@@ -38,7 +38,7 @@ std::uint8_t spray_number(Foliage& foliage, const std::string& name) {
 std::string name_of(const lsystems::ModuleKind& kind) { return kind.name.substr(kind.name.find_first_not_of('~')); }
 
 Card card_of(const Instance& instance, double width, Tint tint, std::uint8_t spray) {
-  const lsystems::Frame& f = instance.frame;
+  const lsystems::TurtleFrame& f = instance.frame;
   const Vec3 along = f.heading * -instance.size, across = f.left * (instance.size * width);
   return {f.at - along - across * 0.5, across, along, f.up, shaded(tint, instance.colour), spray};
 }

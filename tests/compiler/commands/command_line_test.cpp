@@ -14,7 +14,7 @@ struct Heard {
 Verb listening_verb(Heard& heard) {
   return {"listen",
           "hears",
-          {{"files", "FILE...", "", true, onto(heard.files)},
+          {{"files", "FILE...", "", true, append_text(heard.files)},
            {"-n,--number", "N", "", true,
             [&heard](const std::string& text) -> Result<Done> {
               if (text == "bad") return Error{"", "expected a number, found \"bad\""};
@@ -31,7 +31,7 @@ Verb listening_verb(Heard& heard) {
             heard.was_quiet = console.is_quiet;
             if (!heard.files.empty() && heard.files.front() == "absent")
               return Error{"absent", "cannot be read,\nnor seen"};
-            return heard.is_strict ? Exit::kObjects : Exit::kDone;
+            return heard.is_strict ? Exit::kStrictViolation : Exit::kDone;
           }};
 }
 

@@ -44,7 +44,7 @@ TEST(ForEachInOrder, KeepsNoMoreWaitingThanItSays) {
         --waiting;
         return true;
       });
-  EXPECT_LE(most, kUnderWayPerThread * kThreads);
+  EXPECT_LE(most, kInFlightPerThread * kThreads);
   EXPECT_GT(most, kThreads);
 }
 
@@ -54,7 +54,7 @@ TEST(DoBeside, DoesBothOnceWithLoopsInEach) {
     const auto fill = [&](std::vector<int>& slots) {
       return [&] { for_each_index(slots.size(), threads, [&](std::size_t i) { slots[i] += static_cast<int>(i); }); };
     };
-    do_beside(threads, fill(work), fill(aside));
+    run_concurrently(threads, fill(work), fill(aside));
     std::vector<int> all(300);
     std::iota(all.begin(), all.end(), 0);
     EXPECT_EQ(work, all) << threads << " threads";

@@ -14,7 +14,7 @@ namespace {
 using materials::Material;
 using materials::MaterialMesh;
 
-Impostor seen(const std::vector<MaterialMesh>& meshes, const View& view) { return impostor(model_of(meshes), view); }
+Impostor seen(const std::vector<MaterialMesh>& meshes, const View& view) { return render(model_of(meshes), view); }
 
 Texel whole(Material material) {
   const Impostor one = seen({panel(0, 0, 1, 1, material)}, seen_from_south(1, 1));

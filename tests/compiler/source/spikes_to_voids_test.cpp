@@ -134,8 +134,8 @@ TEST(SpikesToVoids, AWindowGivesWhatTheWholeGives) {
     const int size = kSide - 40;
     const Raster window = spikes_to_voids(
         raster_of(size, size, 68, [&](int c, int r) { return whole.at(c + first, r + first); }), report);
-    for (int r = kSpikeReach; r < size - kSpikeReach; ++r) {
-      for (int c = kSpikeReach; c < size - kSpikeReach; ++c) {
+    for (int r = kSpikeInfluence; r < size - kSpikeInfluence; ++r) {
+      for (int c = kSpikeInfluence; c < size - kSpikeInfluence; ++c) {
         EXPECT_EQ(std::isnan(window.at(c, r)), std::isnan(mended.at(c + first, r + first)))
             << first << " " << c << " " << r;
       }

@@ -38,8 +38,8 @@ TEST(GroundIndex, TellsBothSidesOfAStep) {
 }
 
 TEST(GroundIndex, OverlooksWhatLeavesTheGround) {
-  const Standing leaving{{kGroundFeature}, {}};
-  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), leaving);
+  const NonGroundObjects off_ground{{kGroundFeature}, {}};
+  const GroundIndex index = index_ground(made_ground(map::LandCoverClass::kGrass, {0, 0, 0, 0}), off_ground);
   EXPECT_TRUE(ground_at(index, {32, 32}).empty());
 }
 

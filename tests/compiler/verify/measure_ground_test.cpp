@@ -32,14 +32,14 @@ bake::BakedTile square(float lifted_m, bool has_second_half) {
 constexpr Box2 kBox{{0, 0}, {64, 64}};
 
 TEST(SampleGround, FindsNothingWrongWithWhatIsRight) {
-  const GroundSamples samples = sample_ground(square(0, true), Standing{{kBridge}, {}}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(0, true), NonGroundObjects{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_EQ(samples.count, 256u);
   EXPECT_EQ(samples.uncovered, 0u);
   EXPECT_EQ(samples.error_m, 0);
 }
 
 TEST(SampleGround, FindsPlacesWithoutGround) {
-  const GroundSamples samples = sample_ground(square(0, false), Standing{{kBridge}, {}}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(0, false), NonGroundObjects{{kBridge}, {}}, flat, kBox, 16);
   // the other half, but for squares on the diagonal, which may fall to either side
   EXPECT_GE(samples.uncovered, (256u - 16u) / 2);
   EXPECT_LE(samples.uncovered, (256u + 16u) / 2);
@@ -47,12 +47,12 @@ TEST(SampleGround, FindsPlacesWithoutGround) {
 
 TEST(SampleGround, SaysWhatCoversAPlace) {
   const auto off_m = [](Vec2, double, OsmId feature) { return feature == kLawn ? 1.0 : 2.0; };
-  EXPECT_EQ(sample_ground(square(0, true), Standing{{kBridge}, {}}, off_m, kBox, 16).error_m, 1);
+  EXPECT_EQ(sample_ground(square(0, true), NonGroundObjects{{kBridge}, {}}, off_m, kBox, 16).error_m, 1);
   EXPECT_EQ(sample_ground(square(0, true), {}, off_m, kBox, 16).error_m, 2);
 }
 
 TEST(SampleGround, FindsGroundThatIsOff) {
-  const GroundSamples samples = sample_ground(square(2, true), Standing{{kBridge}, {}}, flat, kBox, 16);
+  const GroundSamples samples = sample_ground(square(2, true), NonGroundObjects{{kBridge}, {}}, flat, kBox, 16);
   EXPECT_GT(samples.error_m, 1.8);
   EXPECT_LE(samples.error_m, 2);
 }
@@ -64,8 +64,8 @@ TEST(SampleGround, OverlooksOnlyWhatLeavesTheGround) {
 // The lower square is a house's that is mapped as a field too, or of another stuff; or it is stairs, which are of
 // stone.
 TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
-  const auto error_m = [](const bake::BakedTile& tile, const Standing& standing) {
-    return sample_ground(tile, standing, flat, kBox, 16).error_m;
+  const auto error_m = [](const bake::BakedTile& tile, const NonGroundObjects& non_ground) {
+    return sample_ground(tile, non_ground, flat, kBox, 16).error_m;
   };
   bake::BakedTile tile = square(0, true);
   const materials::Material own = tile.primitives.front().material;
@@ -78,13 +78,13 @@ TEST(SampleGround, KnowsFieldsThatAreHousesAndStairs) {
 }
 
 TEST(BorderEdges, AreThoseOfTheGroundInTheLine) {
-  const Standing leaving{{kBridge}, {}};
+  const NonGroundObjects off_ground{{kBridge}, {}};
   const bake::BakedTile tile = square(0, true);
-  EXPECT_EQ(border_edges_along_x(tile, leaving, 64).ground,
+  EXPECT_EQ(border_edges_along_x(tile, off_ground, 64).ground,
             (std::vector<BorderEdge>{{Vec3{64, 0, 10}, Vec3{64, 64, 10}}}));
-  EXPECT_EQ(border_edges_along_y(tile, leaving, 0).ground,
+  EXPECT_EQ(border_edges_along_y(tile, off_ground, 0).ground,
             (std::vector<BorderEdge>{{Vec3{0, 0, 10}, Vec3{64, 0, 10}}}));
-  EXPECT_TRUE(border_edges_along_x(tile, leaving, 32).ground.empty());
+  EXPECT_TRUE(border_edges_along_x(tile, off_ground, 32).ground.empty());
 }
 
 TEST(BorderEdges, MeetWhereAnUprightFaceStandsBetweenThemAndNotElse) {
@@ -92,10 +92,10 @@ TEST(BorderEdges, MeetWhereAnUprightFaceStandsBetweenThemAndNotElse) {
   const BorderEdges high{{{a, b}, {b, c}}, {}}, low{{{a_low, b_low}, {b, c}}, {}};
   const BorderEdges stepped{high.ground, {{a_low, b_low}, {a_low, b}, {a, b}}};
   const BorderEdges skirted{high.ground, {{a - deeper, b - deeper}, {a - deeper, b}, {a, b}}};
-  EXPECT_TRUE(meet(high, high));
-  EXPECT_TRUE(meet(stepped, low) && meet(low, stepped) && meet(stepped, high));
-  EXPECT_FALSE(meet(high, low) || meet(skirted, low) || meet(low, skirted));
-  EXPECT_FALSE(meet(high, {{{a, c}}, {}}) || meet(high, {{{b, c}}, {}}));
+  EXPECT_TRUE(borders_match(high, high));
+  EXPECT_TRUE(borders_match(stepped, low) && borders_match(low, stepped) && borders_match(stepped, high));
+  EXPECT_FALSE(borders_match(high, low) || borders_match(skirted, low) || borders_match(low, skirted));
+  EXPECT_FALSE(borders_match(high, {{{a, c}}, {}}) || borders_match(high, {{{b, c}}, {}}));
 }
 
 }  // namespace

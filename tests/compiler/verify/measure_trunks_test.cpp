@@ -9,7 +9,7 @@ ground::LandCoverPolygon surface(std::int64_t id, map::LandCoverClass kind, Ring
   return {{{OsmType::kWay, id}, 0}, kind, 9, {std::move(ring)}};
 }
 
-bake::InstancedMesh standing(const char* name, std::vector<bake::Float3> at) {
+bake::InstancedMesh non_ground(const char* name, std::vector<bake::Float3> at) {
   bake::InstancedMesh instanced;
   instanced.name = name;
   instanced.features.assign(at.size(), 0);
@@ -29,9 +29,9 @@ TEST(MeasureTrunks, CountsThoseInRoadsRailsBuildingsAndWater) {
   tile.origin = {0, 0, 500};
   tile.features = {{OsmType::kWay, 1}};
   // plane x and y, as meshes of tiles have them
-  tile.instanced = {standing("oak_3", {{5, 5, 0}, {5, 12, 0}, {5, 17, 0}}),
-                    standing("fir_0", {{60, 60, 1}, {15, 55, 2}}), standing("hedge_1", {{5, 13, 0}}),
-                    standing("wheat_1", {{5, 13, 0}}), standing("ArmLamp", {{5, 13, 0}})};
+  tile.instanced = {non_ground("oak_3", {{5, 5, 0}, {5, 12, 0}, {5, 17, 0}}),
+                    non_ground("fir_0", {{60, 60, 1}, {15, 55, 2}}), non_ground("hedge_1", {{5, 13, 0}}),
+                    non_ground("wheat_1", {{5, 13, 0}}), non_ground("ArmLamp", {{5, 13, 0}})};
   const Trunks trunks = measure_trunks(tile, map);
   EXPECT_EQ(trunks.trees, 5u);
   EXPECT_EQ(trunks.misplaced, 3u);

@@ -13,19 +13,21 @@ class RunFolder : public ScratchFolder {
   void report(const std::string& text) const { write("report.json", text); }
 };
 
-Written two_tiles() {
-  Written written;
+WrittenFiles two_tiles() {
+  WrittenFiles written;
   written.files = {{"scene.kiln", 100}};
   written.tiles = {{{"glb/0_0_L0.glb", 1000}, {0, 0}, 0, 0.1, 0.09, 12, 3},
                    {{"glb/-1_2_L0.glb", 500}, {-1, 2}, 0, 0.1, 0.08, 6, 0}};
   return written;
 }
 
-std::string report_of(Report& report, const Written& written) { return report_json({}, {}, report, written, {}, {}); }
+std::string report_of(Report& report, const WrittenFiles& written) {
+  return report_json({}, {}, report, written, {}, {});
+}
 
 TEST(RunReport, ReadsBackTheTilesItWrote) {
   Report report;
-  const Written written = two_tiles();
+  const WrittenFiles written = two_tiles();
   const RunFolder folder;
   folder.report(report_of(report, written));
   const Result<RunRecord> record = read_report(folder.path());
@@ -78,9 +80,9 @@ TEST(RunReport, OfAnotherProgramIsAnErrorThatNamesIt) {
 TEST(RunReport, OnlyWhatIsLostOrMendedIsObjectedTo) {
   Report report;
   report.add(Code::kNoBuildingHeight, {OsmType::kWay, 1});
-  EXPECT_FALSE(has_objections(report));
+  EXPECT_FALSE(has_mended_or_dropped(report));
   report.add(Code::kMissingNode, {OsmType::kWay, 1});
-  EXPECT_TRUE(has_objections(report));
+  EXPECT_TRUE(has_mended_or_dropped(report));
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(GlbImprints, SayColourRoughnessAndMetalness) {
     return gltf["images"][texture["source"].get<std::size_t>()]["name"].get<std::string>();
   };
   EXPECT_EQ(picture("baseColorTexture"), "facade_atlas");
-  EXPECT_EQ(picture("metallicRoughnessTexture"), "facadesSurface");
+  EXPECT_EQ(picture("metallicRoughnessTexture"), "facade_atlas_surface");
 }
 
 TEST(GlbImprints, ShineByAPictureOfTheirOwn) {

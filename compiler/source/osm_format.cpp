@@ -1,6 +1,6 @@
 // The frame of a PBF file: https://wiki.openstreetmap.org/wiki/PBF_Format (4 bytes of length, BlobHeader, Blob, and
 // again).
-#include "compiler/source/osm_file_kind.h"
+#include "compiler/source/osm_format.h"
 
 #include <fmt/core.h>
 
@@ -28,7 +28,7 @@ constexpr Suffix kSuffixes[] = {{".osm", OsmFormat::kXml},          {".xml", Osm
                                 {".osm.bz2", OsmFormat::kXmlBzip2}, {".xml.bz2", OsmFormat::kXmlBzip2},
                                 {".pbf", OsmFormat::kPbf}};
 
-// longest BlobHeader that the format allows
+// the longest BlobHeader that the format allows
 constexpr std::uint32_t kMaxBlobHeader = 64 * 1024;
 
 std::string_view content_name(OsmFormat format) {
@@ -52,7 +52,7 @@ std::optional<OsmFormat> format_by_name(std::string_view path) {
   return std::nullopt;
 }
 
-// nothing where the first bytes belong to none of the four
+// Empty if the first bytes match none of the four formats.
 std::optional<OsmFormat> format_by_content(std::string_view head) {
   if (head.starts_with("\x1f\x8b")) return OsmFormat::kXmlGzip;
   if (head.starts_with("BZh")) return OsmFormat::kXmlBzip2;
@@ -63,7 +63,7 @@ std::optional<OsmFormat> format_by_content(std::string_view head) {
   return std::nullopt;
 }
 
-// Size of the blob that follows a BlobHeader; nothing if it is not one.
+// The size of the blob that follows a BlobHeader; empty if the bytes are not a BlobHeader.
 std::optional<std::uint64_t> blob_size_in(std::string_view blob_header) {
   constexpr protozero::pbf_tag_type kDataSize = 3;
   try {
@@ -80,7 +80,7 @@ std::optional<std::uint64_t> blob_size_in(std::string_view blob_header) {
   return std::nullopt;
 }
 
-// Walks from blob to blob and returns the first that does not fit into the file.
+// Returns an error for the first blob that extends past the end of the file.
 std::optional<Error> find_broken_frame(const std::string& path, std::uint64_t file_size) {
   std::ifstream file(path, std::ios::binary);
   const auto error_at = [&](std::uint64_t byte, std::string message) {

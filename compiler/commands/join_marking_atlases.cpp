@@ -1,4 +1,4 @@
-#include "compiler/commands/join_sheets.h"
+#include "compiler/commands/join_marking_atlases.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@ namespace {
 
 using materials::TextureImage;
 
-// Either side of where two sheets meet; keeps them apart down to the third level of a prefiltered sheet.
+// Width of the gutter on each side of a seam; keeps neighbours apart down to the third mip level.
 constexpr std::uint32_t kGutter_px = 4;
 
-// The sheet's columns first, first + 1, … of the joined one, each row as often as it repeats.
+// Copies an atlas to columns first, first + 1, … of the joined one, repeating its rows to the full height.
 void draw(const TextureImage& sheet, std::int64_t first, TextureImage& joined) {
   const std::int64_t from = std::max<std::int64_t>(0, first - kGutter_px),
                      to = std::min<std::int64_t>(joined.columns, first + sheet.columns + kGutter_px);
@@ -29,7 +29,7 @@ void draw(const TextureImage& sheet, std::int64_t first, TextureImage& joined) {
     }
 }
 
-// Each sheet that differs from those before it, and where it begins.
+// The different atlases and their first columns.
 struct Placed {
   std::vector<const TextureImage*> sheets;
   std::vector<std::int64_t> firsts;
@@ -48,7 +48,7 @@ struct Placed {
 
 double length_m(const TextureImage& sheet) { return sheet.texel_m * sheet.rows; }
 
-// Linear light of a texel's channels, and back.
+// A texel's channels in linear light.
 using Light = std::array<double, 3>;
 TextureImage::Texel texel_of(const Light& light) {
   TextureImage::Texel texel{};
@@ -56,7 +56,7 @@ TextureImage::Texel texel_of(const Light& light) {
   return texel;
 }
 
-// The mean of a box of a sheet, in texels of it, which lies inside.
+// The mean over a box inside the atlas, in texels.
 TextureImage::Texel mean_of(const TextureImage& sheet, double left, double right, double low, double high) {
   Light sum{};
   double area = 0;
@@ -76,7 +76,7 @@ std::uint32_t columns_at(const TextureImage& sheet, std::uint32_t rows) {
   return static_cast<std::uint32_t>(std::ceil(static_cast<double>(sheet.columns) / sheet.rows * rows - 1e-9));
 }
 
-// The same metres in so many rows.
+// The atlas resampled to the given number of rows.
 TextureImage in_rows(const TextureImage& sheet, std::uint32_t rows) {
   if (sheet.rows == rows) return sheet;
   const double grown = static_cast<double>(sheet.rows) / rows;
@@ -89,7 +89,7 @@ TextureImage in_rows(const TextureImage& sheet, std::uint32_t rows) {
   return coarse;
 }
 
-// How many rows all sheets can be drawn in: those of the coarsest, or fewer, so that they fit side by side.
+// The number of rows of the coarsest atlas, or fewer if the joined one would be too wide.
 std::uint32_t common_rows(std::span<const TextureImage* const> sheets) {
   std::uint32_t rows = materials::kMaxImageSide_px;
   for (const TextureImage* sheet : sheets)
@@ -115,20 +115,20 @@ bool are_alike(std::span<const TextureImage* const> sheets) {
   return true;
 }
 
-// As they are, side by side.
-Result<JoinedSheets> side_by_side(std::span<const TextureImage* const> sheets) {
+// Joins the atlases without resampling.
+Result<JoinedMarkingAtlases> side_by_side(std::span<const TextureImage* const> sheets) {
   Placed placed;
-  JoinedSheets joined;
+  JoinedMarkingAtlases joined;
   for (const TextureImage* sheet : sheets) {
     const std::int64_t first = sheet->texels.empty() ? 0 : placed.place(*sheet);
     joined.offsets_m.push_back(static_cast<double>(first) * sheet->texel_m);
   }
   if (std::max(placed.columns, placed.rows) > materials::kMaxImageSide_px ||
       placed.columns * placed.rows > materials::kMaxImageTexels)
-    return Error{"",
-                 fmt::format("the tiles' sheets would be {} by {} texels as one, too many: bake fewer tiles, or to a "
-                             "folder",
-                             placed.columns, placed.rows)};
+    return Error{
+        "", fmt::format("the joined marking atlas would be too large ({} by {} texels); bake fewer tiles, or bake to a "
+                        "folder",
+                        placed.columns, placed.rows)};
   if (placed.sheets.empty()) return joined;
   joined.sheet.texel_m = placed.sheets.front()->texel_m;
   joined.sheet.columns = static_cast<std::uint32_t>(placed.columns);
@@ -150,13 +150,15 @@ bool have_one_texel(std::span<const TextureImage* const> sheets) {
 
 }  // namespace
 
-Result<JoinedSheets> join_sheets(std::span<const TextureImage* const> sheets) {
-  // equal ones are there once, so they may fit as they are
+Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const TextureImage* const> sheets) {
+  // equal atlases are stored once, so they may fit without resampling
   if (have_one_texel(sheets)) {
-    Result<JoinedSheets> joined = side_by_side(sheets);
+    Result<JoinedMarkingAtlases> joined = side_by_side(sheets);
     if (joined || !are_alike(sheets)) return joined;
   }
-  if (!are_alike(sheets)) return Error{"", "sheets of different lengths cannot be in one file: bake to a folder"};
+  if (!are_alike(sheets))
+    return Error{"",
+                 "the tiles' marking atlases have different lengths and do not fit into one file; bake to a folder"};
   const std::uint32_t rows = common_rows(sheets);
   std::vector<TextureImage> coarser;
   for (const TextureImage* sheet : sheets)

@@ -1,4 +1,4 @@
-#include "compiler/commands/join_sheets.h"
+#include "compiler/commands/join_marking_atlases.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ TextureImage made(std::uint32_t columns, std::uint32_t rows, std::uint32_t seed,
   return sheet;
 }
 
-Result<JoinedSheets> joined(const std::vector<TextureImage>& sheets) {
+Result<JoinedMarkingAtlases> joined(const std::vector<TextureImage>& sheets) {
   std::vector<const TextureImage*> pointers;
   for (const TextureImage& sheet : sheets) pointers.push_back(&sheet);
-  return join_sheets(pointers);
+  return join_marking_atlases(pointers);
 }
 
 // As it is drawn: the edge goes on across, all repeats along.
@@ -33,7 +33,7 @@ TextureImage::Texel texel(const TextureImage& sheet, std::int64_t column, std::u
   return sheet.texels[row % sheet.rows * sheet.columns + static_cast<std::size_t>(column)];
 }
 
-TEST(JoinSheets, EverySheetIsShownAtItsOffsetAndAGutterAround) {
+TEST(JoinMarkingAtlases, EverySheetIsShownAtItsOffsetAndAGutterAround) {
   const std::vector<TextureImage> sheets = {made(20, 6, 1), made(7, 4, 2), made(9, 12, 3)};
   const auto all = joined(sheets);
   ASSERT_TRUE(all);
@@ -50,14 +50,14 @@ TEST(JoinSheets, EverySheetIsShownAtItsOffsetAndAGutterAround) {
   }
 }
 
-TEST(JoinSheets, EqualOnesAreThereOnce) {
+TEST(JoinMarkingAtlases, EqualOnesAreThereOnce) {
   const auto all = joined({made(20, 6, 1), made(20, 6, 1), made(20, 6, 1)});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 0, 0}));
 }
 
-TEST(JoinSheets, TilesWithoutOneTakeNoRoom) {
+TEST(JoinMarkingAtlases, TilesWithoutOneTakeNoRoom) {
   const auto all = joined({{}, made(20, 6, 1), {}});
   ASSERT_TRUE(all);
   EXPECT_EQ(all->sheet, made(20, 6, 1));
@@ -73,7 +73,7 @@ double mean_of(const TextureImage& sheet, std::uint32_t first, std::uint32_t cou
   return sum / count / sheet.rows;
 }
 
-TEST(JoinSheets, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
+TEST(JoinMarkingAtlases, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
   const TextureImage fine = made(40, 24, 1, 0.25), coarse = made(20, 12, 2, 0.5);
   const auto all = joined({fine, coarse});
   ASSERT_TRUE(all);
@@ -84,13 +84,13 @@ TEST(JoinSheets, FinerTexelsBecomeAsCoarseAsTheCoarsest) {
   EXPECT_EQ(all->offsets_m, (std::vector<double>{0, 14}));
 }
 
-TEST(JoinSheets, MoreThanGraphicsCardsTakeAreDrawnCoarser) {
+TEST(JoinMarkingAtlases, MoreThanGraphicsCardsTakeAreDrawnCoarser) {
   EXPECT_EQ(joined({made(8184, 2, 1), made(8192, 2, 2)})->sheet.rows, 2u);
   EXPECT_EQ(joined({made(8185, 2, 1), made(8192, 2, 2)})->sheet.rows, 1u);
   EXPECT_LE(joined({made(16000, 400, 1), made(16000, 400, 2)})->sheet.columns, materials::kMaxImageSide_px);
 }
 
-TEST(JoinSheets, SheetsOfDifferentLengthsThatAreTooManyAreRefused) {
+TEST(JoinMarkingAtlases, SheetsOfDifferentLengthsThatAreTooManyAreRefused) {
   EXPECT_FALSE(joined({made(1, 127, 1), made(1, 131, 2)}));
   EXPECT_FALSE(joined({made(8000, 90, 1), made(8000, 91, 2)}));
 }

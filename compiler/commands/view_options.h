@@ -17,15 +17,15 @@ struct PictureSize {
 };
 
 /// An option's take: three numbers, "X,Y,Z" in metres of the plane or "LON,LAT,HEIGHT" in degrees and metres.
-std::function<Result<Done>(const std::string&)> into_point(std::optional<Vec3>& point);
+std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>& point);
 
 /// "1280x720".
-Result<Done> take_size(const std::string& text, PictureSize& size);
+Result<Done> parse_size(const std::string& text, PictureSize& size);
 
 /// Degrees between 0 and 180.
-Result<Done> take_fov(const std::string& text, std::optional<double>& fov_deg);
+Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg);
 
-Result<Done> take_positive(const std::string& text, double& number);
+Result<Done> parse_positive(const std::string& text, double& number);
 
 /// A point in the plane, whichever way it was given; nothing where it was not. Error: by longitude and latitude,
 /// without a header that tells the plane.

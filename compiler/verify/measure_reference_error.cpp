@@ -1,4 +1,4 @@
-#include "compiler/verify/measure_following.h"
+#include "compiler/verify/measure_reference_error.h"
 
 #include <cmath>
 
@@ -8,16 +8,17 @@
 
 namespace citykiln::verify {
 
-Following worse(const Following& a, const Following& b) {
-  const Following& worst = b.largest_m > a.largest_m ? b : a;
+ReferenceErrors combined(const ReferenceErrors& a, const ReferenceErrors& b) {
+  const ReferenceErrors& worst = b.largest_m > a.largest_m ? b : a;
   return {a.places + b.places, a.over + b.over, worst.largest_m, worst.at};
 }
 
-Following measure_following(const ground::GradedTerrain& graded, std::span<const ground::LandCoverPolygon> surfaces,
-                            const ReferenceAt& reference_at, const Box2& box, int a_side) {
+ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
+                                         std::span<const ground::LandCoverPolygon> surfaces,
+                                         const ReferenceAt& reference_at, const Box2& box, int a_side) {
   const ground::LandCoverIndex map = index_land_cover(surfaces, box);
   const Draw draw(0, StableId{0}, "samples of the reference");
-  Following following;
+  ReferenceErrors reference_errors;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(a_side * a_side); ++i) {
     const double u = (i % a_side + draw.unit(2 * i)) / a_side, v = (i / a_side + draw.unit(2 * i + 1)) / a_side;
     const Vec2 p{box.min.x + u * box.width(), box.min.y + v * box.height()};
@@ -25,11 +26,12 @@ Following measure_following(const ground::GradedTerrain& graded, std::span<const
     const ground::FaceHeight face =
         surface == ground::kNoLandCover ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
     if (face.level_m) continue;
-    const double off_m = std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
-    ++following.places, following.over += off_m > 2 * ground::kReferenceError_m;
-    if (off_m > following.largest_m) following.largest_m = off_m, following.at = p;
+    const double deviation_m =
+        std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
+    ++reference_errors.places, reference_errors.over += deviation_m > 2 * ground::kReferenceError_m;
+    if (deviation_m > reference_errors.largest_m) reference_errors.largest_m = deviation_m, reference_errors.at = p;
   }
-  return following;
+  return reference_errors;
 }
 
 }  // namespace citykiln::verify

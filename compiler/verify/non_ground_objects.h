@@ -7,6 +7,6 @@
 namespace citykiln::verify {
 
 /// O(n log n).
-Standing standing_of(const scene::Scene& scene);
+NonGroundObjects find_non_ground_objects(const scene::Scene& scene);
 
 }  // namespace citykiln::verify

@@ -20,9 +20,9 @@ struct StageCost {
 using OnProgress = std::function<void(std::string_view stage, double share)>;
 
 /// Walks from stage to stage, tells the listener and measures each.
-class StageWatch {
+class StageTimer {
  public:
-  explicit StageWatch(OnProgress on_progress) : on_progress_(std::move(on_progress)) {}
+  explicit StageTimer(OnProgress on_progress) : on_progress_(std::move(on_progress)) {}
 
   /// Ends the stage before and begins this one.
   void enter(std::string_view stage);

@@ -9,7 +9,7 @@
 
 namespace citykiln::commands {
 
-struct JoinedAtlases {
+struct JoinedFacadeAtlases {
   impostor::Atlas atlas;
   /// What a place on one of the atlases becomes: at_m + scale · uv. Tiles of other tolerances have other texels.
   struct Place {
@@ -24,6 +24,6 @@ struct JoinedAtlases {
 /// four, in linear light, until it is not. O(texels).
 ///
 /// @param atlases  In the order in which they are put down.
-JoinedAtlases join_atlases(std::span<const impostor::Atlas* const> atlases);
+JoinedFacadeAtlases join_facade_atlases(std::span<const impostor::Atlas* const> atlases);
 
 }  // namespace citykiln::commands

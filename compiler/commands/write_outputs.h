@@ -9,14 +9,15 @@
 #include "compiler/contract/result.h"
 #include "compiler/scene/scene.h"
 #include "compiler/spec.h"
-#include "compiler/stage_watch.h"
+#include "compiler/stage_timer.h"
 #include "compiler/verify/run_report.h"
 #include "exporters/output_folder.h"
 
 namespace citykiln::commands {
 
 /// Writes scene.kiln and glb/<x>_<y>_L<n>.glb, whichever the outputs ask for, one tile at a time.
-Result<verify::Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress);
+Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                           exporters::OutputFolder& folder, Report& report,
+                                           const OnProgress& on_progress);
 
 }  // namespace citykiln::commands

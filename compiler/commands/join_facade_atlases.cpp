@@ -1,4 +1,4 @@
-#include "compiler/commands/join_atlases.h"
+#include "compiler/commands/join_facade_atlases.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 using impostor::Atlas;
 using materials::TextureImage;
 
-// The mean of up to four texels, of light or of numbers.
+// The mean of up to four texels: of colours in linear light if `is_light`, else of numbers.
 TextureImage::Texel mean(std::span<const TextureImage::Texel> texels, bool is_light) {
   TextureImage::Texel mean{};
   for (std::size_t c = 0; c < mean.size(); ++c) {
@@ -45,7 +45,7 @@ Atlas halved(const Atlas& atlas) {
           if_any(atlas.normal, false)};
 }
 
-// Where each atlas begins, and how large all are.
+// The first texel of each atlas, and the size of the joined one.
 struct Layout {
   std::vector<std::array<std::uint64_t, 2>> firsts;  // column, row
   std::uint64_t columns = 0, rows = 0;
@@ -79,7 +79,7 @@ TextureImage blank(double texel_m, const Layout& layout, TextureImage::Texel tex
           std::vector<TextureImage::Texel>(layout.columns * layout.rows, texel)};
 }
 
-// With what no atlas has, none has to have.
+// An empty atlas with the channels that any of the atlases has.
 Atlas blank_like(std::span<const Atlas> atlases, double texel_m, const Layout& layout) {
   const auto any_has = [&](TextureImage Atlas::*sheet) {
     return std::ranges::any_of(atlases, [&](const Atlas& atlas) { return !(atlas.*sheet).texels.empty(); });
@@ -101,13 +101,13 @@ double finest_texel_m(std::span<const Atlas> atlases) {
 
 }  // namespace
 
-JoinedAtlases join_atlases(std::span<const Atlas* const> atlases) {
+JoinedFacadeAtlases join_facade_atlases(std::span<const Atlas* const> atlases) {
   std::vector<Atlas> all;
   for (const Atlas* atlas : atlases) all.push_back(*atlas);
-  JoinedAtlases joined{{}, std::vector<JoinedAtlases::Place>(all.size())};
+  JoinedFacadeAtlases joined{{}, std::vector<JoinedFacadeAtlases::Place>(all.size())};
   const auto finest_m = finest_texel_m(all);
   if (!(finest_m > 0)) return joined;
-  // places stay where they are while atlases are halved
+  // texel sizes in metres before any halving: offsets in metres do not change with it
   std::vector<double> own_m;
   for (const Atlas& atlas : all) own_m.push_back(atlas.colour.texel_m);
   double texel_m = finest_m;

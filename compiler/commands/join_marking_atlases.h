@@ -15,7 +15,7 @@
 
 namespace citykiln::commands {
 
-struct JoinedSheets {
+struct JoinedMarkingAtlases {
   materials::TextureImage sheet;
   std::vector<double> offsets_m;  ///< One a sheet: what to add to its u.
 };
@@ -26,6 +26,6 @@ struct JoinedSheets {
 ///
 /// @param sheets  Where the joined one will be drawn, in this order.
 /// Errors: sheets of different lengths along v that are too many. O(texels).
-Result<JoinedSheets> join_sheets(std::span<const materials::TextureImage* const> sheets);
+Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const materials::TextureImage* const> sheets);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-#include "compiler/commands/write_tiles.h"
+#include "compiler/commands/write_outputs.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ Result<verify::WrittenFile> write(const std::string& name, const std::vector<std
   return verify::WrittenFile{name, bytes.size()};
 }
 
-/// A tile that waits for its turn to be written.
+/// An encoded tile that waits until the tiles before it are written.
 struct ReadyTile {
   std::vector<std::byte> glb;
   verify::WrittenTile record;
@@ -40,26 +40,27 @@ Result<std::vector<verify::WrittenTile>> write_glbs(const scene::Scene& scene, c
   const std::size_t levels = outputs.ladder_m.size();
   std::vector<ReadyTile> slots(scene.chunks.size() * levels);
   std::vector<verify::WrittenTile> written;
-  const Result<Done> fired = fire(
+  const Result<Done> baked = bake_scene(
       scene, outputs.ladder_m, threads, report, on_progress,
-      [&](FiredLevel at, bake::BakedTile&& baked) {
+      [&](ChunkLevel at, bake::BakedTile&& baked) {
         const bake::BakedTile tile = std::move(baked);
         slots[at.chunk * levels + at.level] = ready_tile(tile, at.level, scene.header, outputs, threads);
       },
-      [&](FiredLevel at) -> Result<Done> {
+      [&](ChunkLevel at) -> Result<Done> {
         const ReadyTile ready = std::exchange(slots[at.chunk * levels + at.level], {});
         written.push_back(ready.record);
         return folder.write(ready.record.file.name, ready.glb);
       });
-  if (!fired) return fired.error();
+  if (!baked) return baked.error();
   return written;
 }
 
 }  // namespace
 
-Result<verify::Written> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
-                                      exporters::OutputFolder& folder, Report& report, const OnProgress& on_progress) {
-  verify::Written written;
+Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
+                                           exporters::OutputFolder& folder, Report& report,
+                                           const OnProgress& on_progress) {
+  verify::WrittenFiles written;
   if (outputs.manifest) {
     on_progress("write", 0);
     const Result<verify::WrittenFile> file = write("scene.kiln", exporters::encode_manifest(scene, threads), folder);

@@ -1,4 +1,4 @@
-#include "compiler/stage_watch.h"
+#include "compiler/stage_timer.h"
 
 #include <chrono>
 #include <fstream>
@@ -9,7 +9,7 @@ namespace {
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// The kernel's high-water mark of resident memory; 0 where there is no /proc.
+/// The kernel's high-water mark of resident memory; 0 on systems without /proc.
 std::uint64_t peak_resident_bytes() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -21,13 +21,13 @@ std::uint64_t peak_resident_bytes() {
   return 0;
 }
 
-/// Sets the high-water mark back to what is resident now (proc(5), clear_refs, 5), so that the next stage is measured
-/// alone.
+/// Resets the high-water mark to the present resident memory (proc(5), clear_refs, 5), so that each stage is measured
+/// separately.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 }  // namespace
 
-void StageWatch::enter(std::string_view stage) {
+void StageTimer::enter(std::string_view stage) {
   close();
   stage_ = stage;
   forget_peak();
@@ -35,12 +35,12 @@ void StageWatch::enter(std::string_view stage) {
   on_progress_(stage, 0);
 }
 
-std::vector<StageCost> StageWatch::finish() {
+std::vector<StageCost> StageTimer::finish() {
   close();
   return std::exchange(costs_, {});
 }
 
-void StageWatch::close() {
+void StageTimer::close() {
   if (stage_.empty()) return;
   costs_.push_back({std::exchange(stage_, {}), now_s() - begin_s_, peak_resident_bytes()});
 }

@@ -1,4 +1,4 @@
-#include "compiler/commands/join_atlases.h"
+#include "compiler/commands/join_facade_atlases.h"
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ Atlas made_atlas(std::uint64_t seed, double texel_m, std::uint32_t columns, std:
   return atlas;
 }
 
-JoinedAtlases joined(const std::vector<Atlas>& atlases) {
+JoinedFacadeAtlases joined(const std::vector<Atlas>& atlases) {
   std::vector<const Atlas*> pointers;
   for (const Atlas& atlas : atlases) pointers.push_back(&atlas);
-  return join_atlases(pointers);
+  return join_facade_atlases(pointers);
 }
 
 // The texel at a place in metres.
@@ -37,7 +37,7 @@ TextureImage::Texel at(const TextureImage& sheet, Vec2 uv) {
 }
 
 void expect_all_there(const std::vector<Atlas>& atlases) {
-  const JoinedAtlases all = joined(atlases);
+  const JoinedFacadeAtlases all = joined(atlases);
   ASSERT_EQ(all.places.size(), atlases.size());
   for (std::size_t i = 0; i < atlases.size(); ++i)
     for (std::size_t t = 0; t < atlases[i].colour.texels.size(); ++t) {
@@ -52,24 +52,26 @@ void expect_all_there(const std::vector<Atlas>& atlases) {
     }
 }
 
-TEST(JoinAtlases, EveryTexelIsThere) { expect_all_there({made_atlas(1, 0.5, 12, 20), made_atlas(2, 0.5, 30, 8)}); }
+TEST(JoinFacadeAtlases, EveryTexelIsThere) {
+  expect_all_there({made_atlas(1, 0.5, 12, 20), made_atlas(2, 0.5, 30, 8)});
+}
 
-TEST(JoinAtlases, OfOtherTolerancesToo) {
+TEST(JoinFacadeAtlases, OfOtherTolerancesToo) {
   expect_all_there({made_atlas(1, 12.5, 12, 20), made_atlas(2, 0.5, 30, 8), Atlas{}, made_atlas(3, 2.5, 6, 6)});
 }
 
-TEST(JoinAtlases, HighOnesStandSideBySide) {
+TEST(JoinFacadeAtlases, HighOnesStandSideBySide) {
   expect_all_there({made_atlas(1, 0.5, 4, 10000), made_atlas(2, 0.5, 8, 10000), made_atlas(3, 0.5, 2, 10)});
 }
 
-TEST(JoinAtlases, WhatIsTooMuchIsHalved) {
+TEST(JoinFacadeAtlases, WhatIsTooMuchIsHalved) {
   std::vector<Atlas> atlases;
   for (int i = 0; i < 5; ++i) {
     const TextureImage grey{0.5, 4096, 4096,
                             std::vector<TextureImage::Texel>(4096 * 4096, TextureImage::Texel{60, 60, 60})};
     atlases.push_back({grey, grey, {}, {}});
   }
-  const JoinedAtlases all = joined(atlases);
+  const JoinedFacadeAtlases all = joined(atlases);
   EXPECT_LE(all.atlas.colour.texels.size(), materials::kMaxImageTexels);
   EXPECT_EQ(all.atlas.colour.texel_m, 1);
   // a place is as many metres from the atlas's corner as it was
@@ -77,7 +79,7 @@ TEST(JoinAtlases, WhatIsTooMuchIsHalved) {
   EXPECT_EQ(at(all.atlas.colour, all.places[4].at_m + Vec2{2047, 2047}), (TextureImage::Texel{60, 60, 60}));
 }
 
-TEST(JoinAtlases, OfNoneIsNone) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }
+TEST(JoinFacadeAtlases, OfNoneIsNone) { EXPECT_EQ(joined({Atlas{}, Atlas{}}).atlas, Atlas{}); }
 
 }  // namespace
 }  // namespace citykiln::commands

@@ -11,7 +11,7 @@
 
 namespace citykiln::verify {
 
-struct Following {
+struct ReferenceErrors {
   std::uint64_t places = 0;
   std::uint64_t over = 0;  ///< Off by more than twice what is allowed where the ground is looked at.
   double largest_m = 0;    ///< At steps of the ground itself, by as much as they are high.
@@ -19,14 +19,15 @@ struct Following {
 };
 
 /// Of both, counted together.
-Following worse(const Following& a, const Following& b);
+ReferenceErrors combined(const ReferenceErrors& a, const ReferenceErrors& b);
 
 /// The reference at a place.
 using ReferenceAt = std::function<const ground::Reference&(Vec2)>;
 
 /// At a random place in every square of a lattice over the box, on the layer of what covers it; standing water is left
 /// out. O(samples).
-Following measure_following(const ground::GradedTerrain& graded, std::span<const ground::LandCoverPolygon> surfaces,
-                            const ReferenceAt& reference_at, const Box2& box, int a_side);
+ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
+                                         std::span<const ground::LandCoverPolygon> surfaces,
+                                         const ReferenceAt& reference_at, const Box2& box, int a_side);
 
 }  // namespace citykiln::verify

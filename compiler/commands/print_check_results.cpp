@@ -1,0 +1,73 @@
+#include "compiler/commands/print_check_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "compiler/ground/grading/bend_points.h"
+
+namespace citykiln::commands {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json print_check(const verify::Check& check, const Console& console) {
+  const bool holds = check.failures.empty();
+  console.print_line(
+      fmt::format("{} {}: {}", holds ? "holds" : "FAILS", check.claim,
+                  holds ? fmt::format("not falsified by {} tests", check.tests) : check.failures.front()));
+  if (check.failures.size() > 1)
+    console.print_line(fmt::format("      and {} more failures", check.failures.size() - 1));
+  return {{"guarantee", check.claim}, {"tests", check.tests}, {"failures", check.failures}};
+}
+
+Json print_measure(const verify::Grades& grades, const Console& console) {
+  console.print_line(fmt::format("info  {:.1f} km of {:.1f} km of graded roads exceed the grade limit of their class",
+                                 grades.over_m / 1000, grades.length_m / 1000));
+  return {{"measure", "length of graded roads over the grade limit of their class"},
+          {"length_m", grades.length_m},
+          {"over_m", grades.over_m}};
+}
+
+Json print_measure(const verify::Clearances& c, const Console& console) {
+  console.print_line(fmt::format(
+      "info  {} of {} crossings have too little clearance, {} by over 1 m, {} by over 3 m; the largest shortfall is "
+      "{:.2f} m, {} over {} at {}, {}",
+      c.shortfalls, c.crossings, c.shortfalls_over_1_m, c.shortfalls_over_3_m, c.largest_shortfall_m,
+      to_string(c.upper), to_string(c.lower), c.at.x, c.at.y));
+  return {{"measure", "crossings with too little clearance"},
+          {"crossings", c.crossings},
+          {"shortfalls", c.shortfalls},
+          {"shortfalls_over_1_m", c.shortfalls_over_1_m},
+          {"shortfalls_over_3_m", c.shortfalls_over_3_m},
+          {"largest_shortfall_m", c.largest_shortfall_m},
+          {"upper", to_string(c.upper)},
+          {"lower", to_string(c.lower)},
+          {"at", {c.at.x, c.at.y}}};
+}
+
+Json print_measure(const verify::ReferenceErrors& f, const Console& console) {
+  const double share = static_cast<double>(f.over) / static_cast<double>(std::max<std::uint64_t>(f.places, 1));
+  console.print_line(
+      fmt::format("info  {:.2f} % of {} places on the ground mesh deviate by over {} m, the largest by {:.2f} m at "
+                  "{:.2f}, {:.2f}",
+                  100 * share, f.places, 2 * ground::kReferenceError_m, f.largest_m, f.at.x, f.at.y));
+  return {{"measure", "places where the ground mesh deviates from the graded terrain"},
+          {"places", f.places},
+          {"over", f.over},
+          {"largest_m", f.largest_m}};
+}
+
+}  // namespace
+
+void print(const verify::CheckResults& results, const Console& console) {
+  Json json = Json::array();
+  for (const verify::Check* check : verify::all_of(results)) json.push_back(print_check(*check, console));
+  json.push_back(print_measure(results.grades, console));
+  json.push_back(print_measure(results.clearances, console));
+  json.push_back(print_measure(results.reference_errors, console));
+  console.print_json(json.dump(1));
+}
+
+}  // namespace citykiln::commands

@@ -1,0 +1,30 @@
+#include "compiler/verify/check_results.h"
+
+namespace citykiln::verify {
+namespace {
+
+// In the order of printing.
+constexpr Check CheckResults::*kChecks[] = {&CheckResults::ledger,  &CheckResults::glb_bytes, &CheckResults::area,
+                                            &CheckResults::height,  &CheckResults::seams,     &CheckResults::jumps,
+                                            &CheckResults::roads,   &CheckResults::rivers,    &CheckResults::lakes,
+                                            &CheckResults::footing, &CheckResults::trunks};
+
+}  // namespace
+
+std::vector<const Check*> all_of(const CheckResults& results) {
+  std::vector<const Check*> all;
+  for (const auto claim : kChecks) all.push_back(&(results.*claim));
+  return all;
+}
+
+void add(CheckResults& results, const CheckResults& of_tile) {
+  for (const auto claim : kChecks) {
+    Check& all = results.*claim;
+    const Check& here = of_tile.*claim;
+    all.tests += here.tests;
+    all.failures.insert(all.failures.end(), here.failures.begin(), here.failures.end());
+  }
+  results.reference_errors = combined(results.reference_errors, of_tile.reference_errors);
+}
+
+}  // namespace citykiln::verify

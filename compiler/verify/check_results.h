@@ -1,0 +1,51 @@
+// What `check` found out: the promises, and what is stated but not judged.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compiler/verify/measure_clearances.h"
+#include "compiler/verify/measure_lines.h"
+#include "compiler/verify/measure_reference_error.h"
+
+namespace citykiln::verify {
+
+/// One promise, how often it was put to the test, and where it broke.
+struct Check {
+  std::string claim;
+  std::uint64_t tests = 0;
+  std::vector<std::string> failures;
+
+  void test(bool holds, const std::string& failure) { test_all(1, holds, failure); }
+
+  void test_all(std::uint64_t count, bool hold, const std::string& failure) {
+    tests += count;
+    if (!hold) failures.push_back(failure);
+  }
+};
+
+struct CheckResults {
+  Check ledger{"every account of the ledger balances: in + split = out + merged + dropped", 0, {}};
+  Check glb_bytes{"every .glb has exactly the bytes that baking the manifest gives", 0, {}};
+  Check area{"the ground's faces cover the plan area of the tile exactly once", 0, {}};
+  Check height{"the ground is within error_m of the graded terrain", 0, {}};
+  Check seams{"neighbouring tiles have the same border edges", 0, {}};
+  Check jumps{"roads, bridges and tunnels have equal heights where they meet, within 1 cm", 0, {}};
+  Check roads{"the ground is within error_m of the roads' height profiles", 0, {}};
+  Check rivers{"no watercourse flows uphill", 0, {}};
+  Check lakes{"lakes are level", 0, {}};
+  Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
+  Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
+  // stated, not judged
+  Grades grades;
+  ReferenceErrors reference_errors;
+  Clearances clearances;
+};
+
+std::vector<const Check*> all_of(const CheckResults& results);
+
+/// Counts what a tile was found to be to what is known of others; its breaches come after theirs.
+void add(CheckResults& results, const CheckResults& of_tile);
+
+}  // namespace citykiln::verify
