@@ -22,10 +22,6 @@ using materials::SurfaceMaterial;
 // Balconies and bays stand out this far.
 constexpr double kMaxProjection_m = 2;
 
-// At this texel size and coarser there are no normals: a texel spans a window or more, and the slopes of its two
-// reveals cancel out.
-constexpr double kNoNormals_m = 2;
-
 // Textures contain the colour; the material under them only says how the surface scatters light where viewers ignore
 // the roughness texture.
 constexpr Material kUnderTextures = Material::kPaint;
@@ -50,7 +46,7 @@ View view_of(const Face& face, double texel_m) {
           .rows = texels_in(box.height(), texel_m),
           .before_m = std::min(texel_m, kMaxProjection_m),
           .behind_m = texel_m,
-          .has_slopes = texel_m < kNoNormals_m};
+          .has_slopes = has_detail(Detail::kFacadeNormals, texel_m)};
 }
 
 // The share of a face that one material has to cover for the face to take it. On most roofs the only other material is

@@ -197,7 +197,7 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
     assert(tolerances_m[i] > 0);
-    const bool has_textures = level.rules && tolerances_m[i] >= kFacadeTextures_m;
+    const bool has_textures = level.rules && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
     if (has_textures && !detailed) detailed = detailed_model(level);
     level.tolerance_m = tolerances_m[i], level.detailed = has_textures ? &*detailed : nullptr;
     levels.push_back(generate(level, reports[i]));

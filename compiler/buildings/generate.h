@@ -16,11 +16,8 @@ namespace citykiln::buildings {
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;  ///< Hausdorff distance, both ways, of visible surfaces to the building at tolerance 0.
-  std::vector<TexturedFace> textured_faces{};  ///< Faces with a baked texture, at kFacadeTextures_m and coarser.
+  std::vector<TexturedFace> textured_faces{};  ///< Faces with a baked texture, if the level has kFacadeTextures.
 };
-
-/// At this tolerance and coarser, omitted details are shown as facade textures.
-inline constexpr double kFacadeTextures_m = 0.5;
 
 /// Parameters that all buildings of a scene share.
 struct SceneContext {

@@ -25,14 +25,11 @@ struct MassModel {
   std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of lifted buildings.
 };
 
-/// At this tolerance and coarser, walls hidden by neighbours are kept: the neighbour may have been dropped.
-inline constexpr double kKeepPartyWalls_m = 1;
-
 /// Returns the mass model of a building; roof.error_m <= tolerance_m.
 ///
 /// Guarantees: walls with party walls, foundation, roof and floor form a closed surface, vertex to vertex if no storey
-/// is buried; buildings on the ground are open at the bottom. Roofs replaced by flat ones are diagnosed kRoofFallback.
-/// Total.
+/// is buried; buildings on the ground are open at the bottom. Party walls in one plane with the neighbour's are left
+/// out with Detail::kPartyWallOpenings. Roofs replaced by flat ones are diagnosed kRoofFallback. Total.
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report);
 
 /// Returns the start shape for the rules: walls (kSide, kInside), gables (kVertical), roof planes (kTop), rims and
