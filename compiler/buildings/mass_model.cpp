@@ -229,7 +229,8 @@ MassModel mass_model_of(const Building& building, double tolerance_m, Report& re
   MassModel mass;
   mass.roof = roofs::generate_roof(building.footprint, building.roof_shape, tolerance_m, building.id.osm, report);
   const std::vector<Run> runs = runs_of(building, mass.roof);
-  for (const Run& run : runs) WallBuilder{building, run, has_detail(Detail::kPartyWallOpenings, tolerance_m), mass}.build();
+  for (const Run& run : runs)
+    WallBuilder{building, run, has_detail(Detail::kPartyWallOpenings, tolerance_m), mass}.build();
   if (!building.stands_on_ground) add_underside(building, runs, mass);
   return mass;
 }

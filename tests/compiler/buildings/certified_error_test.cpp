@@ -39,11 +39,11 @@ Level level_of(const Building& building, const Rulebook& rulebook, double tolera
   Report report;
   const GeneratedBuilding expanded = generate(building, rulebook, {1}, tolerance_m, report);
   Level level{{}, expanded.error_m};
-  const auto add = [&](const materials::MaterialMesh& dressed) {
-    const auto& p = dressed.mesh.positions;
-    for (const auto& [a, b, c] : dressed.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
+  const auto add = [&](const materials::MaterialMesh& part) {
+    const auto& p = part.mesh.positions;
+    for (const auto& [a, b, c] : part.mesh.triangles) level.triangles.push_back({p[a], p[b], p[c]});
   };
-  for (const auto& dressed : expanded.meshes) add(dressed);
+  for (const auto& part : expanded.meshes) add(part);
   for (const auto& textured_faces : expanded.textured_faces) add(textured_faces.mesh);
   return level;
 }

@@ -111,6 +111,8 @@ TEST(Atlas, FramesRepeatTheOutermostTexels) {
   const std::vector<Picture> pictures = {random_picture(7, 6)};
   const AtlasLayout layout = lay_out_atlas(pictures, 1);
   const auto& colour = layout.atlas.colour;
+  ASSERT_EQ(colour.texels.size(), std::size_t{colour.columns} * colour.rows);
+  ASSERT_GE(colour.rows, pictures[0].rows + 2);
   const auto at = [&](std::size_t x, std::size_t y) { return colour.texels[y * colour.columns + x]; };
   for (std::size_t y = 1; y <= pictures[0].rows; ++y) {
     EXPECT_EQ(at(0, y), at(1, y));

@@ -47,6 +47,7 @@ TEST(Coverage, IsTheSameEitherWayRound) {
     const Coverage there = coverage_of(ring, 0.3, 40, {0, 40});
     std::reverse(ring.begin(), ring.end());
     const Coverage back = coverage_of(ring, 0.3, 40, {0, 40});
+    ASSERT_FALSE(there.share.empty());
     ASSERT_EQ(there.share.size(), back.share.size());
     for (std::size_t k = 0; k < there.share.size(); ++k) EXPECT_NEAR(there.share[k], back.share[k], 1e-12);
   }

@@ -38,6 +38,7 @@ TEST(GradientNoise, HasItsMeanNearNothing) {
   for (std::uint64_t key = 0; key < 20; ++key) {
     double sum = 0;
     const Field field = gradient_noise(64, {16, 16}, key);
+    ASSERT_EQ(field.values.size(), 64u * 64u);
     for (const float v : field.values) {
       sum += v;
       EXPECT_LT(std::abs(v), 1.5f);

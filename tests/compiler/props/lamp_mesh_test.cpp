@@ -19,9 +19,9 @@ using Corners = std::array<Vec3, 3>;
 
 std::vector<Corners> triangles_of(const GeneratedProp& lamp) {
   std::vector<Corners> all;
-  for (const auto& dressed : lamp.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles)
-      all.push_back({dressed.mesh.positions[a], dressed.mesh.positions[b], dressed.mesh.positions[c]});
+  for (const auto& part : lamp.meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles)
+      all.push_back({part.mesh.positions[a], part.mesh.positions[b], part.mesh.positions[c]});
   return all;
 }
 
@@ -102,8 +102,8 @@ TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
     for (const double tolerance : kDetails) {
       Box2 plan;
       double top = 0, foot = 0;
-      for (const auto& dressed : lamp_mesh(kind, 1, tolerance).meshes)
-        for (const Vec3 p : dressed.mesh.positions) {
+      for (const auto& part : lamp_mesh(kind, 1, tolerance).meshes)
+        for (const Vec3 p : part.mesh.positions) {
           EXPECT_EQ(p, snapped(p));
           plan.grow(in_plan(p));
           top = std::max(top, p.z), foot = std::min(foot, p.z);
@@ -118,9 +118,11 @@ TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
 
 TEST(LampMesh, ClosesAllItsParts) {
   for (const LampKind kind : kAll)
-    for (const double tolerance : kDetails)
-      for (const auto& dressed : lamp_mesh(kind, 1, tolerance).meshes) {
-        const Mesh& mesh = dressed.mesh;
+    for (const double tolerance : kDetails) {
+      const GeneratedProp lamp = lamp_mesh(kind, 1, tolerance);
+      ASSERT_FALSE(lamp.meshes.empty());
+      for (const auto& part : lamp.meshes) {
+        const Mesh& mesh = part.mesh;
         std::map<std::pair<Vec3, Vec3>, int> open;
         double six = 0;
         for (const Triangle& t : mesh.triangles) {
@@ -133,6 +135,7 @@ TEST(LampMesh, ClosesAllItsParts) {
         EXPECT_GT(six, 0);
         for (const auto& [edge, count] : open) EXPECT_EQ(count, 0);
       }
+    }
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ TEST(LampsAlong, LightOnlyWhatIsToldToBeLitAndIsNoRailOrRunway) {
 
 TEST(LampsAlong, AlternateOnWideCarriageways) {
   const auto lamps = lamps_along(road_on({{0, 0}, {400, 0}}, LandCoverClass::kPrimaryRoad, 14), kEverywhere);
+  ASSERT_GE(lamps.size(), 2u);
   for (std::size_t i = 0; i < lamps.size(); ++i) EXPECT_EQ(lamps[i].at.y, i % 2 == 0 ? -7.75 : 7.75);
 }
 
@@ -126,7 +127,9 @@ TEST(LampsAlong, StandOnTheSideWithAPavementElseOnThatOfTheTraffic) {
 TEST(LampsAlong, FaceTheirAxisSquarely) {
   for (int i = 0; i < 24; ++i) {
     const Vec2 along{static_cast<double>(i % 5) - 2, static_cast<double>(i % 7) - 3.5};
-    for (const StreetLamp& lamp : lamps_along(street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere)) {
+    const auto lamps = lamps_along(street({{3, 4}, snapped(Vec2{3, 4} + along * 60)}), kEverywhere);
+    ASSERT_FALSE(lamps.empty());
+    for (const StreetLamp& lamp : lamps) {
       const Vec2 from = lamp.at - Vec2{3, 4}, axis = unit(along);
       EXPECT_GT(dot(lamp.facing, unit(axis * dot(from, axis) - from)), 0.9999);
       EXPECT_NEAR(length(lamp.facing), 1, 1e-12);

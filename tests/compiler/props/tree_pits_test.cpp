@@ -88,8 +88,8 @@ TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
   EXPECT_EQ(full.error_m, 0);
   EXPECT_TRUE(none.meshes.empty());
   double highest_m = 0, soil_m = 0;
-  for (const auto& dressed : full.meshes)
-    for (const Vec3 p : dressed.mesh.positions) highest_m = std::max(highest_m, p.z - land_m(ground, in_plan(p)));
+  for (const auto& part : full.meshes)
+    for (const Vec3 p : part.mesh.positions) highest_m = std::max(highest_m, p.z - land_m(ground, in_plan(p)));
   for (const Vec3 p : soil.meshes[0].mesh.positions) soil_m = std::max(soil_m, p.z - land_m(ground, in_plan(p)));
   EXPECT_NEAR(none.error_m, highest_m, 0.002);
   EXPECT_NEAR(soil.error_m, highest_m - soil_m, 0.002);
@@ -108,9 +108,9 @@ TEST(TreePits, AreNotMadeWhereTheGroundIsSteepOrBent) {
 TEST(TreePits, ShowTheirFrontAbove) {
   const GeneratedProp pit = generate(pits_at({{-50, 60}})[0], sloping(), 0.02);
   double up_m2 = 0;
-  for (const auto& dressed : pit.meshes)
-    for (const auto& [a, b, c] : dressed.mesh.triangles) {
-      const auto& p = dressed.mesh.positions;
+  for (const auto& part : pit.meshes)
+    for (const auto& [a, b, c] : part.mesh.triangles) {
+      const auto& p = part.mesh.positions;
       up_m2 += cross(in_plan(p[b] - p[a]), in_plan(p[c] - p[a])) / 2;
     }
   EXPECT_NEAR(up_m2, 1.5 * 1.5, 0.01);

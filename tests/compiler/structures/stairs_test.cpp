@@ -133,7 +133,9 @@ TEST(Stairs, AreNoneOnLevelGround) {
 }
 
 TEST(Stairs, KeepToWhatTheyCover) {
-  for (const Vec3 p : built(kUp, ramp_m, {{12, -64}, {64, 64}}).stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
+  const Built made = built(kUp, ramp_m, {{12, -64}, {64, 64}});
+  ASSERT_FALSE(made.stairs.mesh.positions.empty());
+  for (const Vec3 p : made.stairs.mesh.positions) EXPECT_LE(p.x, 12 + 0x1p-9);
 }
 
 }  // namespace
