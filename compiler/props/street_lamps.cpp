@@ -218,11 +218,10 @@ Lighting lighting_of(LandCoverClass surface) {
     case LandCoverClass::kRunway:
       return {};
     default:
-      break;
+      return group_of(surface) == LandCoverGroup::kRoad   ? Lighting{25, 6, LampKind::kPostTop}
+             : group_of(surface) == LandCoverGroup::kPath ? Lighting{20, 4, LampKind::kPostTop}
+                                                          : Lighting{};
   }
-  if (group_of(surface) == LandCoverGroup::kRoad) return {25, 6, LampKind::kPostTop};
-  if (group_of(surface) == LandCoverGroup::kPath) return {20, 4, LampKind::kPostTop};
-  return {};
 }
 
 std::vector<StreetLamp> lamps_along(const Road& road, const Box2& box) {

@@ -142,20 +142,10 @@ MaterialMesh edging_of(const TreePit& pit, const ground::GradedTerrain& ground) 
 }  // namespace
 
 bool is_paving(LandCoverClass surface) {
-  switch (surface) {
-    case LandCoverClass::kPavement:
-    case LandCoverClass::kSquare:
-    case LandCoverClass::kPlatform:
-    case LandCoverClass::kParking:
-    case LandCoverClass::kParkingLane:
-    case LandCoverClass::kTrafficIsland:
-    case LandCoverClass::kIsland:
-    case LandCoverClass::kPavedFootPath:
-    case LandCoverClass::kPedestrianStreet:
-      return true;
-    default:
-      return false;
-  }
+  using enum map::LandCoverClass;
+  constexpr std::array kPaving = {kPavement,      kSquare, kPlatform,      kParking,         kParkingLane,
+                                  kTrafficIsland, kIsland, kPavedFootPath, kPedestrianStreet};
+  return std::ranges::find(kPaving, surface) != kPaving.end();
 }
 
 std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const roads::Road> roads,

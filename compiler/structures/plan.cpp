@@ -11,8 +11,7 @@ namespace citykiln::structures {
 namespace {
 
 Span span_of(const map::Track& track, const Profile& profile, const SpanEnds& ends) {
-  Span span{roads::road_of(track)};
-  span.from = ends.from, span.to = ends.to;
+  Span span{roads::road_of(track), ends.from, ends.to, {}, {}, {}};
   span.profile = profile;
   span.layer = track.layer;
   // crossings and signals are tagged for roads on the ground

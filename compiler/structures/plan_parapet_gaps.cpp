@@ -1,50 +1,23 @@
 #include "compiler/structures/plan_parapet_gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "compiler/geometry/box_grid.h"
-#include "compiler/structures/deck_dimensions.h"
+#include "compiler/structures/deck_index.h"
 
 namespace citykiln::structures {
 namespace {
 
-constexpr double kStep_m = 0.25, kBucket_m = 64;
+// Spacing of samples along an edge.
+constexpr double kStep_m = 0.25;
 // Adjacent decks keep their parapets: an edge has to lie this far inside the other deck.
 constexpr double kMinOverlap_m = 0.125;
 // Gaps with a shorter parapet between them are merged.
 constexpr double kMinParapet_m = 1.5;
 
-struct Piece {
-  std::uint32_t bridge = 0;
-  Rib from, to;
-  double left_m = 0, right_m = 0;
-};
-
-struct Decks {
-  std::vector<Piece> pieces;
-  BoxGrid near;
-};
-
-Decks decks_of(const std::vector<Span>& bridges) {
-  Decks decks;
-  std::vector<Box2> boxes;
-  for (std::uint32_t b = 0; b < bridges.size(); ++b) {
-    const std::vector<Rib> ribs = ribs_of(bridges[b]);
-    const DeckDimensions shape = deck_dimensions(bridges[b], 0);
-    for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
-      decks.pieces.push_back({b, ribs[i], ribs[i + 1], shape.left_m, shape.right_m});
-      boxes.push_back(box_of(std::array{ribs[i].at, ribs[i + 1].at}).widened(std::max(shape.left_m, shape.right_m)));
-    }
-  }
-  decks.near = grid_of(boxes, kBucket_m);
-  return decks;
-}
-
-bool is_on_deck(const Decks& decks, std::uint32_t own, Vec3 p) {
-  for (const std::uint32_t i : boxes_about(decks.near, in_plan(p))) {
-    const Piece& piece = decks.pieces[i];
+bool is_on_deck(const DeckIndex& decks, std::uint32_t own, Vec3 p) {
+  for (const std::uint32_t i : boxes_about(decks.grid, in_plan(p))) {
+    const DeckPiece& piece = decks.pieces[i];
     if (piece.bridge == own) continue;
     const Vec2 along = piece.to.at - piece.from.at;
     const double long_m = length(along);
@@ -66,7 +39,7 @@ void add_gap(std::vector<ParapetGap>& gaps, ParapetGap gap) {
     gaps.push_back(gap);
 }
 
-std::vector<ParapetGap> gaps_of(const Decks& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
+std::vector<ParapetGap> gaps_of(const DeckIndex& decks, std::uint32_t own, std::span<const Rib> ribs, double edge_m) {
   std::vector<ParapetGap> gaps;
   const double first_m = std::ceil(ribs.front().along_m / kStep_m) * kStep_m, last_m = ribs.back().along_m;
   for (double at_m = first_m; at_m <= last_m; at_m += kStep_m)
@@ -78,7 +51,7 @@ std::vector<ParapetGap> gaps_of(const Decks& decks, std::uint32_t own, std::span
 }  // namespace
 
 std::vector<Span> find_parapet_gaps(std::vector<Span> bridges) {
-  const Decks decks = decks_of(bridges);
+  const DeckIndex decks = index_decks(bridges, 0);
   for (std::uint32_t b = 0; b < bridges.size(); ++b) {
     const std::vector<Rib> ribs = ribs_of(bridges[b]);
     if (ribs.empty()) continue;

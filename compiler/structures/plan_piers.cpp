@@ -1,16 +1,15 @@
 #include "compiler/structures/plan_piers.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "compiler/contract/erase_repeated.h"
-#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/segment.h"
 #include "compiler/ground/cover/land_cover_index.h"
 #include "compiler/ground/plan.h"
+#include "compiler/structures/deck_index.h"
 #include "compiler/structures/supports.h"
 
 namespace citykiln::structures {
@@ -33,13 +32,6 @@ constexpr int kWaterPriority = 50, kPathPriority = 70;
 
 double quarters(double v) { return std::floor(v * 4 + 0.5) / 4; }
 
-// A straight piece of a deck in plan.
-struct DeckPiece {
-  std::uint32_t bridge = 0;
-  Rib from, to;
-  double half_m = 0;
-};
-
 struct Placed {
   Vec2 at;
   double z_m = 0;
@@ -49,13 +41,13 @@ struct Placed {
 struct Site {
   const ground::GradedTerrain& graded;
   std::vector<const ground::LandCoverPolygon*> obstacles;
-  BoxGrid near_obstacles, near_decks;
-  std::vector<DeckPiece> decks;
+  BoxGrid near_obstacles;
+  DeckIndex decks;
 };
 
 Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
              std::span<const ground::LandCoverPolygon> obstacles) {
-  Site site{graded, {}, {}, {}, {}};
+  Site site{graded, {}, {}, index_decks(bridges, kParapet_m + kMaxClear_m)};
   std::vector<Box2> boxes;
   for (const ground::LandCoverPolygon& obstacle : obstacles) {
     Box2 box;
@@ -66,17 +58,6 @@ Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
     boxes.push_back(box);
   }
   site.near_obstacles = grid_of(boxes, kBucket_m);
-  boxes.clear();
-  for (std::uint32_t b = 0; b < bridges.size(); ++b) {
-    const std::vector<Rib> ribs = ribs_of(bridges[b]);
-    const DeckDimensions shape = deck_dimensions(bridges[b], kMinBay_m);
-    const double half_m = std::max(shape.left_m, shape.right_m) + kParapet_m;
-    for (std::size_t i = 0; i + 1 < ribs.size(); ++i) {
-      site.decks.push_back({b, ribs[i], ribs[i + 1], half_m});
-      boxes.push_back(box_of(std::array{ribs[i].at, ribs[i + 1].at}).widened(half_m + kMaxClear_m));
-    }
-  }
-  site.near_decks = grid_of(boxes, kBucket_m);
   return site;
 }
 
@@ -105,13 +86,14 @@ struct Placing {
     return kPierClear_m + length(Vec2{foot.half_across_m / 4, foot.half_along_m});
   }
   bool pierces_deck(Vec2 p, double z_m) const {
-    for (const std::uint32_t i : boxes_about(site.near_decks, p)) {
-      const DeckPiece& deck = site.decks[i];
+    for (const std::uint32_t i : boxes_about(site.decks.grid, p)) {
+      const DeckPiece& deck = site.decks.pieces[i];
       if (deck.bridge == number) continue;
       const double share = nearest_share(deck.from.at, deck.to.at, p);
       const double deck_m = deck.from.z_m + (deck.to.z_m - deck.from.z_m) * share;
       const Vec2 nearest = deck.from.at + (deck.to.at - deck.from.at) * share;
-      if (deck_m < z_m - 1 && distance(p, nearest) < deck.half_m + keep_clear_m()) return true;
+      if (deck_m < z_m - 1 && distance(p, nearest) < std::max(deck.left_m, deck.right_m) + kParapet_m + keep_clear_m())
+        return true;
     }
     return false;
   }
