@@ -34,7 +34,7 @@ MassModel made(const Building& building, double tolerance_m = 0.02) {
   return mass_model_of(building, tolerance_m, report);
 }
 
-// Twice the area, as a vector: of what closes it is 0.
+// Twice the vector area, which is 0 for closed surfaces.
 Vec3 sum_of(const std::vector<Face>& faces) {
   Vec3 sum;
   for (const Face& face : faces) sum = sum + area_vector_m2(face);
@@ -60,7 +60,7 @@ TEST(MassModel, ClosesButForItsFloor) {
   }
 }
 
-TEST(MassModel, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
+TEST(MassModel, HasWallsInTheOrderOfTheFootprintForEveryRoof) {
   Building b = house();
   b.footprint = {{{9, 0}, {12, 0}, {12, 9}, {0, 9}, {0, 4}, {9, 4}}, {{{10, 5}, {10, 6}, {11, 6}, {11, 5}}}};
   b.facade_edges.resize(6);
@@ -75,22 +75,22 @@ TEST(MassModel, CountsWallsAsTheFootprintDoesWhateverTheRoof) {
     }
 }
 
-TEST(MassModel, TellsGablesFromWalls) {
+TEST(MassModel, DistinguishesGablesFromWalls) {
   const grammars::Shape shape = shape_of(house(), made(house()));
   EXPECT_NEAR(area_of(shape.faces, FaceTag::kVertical), 2 * 9 * 3 / 2.0, 1e-6);
   EXPECT_GT(area_of(shape.faces, FaceTag::kTop), 108);
 }
 
-TEST(MassModel, LeavesOutWhatANeighbourHides) {
+TEST(MassModel, OmitsHiddenPartyWalls) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 130, true, false}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6);
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kInside), 0);
-  // where levels may drop the neighbour it is there
+  // coarse levels, which may drop the neighbour, keep it
   EXPECT_EQ(area_of(made(b, 2).walls, FaceTag::kInside), 9 * 6);
 }
 
-TEST(MassModel, IsBlankOverALowerNeighbourAndWhereWallsAreNotOnePlane) {
+TEST(MassModel, HasBlindWallsAboveAndBesideNeighbours) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 104, true, false}, {3, 3, 9, 130, false, false}};
   const MassModel mass = made(b);
@@ -98,7 +98,7 @@ TEST(MassModel, IsBlankOverALowerNeighbourAndWhereWallsAreNotOnePlane) {
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (12 + 12 + 3) * 6);
 }
 
-TEST(MassModel, OfAPartHasWindowsOverTheOther) {
+TEST(MassModel, HasWindowsAboveOtherPartsOfItsBuilding) {
   Building b = house();
   b.party_walls = {{1, 0, 9, 104, true, true}};
   EXPECT_EQ(area_of(made(b).walls, FaceTag::kSide), (12 + 9 + 12) * 6 + 9 * 2);
@@ -114,7 +114,7 @@ TEST(MassModel, StandsOnBuriedStoreys) {
   for (const Face& wall : mass.walls) EXPECT_EQ(wall.street, wall.outer[0] == (Vec3{0, 0, 100}));
 }
 
-TEST(MassModel, OfWhatHangsInTheAirHasAnUnderside) {
+TEST(MassModel, HasAnUndersideIfLifted) {
   Building b = house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 100;
   const MassModel mass = made(b);
@@ -124,7 +124,7 @@ TEST(MassModel, OfWhatHangsInTheAirHasAnUnderside) {
   EXPECT_NEAR(length(sum_of(all)), 0, 1e-6);
 }
 
-TEST(MassModel, MayBeARoofAlone) {
+TEST(MassModel, MayBeOnlyARoof) {
   Building b = house();
   b.stands_on_ground = false, b.bottom_m = b.floor_m = 106;
   EXPECT_TRUE(made(b).walls.empty());
@@ -141,8 +141,8 @@ TEST(MassModel, IsTotalOnAnyRing) {
   }
 }
 
-// A strip of a hand's breadth over a neighbour's roof, or beside it, is not worth a face.
-TEST(MassModel, HasNoNarrowStripsAboutPartyWalls) {
+// Strips of some centimetres above a neighbour's eaves, or beside it, are no faces of their own.
+TEST(MassModel, HasNoNarrowStripsAroundPartyWalls) {
   Building b = house();
   b.party_walls = {{1, 0.125, 8.875, 105.875, true, false}};
   const MassModel mass = made(b);
@@ -150,8 +150,8 @@ TEST(MassModel, HasNoNarrowStripsAboutPartyWalls) {
   EXPECT_EQ(area_of(mass.walls, FaceTag::kSide), (12 + 9 + 12) * 6);
 }
 
-// Rules work along the longest wall at a street, however long others are.
-TEST(MassModel, LiesAlongItsStreet) {
+// The longest wall that faces a street, even if others are longer.
+TEST(MassModel, HasItsScopeAlongTheStreet) {
   Building b = house();
   b.facade_edges[1].faces_street = true;
   EXPECT_EQ(shape_of(b, made(b)).scope.axis[0], (Vec3{0, 1, 0}));
@@ -159,7 +159,6 @@ TEST(MassModel, LiesAlongItsStreet) {
   EXPECT_EQ(std::abs(shape_of(b, made(b)).scope.axis[0].x), 1);
 }
 
-// Over its eaves stand no walls.
 TEST(MassModel, IsBuriedToItsEavesAtMost) {
   Building b = house();
   for (FacadeEdge& front : b.facade_edges) front.buried_storeys = 3;

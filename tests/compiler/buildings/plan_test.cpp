@@ -12,7 +12,7 @@ namespace {
 
 using materials::Material;
 
-// Rises to the east by one in four, 100 m at x = 0.
+// A plane that rises to the east by 1 : 4, 100 m at x = 0.
 map::Heightfield slope() {
   map::Heightfield field{{-64, -64}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)

@@ -20,14 +20,14 @@ TEST(Paint, MixesInLinearLight) {
   EXPECT_EQ(at(image, 0, 0), (TextureImage::Texel{188, 188, 188}));
 }
 
-TEST(Paint, LinesThinnerThanATexelBecomeFaintNotLost) {
+TEST(Paint, PaintsThinLinesFaintly) {
   TextureImage image = blank_image(1, 4, 1, kGrey);
   paint(image, {0, 4}, {{1.4, 0}, {1.45, 0}, {1.45, 1}, {1.4, 1}}, kWhite);
   EXPECT_GT(at(image, 1, 0)[0], kGrey[0]);
   EXPECT_LT(at(image, 1, 0)[0], 130);
 }
 
-TEST(Paint, LaterLiesOverEarlier) {
+TEST(Paint, PaintsLaterOverEarlier) {
   const Ring all = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   TextureImage image = blank_image(1, 2, 2, kBlack);
   paint(image, {0, 2}, all, kWhite);
@@ -49,7 +49,7 @@ TEST(Paint, ClipsAtTheImagesEdge) {
   EXPECT_EQ(at(image, 1, 0), kWhite);
 }
 
-TEST(Paint, WhatLeavesAtTheEndComesInAtTheStart) {
+TEST(Paint, WrapsAroundAlongV) {
   TextureImage over = blank_image(0.5, 4, 24, kGrey), under = over;
   paint(over, {0, 4}, {{0.2, 11.3}, {1.7, 11.6}, {1.1, 13.1}}, kWhite);
   paint(under, {0, 4}, {{0.2, -0.7}, {1.7, -0.4}, {1.1, 1.1}}, kWhite);

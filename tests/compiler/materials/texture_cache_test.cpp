@@ -7,7 +7,7 @@
 namespace citykiln::materials {
 namespace {
 
-TEST(TextureCache, HandsOutWhatIsDrawnForTheSameArguments) {
+TEST(TextureCache, ReturnsTheTexturesOfItsArguments) {
   const TextureCache cache(3);
   const std::vector<Material> materials = {Material::kGrass, Material::kWater, Material::kGlass, Material::kAsphalt};
   for (const double tolerance_m : {0.02, 0.1, 0.02, 0.5}) {
@@ -18,7 +18,7 @@ TEST(TextureCache, HandsOutWhatIsDrawnForTheSameArguments) {
   }
 }
 
-TEST(TextureCache, IsTheSameForAllThreadsThatAskAtOnce) {
+TEST(TextureCache, IsThreadSafe) {
   const TextureCache cache(1);
   const std::vector<Material> materials = {Material::kGrass, Material::kAsphalt};
   const auto drawn = textures_of(materials, 0.1, 1);

@@ -33,8 +33,7 @@ std::array<double, 3> mean_of(const TextureImage& image) {
   return mean;
 }
 
-// The mean difference between rows or columns that are neighbours, by the place between them; the last is that of the
-// last with the first.
+// The mean differences between neighbouring rows or columns; the last is that between the last and the first.
 std::vector<double> differences(const TextureImage& image, bool across) {
   std::vector<double> all;
   const std::uint32_t side = image.columns;
@@ -77,7 +76,7 @@ TEST(Texture, HasTheMaterialsColourAsItsMeanOnEveryLevel) {
     }
 }
 
-TEST(Texture, SameBytesAlwaysAndOthersForAnotherSeed) {
+TEST(Texture, IsAFunctionOfItsSeed) {
   EXPECT_EQ(all_textures(0.02, 1), all_textures(0.02, 1));
   EXPECT_NE(texture_of(Material::kGrass, 0.02, 1), texture_of(Material::kGrass, 0.02, 2));
 }
@@ -97,7 +96,7 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
     }
 }
 
-TEST(Texture, IsNotThereWhereRoadsAreOneSurface) {
+TEST(Texture, IsNoneOnCoarseLevels) {
   for (const double tolerance_m : {tolerances_with(Detail::kMaterialTextures).below_m, 0.5, 2.5, 12.5})
     EXPECT_TRUE(all_textures(tolerance_m).empty());
 }
@@ -131,16 +130,16 @@ TEST(Texture, NormalsPointOutwardsAndUprightInTheMean) {
   EXPECT_EQ(shaped, 13);  // water, sea, fields, rock, masonry, tiles, slates, and six barks
 }
 
-TEST(Texture, OnlyWatersShapeIsToldFromADecimetreOn) {
+TEST(Texture, HasNormalsForWaterAloneOnCoarserLevels) {
   for (const Texture& texture : all_textures(0.1)) {
     const bool is_water = texture.material == Material::kWater || texture.material == Material::kSea;
     EXPECT_EQ(texture.normal.texels.empty(), !is_water) << name_of(texture);
   }
 }
 
-// Seen so far off that a pixel covers an eighth of a side, hardly anything is left to see repeating; of bark, of which
-// nobody sees many sides at once, not much.
-TEST(Texture, IsEvenFromAfar) {
+// Where a pixel covers an eighth of a side, hardly any repetition is visible. Bark may vary more, since few repetitions
+// are visible at once.
+TEST(Texture, IsUniformFromAfar) {
   for (const Texture& texture : all_textures(0.02)) {
     if (texture.colour.texels.empty()) continue;
     const std::uint32_t side = texture.colour.columns, block = side / 8;

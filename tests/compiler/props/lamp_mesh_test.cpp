@@ -12,7 +12,7 @@ namespace citykiln::props {
 namespace {
 
 constexpr LampKind kAll[] = {LampKind::kPostTop, LampKind::kArm};
-// Tolerances that ask for each detail of a lamp 1 m tall, full first.
+// Tolerances that select each level of a lamp of 1 m, finest first.
 constexpr double kDetails[] = {0.001, 0.016, 0.5};
 
 using Corners = std::array<Vec3, 3>;
@@ -30,7 +30,7 @@ Vec3 nearest_on_line(Vec3 a, Vec3 b, Vec3 p) {
   return a + along * std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
 }
 
-// On a side of the triangle, or the foot on its plane where that lies inside.
+// On a side of the triangle, or the projection to its plane if that lies inside.
 double distance_to(const Corners& t, Vec3 p) {
   const Vec3 up = unit(cross(t[1] - t[0], t[2] - t[0])), foot = p - up * dot(p - t[0], up);
   bool is_inside = true;
@@ -43,8 +43,8 @@ double distance_to(const Corners& t, Vec3 p) {
   return is_inside ? length(p - foot) : sides;
 }
 
-// The distance to one triangle is convex, so a piece whose corners are within the limit of it is; else its halves are
-// asked, cut at the longest side.
+// The distance to one triangle is convex, so a piece whose vertices are within the limit of one triangle is within it;
+// otherwise the piece is halved at its longest side.
 bool is_within(double limit, const Corners& piece, const std::vector<Corners>& shape, int times) {
   for (const Corners& t : shape)
     if (std::ranges::all_of(piece, [&](Vec3 p) { return distance_to(t, p) <= limit; })) return true;
@@ -74,7 +74,7 @@ TEST(LampMesh, DeviatesByNoMoreThanItsError) {
   }
 }
 
-TEST(LampMesh, TakesFewTrianglesAndFewerTheCoarserItMayBe) {
+TEST(LampMesh, NeedsFewTrianglesAndFewerOnCoarserLevels) {
   for (const LampKind kind : kAll) {
     std::vector<std::size_t> counts;
     for (const double tolerance : kDetails) counts.push_back(triangles_of(lamp_mesh(kind, 1, tolerance)).size());
@@ -97,7 +97,7 @@ TEST(LampMesh, KeepsWithinEachLevelOfTheLadder) {
       }
 }
 
-TEST(LampMesh, IsOneMetreTallAndHoldsItsHeadTowardsX) {
+TEST(LampMesh, IsOneMetreTallWithItsHeadTowardsX) {
   for (const LampKind kind : kAll)
     for (const double tolerance : kDetails) {
       Box2 plan;

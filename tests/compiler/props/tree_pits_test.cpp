@@ -18,7 +18,7 @@ LandCoverPolygon surface(std::int64_t id, LandCoverClass kind, Ring ring) {
 
 Ring block(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
-// A carriageway and the pavement beside it, a square, a lawn, gravel, a street for walkers.
+// A carriageway and the pavement beside it, a square, a lawn, gravel, a pedestrian street.
 const std::vector<LandCoverPolygon> kSurfaces = {
     surface(1, LandCoverClass::kResidentialRoad, block(-100, -4, 100, 4)),
     surface(2, LandCoverClass::kPavement, block(-100, 4, 100, 7)),
@@ -41,7 +41,7 @@ std::vector<TreePit> pits_at(const std::vector<Vec2>& places, const Polyline& ax
   return tree_pits(trees, std::vector{street(axis)}, map);
 }
 
-// Rises to the east by so much.
+// A plane that rises to the east.
 ground::GradedTerrain sloping(double slope = 1.0 / 16) {
   map::Heightfield field{{-128, -128}, {16, 16}, 17, 17, {}, 0};
   for (int j = 0; j < 17; ++j)
@@ -80,7 +80,7 @@ TEST(TreePits, DoNotTouchEachOther) {
   EXPECT_EQ(pits_at({{-50, 60}, {-49, 60}})[0].feature, (OsmId{OsmType::kNode, 1}));
 }
 
-TEST(TreePits, StandOutOfTheGroundByWhatTheyState) {
+TEST(TreePits, HaveTheirHeightAsError) {
   const ground::GradedTerrain ground = sloping();
   const TreePit pit = pits_at({{-50, 60}}, {{-90, 40}, {-20, 110}})[0];
   const GeneratedProp full = generate(pit, ground, 0.02), soil = generate(pit, ground, 0.1),
@@ -105,7 +105,7 @@ TEST(TreePits, AreNotMadeWhereTheGroundIsSteepOrBent) {
   EXPECT_TRUE(generate(pit, ground::GradedTerrain(std::move(ridge)), 0.02).meshes.empty());
 }
 
-TEST(TreePits, ShowTheirFrontAbove) {
+TEST(TreePits, FaceUpwards) {
   const GeneratedProp pit = generate(pits_at({{-50, 60}})[0], sloping(), 0.02);
   double up_m2 = 0;
   for (const auto& part : pit.meshes)

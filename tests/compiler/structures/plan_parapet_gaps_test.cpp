@@ -15,7 +15,7 @@ std::vector<Span> fork(double other_z_m) {
   return find_parapet_gaps({through, side});
 }
 
-TEST(ParapetGaps, NoParapetStandsAcrossTheOtherRoad) {
+TEST(ParapetGaps, AreWhereEdgesLieOnTheOtherDeck) {
   const std::vector<Span> spans = fork(10);
   ASSERT_EQ(spans[0].left_gaps.size(), 1u);
   EXPECT_NEAR(spans[0].left_gaps[0].from_m, 47, 0.5);
@@ -27,13 +27,13 @@ TEST(ParapetGaps, NoParapetStandsAcrossTheOtherRoad) {
   EXPECT_EQ(spans[1].left_gaps, spans[1].right_gaps);
 }
 
-TEST(ParapetGaps, DecksAboveOneAnotherKeepTheirs) {
+TEST(ParapetGaps, AreNoneOnDecksAboveOneAnother) {
   const std::vector<Span> spans = fork(16);
   ASSERT_FALSE(spans.empty());
   for (const Span& span : spans) EXPECT_TRUE(span.left_gaps.empty() && span.right_gaps.empty());
 }
 
-TEST(ParapetGaps, AreGapsInTheParapetAndNothingElse) {
+TEST(ParapetGaps, RemoveTheParapetAlone) {
   const std::vector<Span> spans = fork(10);
   const auto meshes = all_meshes(generate(spans[0], 0.02));
   EXPECT_TRUE(has_point(meshes, {0, 3.25, 11}));
