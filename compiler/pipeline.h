@@ -1,4 +1,5 @@
-// compile(): the table of contents of the program. Read pipeline.cpp first; every line of it is a room.
+// compile() turns a map into a scene and bake_scene() bakes its tiles. pipeline.cpp calls the rooms in order: read it
+// first.
 #pragma once
 
 #include <cstddef>
@@ -19,38 +20,38 @@ namespace citykiln {
 struct CompileResult {
   scene::Scene scene;
   Report report;
-  ground::ProfileMeasures profiles;  ///< What they keep of what they promise.
+  ground::ProfileMeasures profiles;  ///< Height consistency of the planned lines.
   std::vector<StageCost> costs;
 };
 
-/// From a map and heightmaps to the scene: every object's recipe, and the ledger of how it became one.
+/// Compiles a map and heightmaps to a scene of recipes, with the ledger and diagnoses of all stages.
 ///
-/// Guarantees: same inputs and spec, same scene, whatever the threads and the order of elements in the file; a tile
-/// asked for by spec.only is the tile that the whole holds. Errors: an input that cannot be read; a map that holds
-/// nothing to compile; heightmaps that cover nothing of the map; tiles outside of it. Cost: the stages', each linear
-/// but for the read's sorting; memory that of the extract.
+/// Guarantees: the same inputs and spec give the same scene, whatever the number of threads and the order of elements
+/// in the file; a tile compiled alone (spec.only) equals that tile of the whole. Errors: an input that cannot be read;
+/// a map with nothing to compile; heightmaps that do not cover any of the map; tiles outside the map. Cost: linear,
+/// except for sorting the extract; memory for the whole extract.
 Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_progress);
 
-/// Takes one tile at one level; an error ends the firing.
+/// Receives one tile at one level. An error ends baking.
 using OnBakedTile = std::function<Result<Done>(const bake::BakedTile& tile, std::size_t level)>;
 
-/// Which chunk of a scene, at which step of a ladder.
+/// Indices of a chunk in Scene::chunks and of a level in the tolerances.
 struct ChunkLevel {
   std::size_t chunk, level;
 };
-/// Makes something of a baked tile, beside others: it must write to a place of its own only.
+/// Processes a baked tile in parallel with others; must write to a place of its own only.
 using ProcessTile = std::function<void(ChunkLevel at, bake::BakedTile&& tile)>;
-/// Takes what was made of it; an error ends the firing.
+/// Receives the processed tile. An error ends baking.
 using CollectTile = std::function<Result<Done>(ChunkLevel at)>;
 
-/// Bakes every chunk at every tolerance and hands each on, one at a time and in the order of tiles then levels. What
-/// the tolerances drop is added to `report`. Memory: kInFlightPerThread levels a thread, and the ground of their tiles
-/// and one more.
+/// Bakes every chunk at every tolerance and passes the tiles to `take`, one at a time, ordered by tile, then level.
+/// Adds dropped objects to `report`. Memory: kInFlightPerThread levels for each thread, their tiles' ground, and the
+/// ground of one more tile.
+/// @param ladder_m  Tolerances, increasing, > 0.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                         const OnProgress& on_progress, const OnBakedTile& take);
 
-/// The same, where much is done with a tile that need not wait for the tiles before it: `make` is called as soon as one
-/// is baked, `take` in order.
+/// Like the above, with parallel processing: `make` is called as soon as a tile is baked, `take` in order.
 Result<Done> bake_scene(const scene::Scene& scene, std::span<const double> ladder_m, int threads, Report& report,
                         const OnProgress& on_progress, const ProcessTile& make, const CollectTile& take);
 

@@ -1,7 +1,7 @@
-// What a compile is asked to do: inputs, bounds, chance, levels, outputs, and one Options per stage that has any.
+// The settings of a compile: inputs, bounds, seed, levels, outputs.
 //
-// Every setting has one name, on the command line (--tile 512) and in spec.json ("tile": 512) alike; the table of
-// settings() is the only place that knows them.
+// Every setting has one name for the command line (--tile 512) and spec.json ("tile": 512). The table behind settings()
+// defines them all.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@
 
 namespace citykiln {
 
-/// How meshes are packed in .glb files (exporters/gltf/compression.h).
+/// Compression of meshes in .glb files (exporters/gltf/compression.h).
 enum class Compress { kNone, kDraco, kMeshopt };
-std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": as the setting is written.
+std::string_view name_of(Compress compress);  ///< "none", "draco", "meshopt": the values of the setting.
 Result<Compress> parse_compress(std::string_view text);
 
-/// What a run leaves behind in its folder.
+/// The files that a run writes into its folder.
 struct Outputs {
   std::string folder;
   bool manifest = true;             ///< scene.kiln
@@ -32,59 +32,58 @@ struct Outputs {
   bool instances_as_nodes = false;  ///< A glTF node per plant and lamp, for readers without EXT_mesh_gpu_instancing.
   Compress compress = Compress::kNone;
   std::vector<double> ladder_m{kDefaultLadder_m.begin(),
-                               kDefaultLadder_m.end()};  ///< Tolerances, rising; level n is the n-th.
+                               kDefaultLadder_m.end()};  ///< Tolerances, increasing; level n has the n-th.
 };
 
 struct CompileSpec {
   std::string map_path;
-  std::vector<source::RasterSpec> rasters;  ///< Where several cover a place, the first wins.
+  std::vector<source::RasterSpec> rasters;  ///< At each place the first that covers it is used.
   map::Options map;
-  double tile_m = 1024;              ///< A whole multiple of map::kCell_m.
+  double tile_m = 1024;              ///< A multiple of map::kCell_m.
   std::vector<scene::TileKey> only;  ///< If not empty, only these tiles are compiled.
   std::uint64_t seed = 0;
-  std::optional<double> snow_line_m;  ///< Land above it is under snow.
-  std::string rules_folder;           ///< Rule files that take the place of those shipped, by name; "" for none.
+  std::optional<double> snow_line_m;  ///< Land above it is covered by snow.
+  std::string rules_folder;           ///< Rule files that replace shipped ones of the same name; "" for none.
   std::string time;                   ///< Of the sky, ISO 8601, UTC; see sky::plan.
-  int threads = 0;                    ///< 0: as many as the machine has. Never changes a byte.
-  bool is_strict = false;             ///< Exit 2 where data was mended or dropped.
+  int threads = 0;                    ///< 0: all processors. Does not change outputs.
+  bool is_strict = false;             ///< Exit code 2 if data was mended or dropped.
   Outputs outputs;
 };
 
-/// One thing that can be set.
+/// One row of the table of settings.
 struct Setting {
-  std::string_view name;  ///< "tile"
-  std::string_view
-      value;  ///< How its value is written: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false".
+  std::string_view name;   ///< "tile"
+  std::string_view value;  ///< Format of the value: "M", "W,S,E,N"; empty for a switch, which takes "true" or "false".
   std::string_view help;
-  bool repeats = false;  ///< May be given several times; the values add up.
+  bool repeats = false;  ///< May be given several times; the values accumulate.
   Result<Done> (*apply)(CompileSpec& spec, std::string_view text);
 };
 
-/// All settings, in the order in which help lists them.
+/// All settings in the order of the help text.
 std::span<const Setting> settings();
 
-/// Sets one. Errors name the setting and what it takes; the spec is then unchanged.
+/// Applies one setting. An error names the setting and the expected value; the spec is then unchanged.
 Result<Done> apply(const Setting& setting, std::string_view text, CompileSpec& spec);
 
-/// Reads spec.json: an object whose keys are names of settings; values are texts, numbers, true or false, or arrays of
-/// these. Paths are relative to where the program runs. Errors: a missing file, malformed JSON (line, column), an
-/// unknown key, a value that does not parse.
+/// Reads spec.json: an object whose keys are names of settings and whose values are strings, numbers, booleans, or
+/// arrays of these. Paths are relative to the working directory. Errors: a missing file, malformed JSON (with line and
+/// column), an unknown key, an invalid value.
 Result<CompileSpec> read_spec(const std::string& path);
 
-/// What the spec must hold whatever way it was made: a map, a folder. The error says which is missing.
+/// Error: the spec has no map or no output folder.
 Result<Done> is_complete(const CompileSpec& spec);
 
-/// "0.02,0.1,0.5": numbers that must rise and be above zero.
+/// Parses increasing numbers above zero: "0.02,0.1,0.5".
 Result<std::vector<double>> parse_ladder(std::string_view text);
-/// "3_-2".
+/// Parses "3_-2".
 Result<scene::TileKey> parse_tile(std::string_view text);
-/// "3_-2,0_0": adds them to tiles that are sorted, each once.
+/// Parses "3_-2,0_0" and inserts the tiles into a sorted vector without duplicates.
 Result<Done> add_tiles(std::string_view text, std::vector<scene::TileKey>& tiles);
-/// A number and nothing else.
+/// Parses a finite number.
 Result<double> parse_number(std::string_view text);
-/// Exactly `count` numbers with commas between.
+/// Parses exactly `count` numbers separated by commas.
 Result<std::vector<double>> parse_numbers(std::string_view text, std::size_t count);
-/// A whole number of at least `least`.
+/// Parses an integer from `least` to 2^31 - 1.
 Result<std::int64_t> parse_whole(std::string_view text, std::int64_t least);
 
 }  // namespace citykiln

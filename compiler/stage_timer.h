@@ -1,4 +1,4 @@
-// Where a run is, and what each of its stages takes.
+// Time and memory of the stages of a run, and progress notifications.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,24 @@
 
 namespace citykiln {
 
-/// What a stage took. Never part of a promised byte.
+/// Time and memory of one stage. Differs between runs.
 struct StageCost {
   std::string stage;
   double seconds = 0;
-  std::uint64_t peak_bytes = 0;  ///< Largest resident memory while the stage ran.
+  std::uint64_t peak_bytes = 0;  ///< Largest resident memory during the stage.
 };
 
-/// Called when a stage begins, and as it goes on, with the done share of it, 0 to 1.
+/// Called at the start of a stage and during it, with the completed share of the stage, 0 to 1.
 using OnProgress = std::function<void(std::string_view stage, double share)>;
 
-/// Walks from stage to stage, tells the listener and measures each.
+/// Measures consecutive stages and notifies a listener of each.
 class StageTimer {
  public:
   explicit StageTimer(OnProgress on_progress) : on_progress_(std::move(on_progress)) {}
 
-  /// Ends the stage before and begins this one.
+  /// Ends the previous stage and begins this one.
   void enter(std::string_view stage);
-  /// Ends the last stage and hands out the costs of all.
+  /// Ends the last stage and returns the costs of all.
   std::vector<StageCost> finish();
 
  private:
@@ -34,7 +34,7 @@ class StageTimer {
 
   OnProgress on_progress_;
   std::vector<StageCost> costs_;
-  std::string stage_;  ///< Empty: none is open.
+  std::string stage_;  ///< Empty: no stage is open.
   double begin_s_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A map's roads, as charts measure them.
+// Reads the roads of a map for charts.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace citykiln::charts {
 
-/// All roads of the ground, sorted by id, in metres about the map's middle. What is mended is not told. Errors: a map
-/// that cannot be read.
+/// All ground roads sorted by id, in metres about the middle of the map. Diagnoses are ignored. Error: a map that
+/// cannot be read.
 Result<std::vector<roads::Road>> read_roads(const std::string& path, int threads);
 
 }  // namespace citykiln::charts

@@ -1,4 +1,4 @@
-// From argv to a verb's run. The only file that sees the library that parses command lines (CLI11).
+// Parses argv and runs a verb. The only file that includes the command line parser, CLI11.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace citykiln::commands {
 
-/// Runs the verb that argv names. Errors are one line on stderr. Returns the program's exit code.
+/// Runs the verb named by argv. Prints errors as one line on stderr. Returns the program's exit code.
 int run(std::span<const Verb> verbs, int argc, const char* const* argv);
 
 }  // namespace citykiln::commands

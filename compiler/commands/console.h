@@ -1,4 +1,4 @@
-// What a run says: sentences for people, JSON for machines, a progress bar where somebody watches.
+// Console output: lines of text, JSON documents, and a progress bar.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 namespace citykiln::commands {
 
 struct Console {
-  bool is_json = false;   ///< --json: the answer is one JSON document on stdout, and nothing else is.
-  bool is_quiet = false;  ///< --quiet: nothing but errors.
+  bool is_json = false;   ///< --json: prints one JSON document on stdout and nothing else.
+  bool is_quiet = false;  ///< --quiet: prints errors only.
 
-  /// A line for people, on stdout.
+  /// Prints a line on stdout, unless is_json or is_quiet.
   void print_line(std::string_view line) const;
-  /// The answer for machines, on stdout.
+  /// Prints a JSON document on stdout if is_json.
   void print_json(std::string_view json) const;
-  /// A bar on stderr, from one second on, if stderr is a terminal and nobody asked for silence. The bar is gone when
-  /// the last copy of what this returns is.
+  /// Returns a listener that draws a progress bar on stderr after one second, if stderr is a terminal and the console
+  /// is neither quiet nor JSON. The bar is erased when the last copy of the listener is destroyed.
   OnProgress progress() const;
 };
 

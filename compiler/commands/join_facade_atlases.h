@@ -1,4 +1,4 @@
-// The atlases of several tiles as one, one above the other, and beside them what is too high for a column.
+// Joins the facade atlases of several tiles to one: stacked in columns, each as high as an image may be.
 #pragma once
 
 #include <span>
@@ -11,19 +11,19 @@ namespace citykiln::commands {
 
 struct JoinedFacadeAtlases {
   impostor::Atlas atlas;
-  /// What a place on one of the atlases becomes: at_m + scale · uv. Tiles of other tolerances have other texels.
+  /// Transforms texture coordinates: at_m + scale · uv. The scale differs for tiles with other texel sizes.
   struct Place {
     Vec2 at_m;
     double scale = 1;
   };
-  std::vector<Place> places;  ///< One an atlas.
+  std::vector<Place> places;  ///< One for each atlas.
 };
 
-/// Guarantees: every texel of every atlas is a texel of the joined one, at the place that its places become; atlases
-/// without texels take no room. Where that would be more than a sheet may have, all are halved, each texel the mean of
-/// four, in linear light, until it is not. O(texels).
+/// Joins atlases in the given order.
 ///
-/// @param atlases  In the order in which they are put down.
+/// Guarantees: every texel of every atlas is a texel of the joined one, at its transformed place; atlases without
+/// texels take no space. If the result would exceed the size limits of an image, all atlases are halved until it fits,
+/// each texel the mean of four in linear light. O(texels).
 JoinedFacadeAtlases join_facade_atlases(std::span<const impostor::Atlas* const> atlases);
 
 }  // namespace citykiln::commands

@@ -1,9 +1,8 @@
-// The sheets of several tiles as one, side by side.
+// Joins the marking atlases of several tiles to one, side by side.
 //
 //     +-----+ +---+      +-----+-+---+
-//     |  a  | | b |  ->  |  a  |g| b |   g: a gutter of a's and b's last texels, so that smoothing mixes in nothing
-//     else
-//     +-----+ |   |      |  a  |g|   |   shorter sheets repeat, as they do along v anyway
+//     |  a  | | b |  ->  |  a  |g| b |   g: a gutter that repeats the last texels of a and b, so that texture
+//     +-----+ |   |      |  a  |g|   |      filtering does not mix them; shorter atlases are repeated along v
 //             +---+      +-----+-+---+
 #pragma once
 
@@ -17,15 +16,16 @@ namespace citykiln::commands {
 
 struct JoinedMarkingAtlases {
   materials::TextureImage sheet;
-  std::vector<double> offsets_m;  ///< One a sheet: what to add to its u.
+  std::vector<double> offsets_m;  ///< One for each atlas: the offset of its u.
 };
 
-/// Guarantees: every texel of every sheet is in the joined one, at its v and its u plus the offset; equal sheets are in
-/// it once; sheets without texels take no room. Where texels differ, or there would be more than a sheet may have, all
-/// are drawn coarser, as coarse as it takes: each texel the mean, in linear light, of what it covers.
+/// Joins atlases in the given order.
 ///
-/// @param sheets  Where the joined one will be drawn, in this order.
-/// Errors: sheets of different lengths along v that are too many. O(texels).
+/// Guarantees: every texel is in the joined atlas at its v and its u plus the offset; equal atlases are stored once;
+/// atlases without texels take no space. If texel sizes differ, or the result would exceed the size limits of an image,
+/// all are resampled to the coarsest, or coarser: each texel is the mean, in linear light, of the area that it covers.
+///
+/// Errors: atlases of different lengths along v that do not fit without resampling. O(texels).
 Result<JoinedMarkingAtlases> join_marking_atlases(std::span<const materials::TextureImage* const> sheets);
 
 }  // namespace citykiln::commands

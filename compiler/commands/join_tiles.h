@@ -1,4 +1,4 @@
-// Several baked tiles of one tolerance as one, for who wants a whole place in one file.
+// Joins several baked tiles of one tolerance to one tile, to have a whole map in one file.
 #pragma once
 
 #include <span>
@@ -8,11 +8,12 @@
 
 namespace citykiln::commands {
 
-/// Guarantees: the same triangles and instances at the same places, exactly; one primitive a key, each showing its
-/// own tile's sheet and atlas, of which the joined ones are made (join_sheets.h, join_atlases.h); the largest error of
-/// all.
-/// @param tiles  At least one. Named after the first; its origin is the lowest corner of all.
-/// Errors: tiles that lie farther apart than float32 is exact for (16 km); sheets that cannot be one. O(vertices).
+/// Guarantees: triangles and instances keep their exact places; one primitive for each key; each shows the texels of
+/// its own tile's atlases, which are joined (join_marking_atlases.h, join_facade_atlases.h); the error is the largest
+/// of all.
+/// @param tiles  At least one. The joined tile has the name of the first; its origin is the lowest corner of all.
+/// Errors: tiles over more than 16 km, where float32 is no longer exact; marking atlases that cannot be joined.
+/// O(vertices).
 Result<bake::BakedTile> join_tiles(std::span<const bake::BakedTile> tiles);
 
 }  // namespace citykiln::commands

@@ -1,4 +1,4 @@
-// Baked tiles from whichever form is given: fired from a manifest, or read from .glb files or from a run's folder.
+// Loads baked tiles: by baking a manifest, or by reading .glb files or a run's folder.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,20 @@ namespace citykiln::commands {
 
 struct LoadRequest {
   std::vector<std::string> paths;    ///< One .kiln, or one folder of a run, or .glb files.
-  std::string time;                  ///< At which a manifest is fired; "": the scene's.
-  double tolerance_m = 0.1;          ///< Of what a manifest is fired at.
+  std::string time;                  ///< Time of the sky for baking a manifest; "": the scene's.
+  double tolerance_m = 0.1;          ///< For baking a manifest.
   std::size_t level = 0;             ///< Of a folder's tiles.
   std::vector<scene::TileKey> only;  ///< If not empty, only these tiles.
   int threads = 0;
 };
 
 struct Loaded {
-  std::vector<bake::BakedTile> tiles;   ///< Sorted by tile.
-  std::optional<scene::Header> header;  ///< From the manifest: the one given, or the one beside the .glb files' folder.
+  std::vector<bake::BakedTile> tiles;  ///< Sorted by tile.
+  std::optional<scene::Header>
+      header;  ///< Of the given manifest, or of the manifest beside the folder of the .glb files.
 };
 
-/// Errors: files that cannot be read, a folder without that level, no tile at all, forms mixed.
+/// Errors: files that cannot be read, a folder without the requested tiles and level, mixed kinds of input.
 Result<Loaded> load_tiles(const LoadRequest& request, const OnProgress& on_progress);
 
 }  // namespace citykiln::commands

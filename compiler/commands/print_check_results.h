@@ -1,4 +1,4 @@
-// The findings of `check` on the console.
+// Prints the results of `check`.
 #pragma once
 
 #include "compiler/commands/console.h"
@@ -6,7 +6,7 @@
 
 namespace citykiln::commands {
 
-/// Prints one line a promise for people, or the same as one JSON array for machines.
+/// Prints one line for each guarantee and measure, or one JSON array.
 void print(const verify::CheckResults& results, const Console& console);
 
 }  // namespace citykiln::commands

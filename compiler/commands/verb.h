@@ -1,5 +1,5 @@
-// A verb of the command line as a table: its options, and what it does. Only command_line.cpp knows the library that
-// parses them.
+// A verb of the command line as a table: its options, and the function that runs it. Only command_line.cpp includes the
+// command line parser.
 #pragma once
 
 #include <functional>
@@ -11,22 +11,22 @@
 
 namespace citykiln::commands {
 
-/// The program's exit codes. An Error is 1.
+/// The program's exit codes. kFailed belongs to an Error.
 enum class Exit : int { kDone = 0, kFailed = 1, kStrictViolation = 2 };
 
 /// One option of a verb.
 struct Option {
-  std::string flags;  ///< "-o,--out"; a word without dashes stands by its place.
-  std::string value;  ///< How its value is written, "FILE"; empty for a switch, which hands over "true".
+  std::string flags;  ///< "-o,--out"; a name without dashes is a positional argument.
+  std::string value;  ///< Name of the value in the help, "FILE"; empty for a switch, which passes "true".
   std::string help;
   bool repeats = false;
-  std::function<Result<Done>(const std::string& text)> take;  ///< Called once a value, in the order of the table.
+  std::function<Result<Done>(const std::string& text)> take;  ///< Called for each value, in the order of the table.
 };
 
 struct Verb {
   std::string name, help;
   std::vector<Option> options;
-  std::function<Result<Exit>(const Console& console)> run;  ///< After all options were taken.
+  std::function<Result<Exit>(const Console& console)> run;  ///< Called after all options were taken.
 };
 
 Verb compile_verb();
@@ -36,14 +36,14 @@ Verb inspect_verb();
 Verb check_verb();
 Verb chart_verb();
 
-/// An option's take that keeps the text.
+/// Returns a `take` function that stores the text. The reference must outlive the option; so in all functions below.
 std::function<Result<Done>(const std::string&)> store_text(std::string& text);
-/// One that wants a whole number, `least` or more.
+/// Stores an integer of at least `least`.
 std::function<Result<Done>(const std::string&)> store_whole(int& number, int least);
-/// Adds the text to a list.
+/// Appends the text to a list.
 std::function<Result<Done>(const std::string&)> append_text(std::vector<std::string>& texts);
 
-/// --threads, as all verbs have it.
+/// The option --threads, the same for all verbs.
 Option threads_option(int& threads);
 
 }  // namespace citykiln::commands

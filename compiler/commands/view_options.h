@@ -1,4 +1,4 @@
-// What preview and bake are told about an eye, in the same words.
+// Parsers of the viewer options that preview, bake and chart have in common.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,24 @@
 
 namespace citykiln::commands {
 
-/// Of a picture.
+/// The size of a picture in pixels.
 struct PictureSize {
   int width = 1280, height = 720;
 };
 
-/// An option's take: three numbers, "X,Y,Z" in metres of the plane or "LON,LAT,HEIGHT" in degrees and metres.
+/// Stores three numbers: "X,Y,Z" in plane metres or "LON,LAT,HEIGHT" in degrees and metres.
 std::function<Result<Done>(const std::string&)> store_point(std::optional<Vec3>& point);
 
-/// "1280x720".
+/// Parses "1280x720".
 Result<Done> parse_size(const std::string& text, PictureSize& size);
 
-/// Degrees between 0 and 180.
+/// Parses degrees between 0 and 180, exclusive.
 Result<Done> parse_fov(const std::string& text, std::optional<double>& fov_deg);
 
 Result<Done> parse_positive(const std::string& text, double& number);
 
-/// A point in the plane, whichever way it was given; nothing where it was not. Error: by longitude and latitude,
-/// without a header that tells the plane.
+/// The point in plane metres, given in the plane or by longitude and latitude; empty if not given. Error: longitude and
+/// latitude without a header, which defines the plane.
 Result<std::optional<Vec3>> point_of(const std::optional<Vec3>& in_plane, const std::optional<Vec3>& lonlat,
                                      const std::optional<scene::Header>& header);
 

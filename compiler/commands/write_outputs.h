@@ -1,4 +1,4 @@
-// From a scene to the files of a folder: what compile and bake have in common, so that they cannot differ.
+// Writes the outputs of a scene to a folder. Shared by compile and bake, so that both write the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace citykiln::commands {
 
-/// Writes scene.kiln and glb/<x>_<y>_L<n>.glb, whichever the outputs ask for, one tile at a time.
+/// Bakes and writes scene.kiln and glb/<x>_<y>_L<n>.glb as the outputs ask, one tile at a time.
 Result<verify::WrittenFiles> write_outputs(const scene::Scene& scene, const Outputs& outputs, int threads,
                                            exporters::OutputFolder& folder, Report& report,
                                            const OnProgress& on_progress);

@@ -1,5 +1,5 @@
-// Chance is a pure function of (seed, object, purpose, index): nothing is drawn in sequence, so an object throws the
-// same dice in any tile, thread or order.
+// Random numbers as a pure function of (seed, object, purpose, index), so that they do not depend on tiles, threads or
+// order.
 #pragma once
 
 #include <array>
@@ -9,15 +9,15 @@
 
 namespace citykiln {
 
-/// Philox4x32-10: 128 random bits for a counter and a key.
-/// Source: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011. Tested by the authors'
-/// known answers.
+/// Philox4x32-10: returns 128 random bits for a counter and a key.
+/// Source: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011. Tested against the
+/// authors' known answers.
 std::array<std::uint32_t, 4> philox4x32_10(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key);
 
-/// The dice of one object for one purpose.
+/// The random numbers of one object for one purpose.
 class Draw {
  public:
-  /// @param purpose  A short constant that tells this use of chance from the object's others, e.g. "tint".
+  /// @param purpose  A short constant that separates this use from other uses of the object, such as "tint".
   Draw(std::uint64_t seed, StableId object, const char* purpose);
 
   /// The `index`-th number, uniform in [0, 1), a multiple of 2^-32.
@@ -26,7 +26,7 @@ class Draw {
   /// The `index`-th number, uniform in [low, high).
   double between(double low, double high, std::uint32_t index) const { return low + (high - low) * unit(index); }
 
-  /// The `index`-th whole number, uniform in 0 … count - 1. count > 0.
+  /// The `index`-th integer, uniform in 0 … count - 1. count > 0.
   std::uint32_t below(std::uint32_t count, std::uint32_t index) const;
 
  private:

@@ -1,4 +1,4 @@
-// What several threads need and one of them makes, while the others lend a hand.
+// One-time initialisation in which waiting threads help.
 #pragma once
 
 #include <functional>
@@ -6,14 +6,14 @@
 
 namespace citykiln {
 
-/// As std::once_flag, but whoever comes while it is being made does not sleep: it joins the loops (for_each_slot.h)
-/// that `make` runs, and goes on when all is made.
+/// Like std::once_flag, except that threads which arrive during the call do not sleep: they join the parallel loops
+/// (for_each_slot.h) of `make` and continue when it has finished.
 class Once {
  public:
   Once();
   ~Once();
 
-  /// Calls `make` unless that has been done. `make` must not come back to the same Once.
+  /// Calls `make` unless a call has finished before. `make` must not use the same Once.
   void call(const std::function<void()>& make);
 
  private:

@@ -1,5 +1,4 @@
-// What was mended, approximated or dropped, by name, with the OSM id and a size; and the ledger in which in = out +
-// dropped balances.
+// Diagnoses of what was mended, approximated or dropped, and the ledger that counts objects through all stages.
 #pragma once
 
 #include <cstdint>
@@ -21,31 +20,28 @@ enum class Code : std::uint8_t {
 };
 
 std::string_view name_of(Code code);  ///< "MissingNode".
-std::string_view text_of(Code code);  ///< What happened, a clause without full stop.
+std::string_view text_of(Code code);  ///< The meaning, without a full stop.
 Severity severity_of(Code code);
 std::string_view name_of(Severity severity);  ///< "note", "mended", "dropped".
 
 struct Diagnosis {
   Code code;
   OsmId object;
-  double size =
-      0;  ///< How much: metres, square metres, samples, as the code's text says. 0 where there is nothing to measure.
+  double size = 0;  ///< In the unit that the code's text states; 0 if it states none.
 };
 
-/// One line of the ledger: what became of the objects of one kind in one stage. Balances when in + split = out + merged
-/// + dropped.
+/// An account of the ledger: the objects of one kind in one stage. It balances if in + split = out + merged + dropped.
 struct Account {
   std::uint64_t in = 0;
-  std::uint64_t split = 0;  ///< Objects gained because one became several.
+  std::uint64_t split = 0;  ///< Additional objects, where one became several.
   std::uint64_t out = 0;
-  std::uint64_t merged = 0;  ///< Objects that went into another (a building's outline into its parts).
+  std::uint64_t merged = 0;  ///< Objects that became part of another (a building's outline of its parts).
   std::map<Code, std::uint64_t> dropped;
 
   bool balances() const;
 };
 
-/// The diagnoses and the ledger of a run. A value: parallel work fills one Report a slot, and they are appended in
-/// order.
+/// The diagnoses and the ledger of a run. Parallel loops fill one Report for each slot and append them in order.
 class Report {
  public:
   void add(Code code, OsmId object, double size = 0) { diagnoses_.push_back({code, object, size}); }
@@ -53,7 +49,7 @@ class Report {
   /// Adds the diagnosis and counts the object as dropped from `account`.
   void drop(Account& account, Code code, OsmId object, double size = 0);
 
-  /// The account of a feature kind ("building") in a stage ("map"). The reference lives as long as the report.
+  /// The account of a feature kind ("building") in a stage ("map"), created if missing. Valid as long as the report.
   Account& account(std::string_view stage, std::string_view kind);
 
   void append(const Report& other);

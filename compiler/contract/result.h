@@ -1,4 +1,4 @@
-// The edges of the program (reading, writing) can fail, because the world can be wrong. The middle cannot.
+// Errors of reading and writing. Stages in between cannot fail: they mend or drop data, and diagnose it (report.h).
 #pragma once
 
 #include <cassert>
@@ -8,7 +8,7 @@
 
 namespace citykiln {
 
-/// One clear line: the file and the place in it, and what was expected there.
+/// One line of text: the file and the place in it, and what was expected there.
 struct Error {
   std::string where;    ///< "monaco.osm.pbf", "town.osm:12:5", "scene.kiln, byte 96".
   std::string message;  ///< "expected a PBF blob header, found the end of the file".
@@ -19,7 +19,7 @@ inline std::string to_string(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }
 
-/// A value, or the error that stands in its place.
+/// A value, or an error instead of it.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -44,7 +44,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// What a verb without a product returns.
+/// The result of functions without a product.
 struct Done {};
 
 }  // namespace citykiln

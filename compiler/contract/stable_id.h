@@ -1,4 +1,4 @@
-// Identity is descent: an object is named by what it comes from, never by a counter, a pointer or an order.
+// Ids by descent: an object is named by its origin in the map, never by a counter, a pointer or an order.
 #pragma once
 
 #include <compare>
@@ -9,7 +9,7 @@ namespace citykiln {
 
 enum class OsmType : std::uint8_t { kNone, kNode, kWay, kRelation };
 
-/// An element of the OSM file, the root of every descent. `id` may be negative (editors' unsaved elements).
+/// An element of the OSM file. `id` may be negative (unsaved elements of editors).
 struct OsmId {
   OsmType type = OsmType::kNone;
   std::int64_t id = 0;
@@ -19,22 +19,21 @@ struct OsmId {
 /// "n123", "w123", "r123"; "-" for none.
 std::string to_string(OsmId id);
 
-/// One object made of an OSM element: the element and which of its pieces (polygon of a multipolygon, segment of a
-/// way). Ordinals are given before any clipping, so a clipped piece is named by its uncut parent.
+/// An object made of an OSM element: the element, and the index of the piece (polygon of a multipolygon, segment of a
+/// way). Pieces are numbered before clipping, so a clipped piece has the id of its whole.
 struct ObjectId {
   OsmId osm;
   std::uint32_t part = 0;
   auto operator<=>(const ObjectId&) const = default;
 };
 
-/// 64 well-mixed bits that name an object. Equal descent, equal id; different descent, equal id with chance 2^-64.
+/// 64 well-mixed bits that name an object. Equal for equal descent; else equal with probability 2^-64.
 enum class StableId : std::uint64_t {};
 
-/// The id of a root.
+/// The id of an object of the map.
 StableId stable_id(ObjectId object);
 
-/// The id of what descends from `parent` in the role `role` (a short constant, e.g. "tree"), the `ordinal`-th of its
-/// kind.
+/// The id of the `ordinal`-th descendant of `parent` in a role (a short constant such as "tree").
 StableId stable_id(StableId parent, const char* role, std::uint64_t ordinal);
 
 }  // namespace citykiln

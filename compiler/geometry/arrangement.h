@@ -1,8 +1,8 @@
-// Segments that cross anyhow become edges that meet only at their ends, on the 2^-10 m grid, cell by cell.
+// Snap rounding: turns arbitrary segments to edges on the 2^-10 m grid that meet at their ends only, cell by cell.
 //
-//      \  /          every grid point that is an end or next to a crossing is hot;     •  •
-//   ----\/----       a segment that passes within half a grid step of a hot point   •---•---•
-//       /\           is bent through it                                                •  •
+//      \  /          every segment end, and the grid point nearest to each crossing,   •  •
+//   ----\/----       is a hot point; a segment that passes the unit square of a hot  •---•---•
+//       /\           point is bent through it                                          •  •
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace citykiln {
 
-/// A point of the plane's grid, in units of 2^-10 m. |x|, |y| < 2^29 (524 km).
+/// A point of the plane's grid in units of 2^-10 m. |x|, |y| < 2^29 (524 km).
 struct GridPoint {
   std::int64_t x = 0, y = 0;
   auto operator<=>(const GridPoint&) const = default;
@@ -32,15 +32,14 @@ inline Vec2 plane_point(GridPoint p) {
   return {static_cast<double>(p.x) * kQuantum_m, static_cast<double>(p.y) * kQuantum_m};
 }
 
-/// A piece of a closed ring: walking from a to b, `owner` lies to the left, `winding` times.
+/// A piece of a closed ring. From a to b, `owner` lies to the left, `winding` times.
 struct OwnedSegment {
   GridPoint a, b;
   std::uint32_t owner = 0;
   std::int32_t winding = 1;
 };
 
-/// Crossing an edge from its right to its left (walking from a to b) adds `winding` to how often one is inside of
-/// `owner`.
+/// The change of the winding number about `owner` when crossing an edge from its right to its left (seen from a to b).
 struct WindingStep {
   std::uint32_t owner = 0;
   std::int32_t winding = 0;
@@ -48,29 +47,28 @@ struct WindingStep {
 
 struct ArrangedEdge {
   std::uint32_t a = 0, b = 0;          ///< Into vertices, a < b.
-  std::uint32_t first = 0, count = 0;  ///< Into steps. None: a piece of the cell's border that no ring runs along.
+  std::uint32_t first = 0, count = 0;  ///< Into steps. None: a piece of the cell's border without rings.
 };
 
 struct Arrangement {
   std::vector<GridPoint> vertices;  ///< Sorted.
-  std::vector<ArrangedEdge>
-      edges;  ///< Sorted by (a, b). No two cross, touch or overlap but at their ends. The cell's border is among them.
-  std::vector<WindingStep> steps;  ///< Per edge sorted by owner.
+  std::vector<ArrangedEdge> edges;  ///< Sorted by (a, b). Any two share at most an end. Includes the cell's border.
+  std::vector<WindingStep> steps;   ///< Those of one edge are sorted by owner.
 };
 
-/// True where the segment passes p so closely that arrange() bends it through p if p is hot. Exact.
+/// True if the segment passes the half-open unit square about p, so that arrange() bends it through a hot p. Exact.
 bool passes(const OwnedSegment& segment, GridPoint p);
 
-/// The part in a closed cell of the snap-rounded arrangement of all segments and of all cells' border lines.
+/// Returns the part inside a closed cell of the snap-rounded arrangement of all segments and all cells' border lines.
 ///
-/// @param segments  Any that may touch the cell; none is clipped before.
+/// @param segments  All segments that may touch the cell, unclipped.
 /// @param points    Further hot points; those outside the cell are ignored.
 /// @param cell      Corners on whole metres.
-/// Guarantees: no segment moves by more than 2^-11 m in x or in y; vertices on the cell's border depend only on
-/// segments and points within 2^-10 m of it, so two cells that share a border share its vertices; ring edges whose
-/// windings cancel are gone, vertices on the border stay. Cost: O(n log n + crossings) for segments spread over the
-/// cell. Source: Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999; all
-/// tests exact in 64 and 128 bits.
+/// Guarantees: no segment moves by more than 2^-11 m in x or y; vertices on the cell's border depend only on segments
+/// and points within 2^-10 m of it, so that neighbouring cells have the same border vertices; ring edges whose windings
+/// cancel are removed, vertices on the border remain. Cost: O(n log n + crossings) for evenly spread segments. Source:
+/// Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999; all tests are exact in
+/// 64 and 128 bits.
 Arrangement arrange(std::span<const OwnedSegment> segments, std::span<const GridPoint> points, const Box2& cell);
 
 }  // namespace citykiln

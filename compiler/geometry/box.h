@@ -1,4 +1,4 @@
-// Boxes of the plane.
+// Axis-parallel boxes of the plane.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace citykiln {
 
-/// A closed axis-parallel box. The default is empty and grows.
+/// A closed box. The default is empty and can be grown.
 struct Box2 {
   Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

@@ -1,4 +1,4 @@
-// Boxes sorted into square buckets, to find those about a point.
+// A grid of square buckets that finds boxes near a point or box.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,23 @@ struct BoxGrid {
   double bucket_m = 0;
   int columns = 0, rows = 0;
   std::vector<std::uint32_t> starts;   ///< columns * rows + 1 offsets into numbers.
-  std::vector<std::uint32_t> numbers;  ///< Of boxes, ascending in each bucket.
+  std::vector<std::uint32_t> numbers;  ///< Indices of boxes, ascending in each bucket.
 };
 
-/// Cost: linear in boxes and in the buckets that they touch.
+/// Sorts boxes into buckets. Cost: linear in boxes and the buckets that they touch.
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m);
 
-/// The same, but a box is left out of buckets that it touches and `is_in(box's number, bucket)` denies.
+/// Like the above; leaves a box out of touched buckets for which `is_in(index, bucket)` is false.
 BoxGrid grid_of(std::span<const Box2> boxes, double bucket_m,
                 const std::function<bool(std::uint32_t, const Box2&)>& is_in);
 
-/// The numbers of all boxes that may hold p, and some more, ascending. O(1).
+/// The indices of all boxes that contain p, and some near it, ascending. O(1).
 std::span<const std::uint32_t> boxes_about(const BoxGrid& grid, Vec2 p);
 
-/// The numbers of all boxes that may touch a box, and some more, ascending, each once. O(buckets + boxes in them).
+/// The indices of all boxes that touch a box, and some near it, ascending, each once. O(buckets + boxes in them).
 std::vector<std::uint32_t> boxes_about(const BoxGrid& grid, const Box2& box);
 
-/// True where boxes_about() finds any. O(rows of buckets).
+/// True if boxes_about() is not empty. O(rows of buckets).
 bool is_any_about(const BoxGrid& grid, const Box2& box);
 
 }  // namespace citykiln

@@ -1,10 +1,10 @@
-// Edges that CGAL's constrained triangulations have to keep.
+// Constrained edges of CGAL triangulations.
 #pragma once
 
 namespace citykiln {
 
-/// As cdt.insert_constraint(a, b), of different vertices. An edge that is there already, as most are, takes its mark
-/// alone.
+/// Equals cdt.insert_constraint(a, b) for different vertices, but is faster for edges that exist already, as most do:
+/// these are only marked.
 template <typename Cdt>
 void constrain_edge(Cdt& cdt, typename Cdt::Vertex_handle a, typename Cdt::Vertex_handle b) {
   typename Cdt::Face_handle face;

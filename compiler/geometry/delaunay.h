@@ -1,5 +1,5 @@
-// A constrained Delaunay triangulation that takes further points, seen as numbered faces. CGAL does the work; its
-// headers stay in delaunay.cpp.
+// A constrained Delaunay triangulation with numbered faces that takes further points. CGAL's headers stay in
+// delaunay.cpp.
 #pragma once
 
 #include <array>
@@ -15,20 +15,19 @@ namespace citykiln {
 
 inline constexpr std::uint32_t kNoFace = 0xffffffffu;
 
-/// Counter-clockwise. Neighbour i and edge i lie opposite to vertex i.
+/// Vertices are counter-clockwise. Neighbour i and edge i lie opposite to vertex i.
 struct DelaunayFace {
   std::array<std::uint32_t, 3> vertices{};
   std::array<std::uint32_t, 3> neighbours{kNoFace, kNoFace, kNoFace};
   std::array<bool, 3> is_constrained{};
 };
 
-/// Vertices and faces keep their numbers; faces change their corners as points come in. Of a rectangle with nothing in
-/// it, the diagonal from south-west to north-east is an edge.
+/// Vertices and faces keep their numbers; faces change their corners when points are inserted. An empty rectangle gets
+/// the diagonal from south-west to north-east.
 class Delaunay {
  public:
-  /// @param vertices  Different points.
-  /// @param edges     Pairs of vertices. They must not cross or touch but at their ends (arrange() sees to it), and
-  /// their hull must be convex.
+  /// @param vertices  Distinct points with a convex hull made of edges.
+  /// @param edges     Pairs of vertices that meet at their ends only (as arrange() makes them).
   Delaunay(std::span<const GridPoint> vertices, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges);
   ~Delaunay();
   Delaunay(Delaunay&&) noexcept;
@@ -37,17 +36,16 @@ class Delaunay {
   const std::vector<GridPoint>& vertices() const;
   const std::vector<DelaunayFace>& faces() const;
 
-  /// The face that a new point at p would split (one of two on an edge), searched from face `near`; kNoFace where p is
-  /// a vertex already, lies on a constrained edge, or outside.
+  /// The face that a new point at p would split (one of two if p is on an edge), searched from face `near`. kNoFace if
+  /// p is a vertex, lies on a constrained edge, or lies outside.
   std::uint32_t face_to_split(GridPoint p, std::uint32_t near) const;
 
-  /// Puts a point into the face that face_to_split found. Returns the faces that changed or are new, all about the new
-  /// vertex (the last one).
+  /// Inserts a point into the face found by face_to_split(). Returns the new and changed faces, all of which have the
+  /// new vertex (the last one).
   std::span<const std::uint32_t> insert(GridPoint p, std::uint32_t face);
 
-  /// Turns edge i of a face round, between the other two corners of the quadrilateral about it. That must be strictly
-  /// convex, and the edge not constrained. It need not be Delaunay then; insert() makes it so again about what it puts
-  /// in. Returns the two faces, which changed.
+  /// Flips edge i of a face in the quadrilateral of its two faces, which must be strictly convex; the edge must not be
+  /// constrained. The result may not be Delaunay; insert() restores that around inserted points. Returns the two faces.
   std::span<const std::uint32_t> flip(std::uint32_t face, int i);
 
  private:

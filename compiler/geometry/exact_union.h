@@ -1,5 +1,4 @@
-// A union with exact constructions, by CGAL: slow, and right until it is written in numbers of fixed size. For charts
-// and tests.
+// Polygon union with exact constructions by CGAL: slow, for charts and tests.
 #pragma once
 
 #include <span>
@@ -9,9 +8,8 @@
 
 namespace citykiln {
 
-/// The union of counter-clockwise simple rings; vertices exact while it is made, then rounded to the nearest multiple
-/// of `step_m`: what rounding does to them is the caller's to look at. Rings that are not simple are left out. Cost:
-/// some milliseconds a dozen rings.
+/// The union of counter-clockwise simple rings. Vertices are computed exactly, then rounded to multiples of `step_m`,
+/// which may make polygons invalid. Rings that are not simple are left out. Cost: some milliseconds for a dozen rings.
 std::vector<Polygon> exact_union(std::span<const Ring> rings, double step_m);
 
 }  // namespace citykiln

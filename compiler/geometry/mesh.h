@@ -1,4 +1,4 @@
-// Triangles that share vertices.
+// Indexed triangle meshes.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace citykiln {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Positions in plane metres on the 2^-10 m grid; triangles counter-clockwise seen from outside.
+/// Positions in plane metres on the 2^-10 m grid; triangles counter-clockwise from outside.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< Unit length, one a position; or empty: every triangle is flat.
+  std::vector<Vec3> normals;  ///< Unit length, one for each position; or empty: flat shading.
   std::vector<Triangle> triangles;
 };
 

@@ -1,4 +1,5 @@
-// Who owns what, where rings of many owners overlap: polygons that share no area, by rank.
+// Polygon overlay with priorities: where rings of several owners overlap, the owner with the lowest number gets the
+// area.
 //
 //    +---+                +---+
 //    | 0 |--+    0 on     | 0 |--+
@@ -16,16 +17,16 @@
 
 namespace citykiln {
 
-/// The places where each owner is on top: inside its rings (winding above zero) and inside no owner of a lower number.
+/// The area of each owner: inside its rings (winding number above zero) and not inside any owner with a lower number.
 ///
-/// @param segments  Closed rings, counter-clockwise around what they add; owners 0 … owner_count - 1, 0 on top.
+/// @param segments  Closed rings, counter-clockwise around added area; owners 0 … owner_count - 1.
 /// Guarantees: rings are simple, counter-clockwise outside, holes clockwise, and touch themselves and each other at
-/// vertices only; polygons of different owners share edges, not area; no vertex lies farther than 2^-10 m from the
-/// rings. Total: it is made of a snapped arrangement, in which nothing can fail; what rounding leaves without area is
-/// gone. Cost: the arrangement's, plus edges² for the labels: meant for one junction or one block, not for a city.
+/// vertices only; polygons of different owners share edges, not area; no vertex is farther than 2^-10 m from the rings.
+/// Cannot fail: it is based on a snap-rounded arrangement; polygons that rounding leaves without area are dropped.
+/// Cost: the arrangement's, plus edges² for labels: meant for one junction or block, not for a city.
 std::vector<std::vector<Polygon>> overlay(std::span<const OwnedSegment> segments, std::uint32_t owner_count);
 
-/// Adds a ring's segments.
+/// Appends a ring's segments.
 void add_ring(std::vector<OwnedSegment>& segments, std::span<const Vec2> ring, std::uint32_t owner);
 
 }  // namespace citykiln

@@ -1,4 +1,4 @@
-// Where a shared mesh stands: rigid but for one uniform scale, turned about the vertical only.
+// The placement of an instanced mesh: a translation, a turn about the vertical and a uniform scale.
 #pragma once
 
 #include "compiler/contract/stable_id.h"
@@ -7,10 +7,10 @@
 namespace citykiln {
 
 struct Placement {
-  Vec3 at;                          ///< Plane metres, snapped: the mesh's origin comes here.
+  Vec3 at;                          ///< Place of the mesh's origin, plane metres, snapped.
   double cos_yaw = 1, sin_yaw = 0;  ///< Turn about z, counter-clockwise from above.
   double scale = 1;
-  OsmId feature;  ///< Whose it is.
+  OsmId feature;  ///< The map element that it belongs to.
 };
 
 }  // namespace citykiln

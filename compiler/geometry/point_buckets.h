@@ -1,4 +1,4 @@
-// Points of the grid sorted into square buckets, to ask which lie near a place or a triangle.
+// A grid of square buckets that finds grid points near a point or triangle.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,19 @@
 
 namespace citykiln {
 
-/// Twice the area of a, b, c: positive where they turn left. Exact on the grid.
+/// Twice the signed area of the triangle a, b, c: positive for a left turn. Exact on the grid.
 inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// About two points a bucket where they are spread evenly. Refers to points by their index, not to where they are kept.
+/// Holds about two points per bucket if they are evenly spread. Refers to points by index.
 struct PointBuckets {
   GridPoint min;
   std::int64_t side = 1;
   double per_side = 1;  ///< 1 / side.
   std::int64_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> starts, ends;  ///< One a bucket, row by row: offsets into `members`.
-  std::vector<std::uint32_t> members;       ///< Indices of points, rising in each bucket.
+  std::vector<std::uint32_t> starts, ends;  ///< For each bucket, row by row: offsets into `members`.
+  std::vector<std::uint32_t> members;       ///< Indices of points, ascending in each bucket.
 
   std::int64_t column(std::int64_t x) const { return whole_sides(x - min.x, columns - 1); }
   std::int64_t row(std::int64_t y) const { return whole_sides(y - min.y, rows - 1); }
@@ -36,7 +36,7 @@ struct PointBuckets {
   }
 
  private:
-  // steps / side, rounded down, 0 … most: processors are slow at dividing whole numbers
+  // steps / side, rounded down and limited to 0 … most, without the slow integer division
   std::int64_t whole_sides(std::int64_t steps, std::int64_t most) const {
     if (steps <= 0) return 0;
     auto whole = static_cast<std::int64_t>(static_cast<double>(steps) * per_side);
@@ -46,34 +46,34 @@ struct PointBuckets {
   }
 };
 
-/// @param min, max  What the points are spread over; those outside fall into the rim. O(n).
+/// @param min, max  The box of the buckets; points outside fall into the outermost buckets. O(n).
 PointBuckets bucket_points(std::span<const GridPoint> points, GridPoint min, GridPoint max);
 
-/// Takes a point out. O(points in its bucket).
+/// Removes a point. O(points in its bucket).
 void remove_point(PointBuckets& buckets, std::uint32_t index, GridPoint place);
 
-/// The point nearest to p, of equals the first in order of place. There must be one. O(1) expected where points are
-/// spread evenly.
+/// The point nearest to p; of equally near ones the first by (x, y). There must be at least one point. O(1) expected
+/// for evenly spread points.
 std::uint32_t nearest_point(const PointBuckets& buckets, std::span<const GridPoint> points, GridPoint p);
 
-/// The x between which a triangle lies in the rows low_y … high_y, or wider by a few steps; low > high: nowhere.
+/// The x interval of a triangle in the rows low_y … high_y, or up to a few steps more; low > high if it is empty.
 struct XInterval {
   std::int64_t low, high;
 };
 XInterval x_interval_of_triangle(const std::array<GridPoint, 3>& corners, std::int64_t low_y, std::int64_t high_y);
 
-/// Calls visit(index) for every point in the buckets near a triangle: all points within a grid step of it (in x and in
-/// y), and some around. Stops where visit returns true; whether it did.
+/// Calls visit(index) for every point within a grid step of a triangle (in x and y) and for some points around. Stops
+/// when visit returns true; returns whether it did.
 template <typename Visit>
 bool any_near_triangle(const PointBuckets& buckets, const std::array<GridPoint, 3>& corners, Visit visit) {
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
   const std::int64_t last = buckets.row(high_y + 1);
-  // in one column or two there is nothing to leave out
+  // the interval of each row matters only for triangles over more than two columns
   const XInterval all{low_x - 1, high_x + 1};
   const bool is_narrow = buckets.column(all.high) - buckets.column(all.low) < 2;
   for (std::int64_t row = buckets.row(low_y - 1); row <= last; ++row) {
-    // the rim's buckets have no end outwards
+    // the outermost rows are unbounded
     const std::int64_t low = row == 0 ? low_y : buckets.min.y + row * buckets.side - 1;
     const std::int64_t high = row == buckets.rows - 1 ? high_y : buckets.min.y + (row + 1) * buckets.side + 1;
     const XInterval run = is_narrow ? all : x_interval_of_triangle(corners, low, high);

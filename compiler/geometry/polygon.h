@@ -19,25 +19,24 @@ struct Polygon {
   bool operator==(const Polygon&) const = default;
 };
 
-/// Square metres, positive where the ring runs counter-clockwise. O(n).
+/// Square metres; positive if the ring runs counter-clockwise. O(n).
 double signed_area_m2(std::span<const Vec2> ring);
 /// Outer minus holes, square metres.
 double area_m2(const Polygon& polygon);
 double length_m(std::span<const Vec2> polyline);
 
-/// How often the ring runs around p, counter-clockwise positive. A point on the ring may count to either side. Exact
-/// sign tests for points on the plane's grid. O(n).
+/// How often the ring runs around p, counter-clockwise positive. A point on the ring may count either way. Sign tests
+/// are exact for points on the plane's grid. O(n).
 int winding_number(std::span<const Vec2> ring, Vec2 p);
-/// Even-odd over all rings.
+/// True if p is inside an odd number of rings.
 bool contains(const Polygon& polygon, Vec2 p);
 
-/// The ring without repeated neighbours (also last and first) and without spikes that go out and come back on
-/// themselves.
+/// The ring without consecutive equal points (also last and first) and without spikes, edges that double back on the
+/// edge before.
 Ring without_repeats(std::span<const Vec2> ring);
 
-/// The ring with vertices dropped that lie outside the box, so that every edge that touches the box stays as it is, and
-/// every point in the box keeps its winding number. Empty if the ring's box does not touch. What it returns depends
-/// only on the ring and the box. O(n).
+/// Drops vertices outside the box such that every edge which touches the box stays and every point in the box keeps its
+/// winding number. Empty if the ring's box does not touch. Depends on the ring and the box only. O(n).
 Ring trimmed_to(std::span<const Vec2> ring, const Box2& box);
 
 }  // namespace citykiln

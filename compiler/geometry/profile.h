@@ -1,7 +1,7 @@
-// How high a line lies along its length.
+// Height profiles along lines.
 //
 //        •----•
-//       /      \            knots, straight between them, level before the first and after the last
+//       /      \            knots with straight segments between them; level before the first and after the last
 //   ---•        •------
 #pragma once
 
@@ -10,26 +10,27 @@
 
 namespace citykiln {
 
-/// Heights of profiles are whole multiples of this.
+/// Heights of knots are multiples of this.
 inline constexpr double kProfileQuantum_m = 0x1p-7;
-/// Tilts are whole multiples of this: at 8 m from the axis, of the heights' quantum.
+/// Tilts are multiples of this, which at 8 m from the axis is one height quantum.
 inline constexpr double kTiltQuantum = 0x1p-10;
 
 struct Knot {
-  double at_m = 0;  ///< Along the line from the beginning of the whole way; a multiple of 1/8 m.
+  double at_m = 0;  ///< Distance along the line from the beginning of the whole way; a multiple of 1/8 m.
   double z_m = 0;   ///< Plane height, a multiple of kProfileQuantum_m.
-  double tilt = 0;  ///< Rise a metre to the left of the axis; a multiple of kTiltQuantum.
+  double tilt = 0;  ///< Rise per metre to the left of the axis; a multiple of kTiltQuantum.
   bool operator==(const Knot&) const = default;
 };
 
-/// Sorted by at_m, strictly. Empty: the line lies on the ground as it is.
+/// Strictly increasing by at_m. Empty: the line follows the terrain.
 using Profile = std::vector<Knot>;
 
-/// Height and tilt at a place along the line, of the profile, which must not be empty, or of what between() gives of
-/// it. O(log n).
+/// Interpolates height and tilt at a distance along the line.
+/// @param profile  Not empty; a profile, or the part of it that between() returned for an interval around at_m.
+/// O(log n).
 Knot knot_at(std::span<const Knot> profile, double at_m);
 
-/// The knots that say the profile between two places: those within, and the nearest on either side. O(log n).
+/// The knots that define the profile between two distances: those inside, and the nearest on either side. O(log n).
 std::span<const Knot> between(std::span<const Knot> profile, double from_m, double to_m);
 
 }  // namespace citykiln

@@ -1,4 +1,4 @@
-// The grid of the plane: coordinates are doubles that are whole multiples of 2^-10 m.
+// Snapping to the grid of the plane: coordinates are doubles that are multiples of 2^-10 m.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace citykiln {
 
-/// The nearest multiple of a power of two; halves go up. Exact for |v| < 2^52 steps.
+/// The nearest multiple of a step that is a power of two; halves round up. Exact for |v| < 2^52 steps.
 inline double snapped_to(double step_m, double v) { return std::floor(v / step_m + 0.5) * step_m; }
 inline Vec2 snapped_to(double step_m, Vec2 p) { return {snapped_to(step_m, p.x), snapped_to(step_m, p.y)}; }
 

@@ -1,12 +1,12 @@
-// The straight skeleton of a polygon with holes: what its edges sweep when all of them move inward at one speed.
+// The straight skeleton of a polygon with holes: the areas swept by its edges as they move inward at equal speed.
 //
-//    +-----------+     each edge's face is what it sweeps; over it, the distance to the edge's line
-//    |\         /|     is the height of a roof of slope 1
+//    +-----------+     each face is the area swept by one edge; the height of a
+//    |\         /|     roof of slope 1 over it is the distance to the edge's line
 //    | >-------< |
 //    |/         \|
 //    +-----------+
 //
-// CGAL does the work; its headers stay in straight_skeleton.cpp.
+// CGAL's headers stay in straight_skeleton.cpp.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace citykiln {
 
-/// What CGAL computes new points in. Its decisions are exact in both.
+/// The number type of constructed points. Predicates are exact in both kernels.
 enum class SkeletonKernel : std::uint8_t {
-  kInexact,  ///< Doubles: fast; points that lie close together may come out in a wrong order.
-  kExact,    ///< Fractions of any length: some ten times slower.
+  kInexact,  ///< Doubles: fast, but the order of points that lie close together may be wrong.
+  kExact,    ///< Rational numbers: about ten times slower.
 };
 
-/// What one edge sweeps.
+/// The face of one edge.
 struct SkeletonFace {
-  Ring ring;  ///< Counter-clockwise, plane metres; from the edge's first point to its second, then around. Not convex.
+  Ring ring;  ///< Counter-clockwise, plane metres; begins with the edge's two points. Not convex in general.
   std::uint32_t ring_index = 0;  ///< 0: the outer ring, then the holes.
-  std::uint32_t edge = 0;        ///< From the ring's point of this number to the next.
+  std::uint32_t edge = 0;        ///< Index of the edge's first point in its ring.
 };
 
-/// One face an edge, in the order of rings and edges; nothing where CGAL fails (it throws, or leaves an edge out).
+/// One face for each edge, in the order of rings and edges; empty if CGAL fails (it throws, or misses an edge).
 ///
-/// @param polygon  Rings simple and strictly apart: looked at before, exactly (ring_crossing.h).
-/// Guarantees: the same bytes for the same polygon. Not guaranteed: that the faces fit together; kInexact has been
-/// seen to fail, so whoever calls looks at them. Bad input: nothing. Cost: faster than quadratic for houses, 0.4 s for
-/// 400 points. Source: Felkel and Obdržálek 1998, as in CGAL's Straight_skeleton_2.
+/// @param polygon  Rings simple and disjoint, which is tested exactly (ring_crossing.h); else the result is empty.
+/// Guarantees: deterministic. Not guaranteed: that faces fit together; kInexact fails at times, so callers must check
+/// the faces. Cost: faster than quadratic for house outlines, 0.4 s for 400 points. Source: Felkel and Obdržálek 1998,
+/// as in CGAL's Straight_skeleton_2.
 std::vector<SkeletonFace> straight_skeleton(const Polygon& polygon, SkeletonKernel kernel);
 
 }  // namespace citykiln

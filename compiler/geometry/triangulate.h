@@ -1,4 +1,4 @@
-// Polygons with holes as triangles, whatever their rings do.
+// Triangulates polygons with holes, valid or not.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace citykiln {
 
-/// Triangles of the plane that share points.
+/// Triangles in the plane with shared points.
 struct PlaneTriangles {
-  std::vector<Vec2> points;  ///< The outer ring's, then each hole's, in order; then points where rings cross, snapped.
-  std::vector<Triangle> triangles;  ///< Counter-clockwise, area > 0. Of points in one place the first is used.
+  std::vector<Vec2> points;  ///< Those of the outer ring, of each hole in order, then crossings of rings, snapped.
+  std::vector<Triangle> triangles;  ///< Counter-clockwise, area > 0. Of coincident points the first is used.
 };
 
-/// What lies inside of an odd number of rings, as a constrained Delaunay triangulation.
+/// Triangulates the area inside an odd number of rings.
 ///
-/// Guarantees: where rings do not cross or touch, the triangles' points are the rings' and their area is the polygon's.
-/// The same bytes for the same polygon. Total: rings may cross themselves and each other, overlap, repeat points, have
-/// no area; what lies inside then goes by the even-odd rule, and crossings become points. O(n log n) and, per region
-/// that the rings enclose, O(n). Method: CGAL's constrained Delaunay triangulation; each region between constraints is
-/// tested at the middle of its largest triangle.
+/// Guarantees: if rings do not cross or touch, the triangles have the rings' points and the polygon's area.
+/// Deterministic. Cannot fail: rings may cross themselves and each other, overlap, repeat points or have no area; the
+/// inside then follows the even-odd rule and crossings become points. O(n log n), and O(n) for each region enclosed by
+/// the rings. Method: CGAL's constrained Delaunay triangulation; each region between constraints is tested at the
+/// middle of its largest triangle.
 PlaneTriangles triangulate(const Polygon& polygon);
 
 }  // namespace citykiln

@@ -1,14 +1,14 @@
-// Turns without libm, whose sine and cosine differ between CPUs in the last bit.
+// Directions by fractions of a turn, without libm, whose sine and cosine differ between CPUs in the last bit.
 #pragma once
 
 #include "compiler/geometry/vec.h"
 
 namespace citykiln {
 
-/// The direction that lies `turns` full circles counter-clockwise of +x: {cosine, sine}.
+/// The direction `turns` full circles counter-clockwise of +x: {cosine, sine}.
 ///
-/// Each component is within 5e-16 of the true one, and the length within 5e-16 of 1. Only + − × and floor, so that
-/// every CPU gives the same bits. Quarter turns are exact. Any finite `turns`; beyond 2^40 its fraction has lost its
+/// Each component is within 5e-16 of the true one, and the length within 5e-16 of 1. Uses + − × and floor only, so that
+/// every CPU gives the same bits. Quarter turns are exact. Any finite `turns`; beyond 2^40 the fraction loses its
 /// digits. O(1).
 Vec2 direction_of(double turns);
 

@@ -1,5 +1,4 @@
-// Points and directions of the plane and of space. Frame and unit are named where one is used; plane metres unless said
-// otherwise.
+// 2D and 3D vectors. Frames and units are stated at each use; plane metres if nothing is stated.
 #pragma once
 
 #include <cmath>
@@ -17,13 +16,13 @@ inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
 inline Vec2 operator*(double s, Vec2 a) { return a * s; }
 inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-/// Positive where b lies to the left of a.
+/// Positive if b lies to the left of a.
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vec2 a, Vec2 b) { return length(b - a); }
 /// a turned left by a right angle.
 inline Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
-/// a at length 1; {0, 0} stays.
+/// a scaled to length 1; {0, 0} stays.
 inline Vec2 unit(Vec2 a) {
   const double l = length(a);
   return l > 0 ? a * (1 / l) : a;

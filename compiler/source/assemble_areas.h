@@ -1,4 +1,4 @@
-// Areas of closed ways and of multipolygon and boundary relations, by libosmium's area assembler.
+// Assembles areas from closed ways and from multipolygon and boundary relations with libosmium's assembler.
 #pragma once
 
 #include <string_view>
@@ -10,24 +10,24 @@
 
 namespace citykiln::source {
 
-/// True where the element may say what an area is: a key other than type, source, note, created_by and the like.
+/// True for keys that can describe an area; false for type, source, note, created_by and the like.
 bool is_descriptive(std::string_view key);
 
-/// As the vectors of the same names in OsmData; the areas without tags.
+/// The vectors of the same names in OsmData; areas have no tags yet.
 struct AssembledAreas {
   std::vector<Area> areas;
   std::vector<AreaRing> rings;
   std::vector<Location> ring_points;
 };
 
-/// Assembles the areas. Candidates are closed ways of at least four nodes with a tag that describes and without
-/// area=no, and relations of type multipolygon or boundary with a way among their members.
+/// Assembles closed ways of at least four nodes that have a descriptive tag and no area=no, and relations of type
+/// multipolygon or boundary with at least one way member.
 ///
-/// Missing nodes are left out of the ring. Of a relation with missing members the present ones are assembled, and outer
-/// rings that turn out to be made of inner members are left out. What cannot be assembled is diagnosed kBrokenArea.
-/// Account "source/area". Guarantees: sorted by id; outer rings counter-clockwise, inner ones clockwise, each starting
-/// at its westernmost point (southernmost of these). Cost: O(n log n) a candidate, where few segments share their range
-/// of longitudes; parallel over candidates.
+/// Missing nodes are left out of rings. If members of a relation are missing, the present ones are assembled, and outer
+/// rings made of inner members are left out. Failures are diagnosed kBrokenArea. Ledger account "source/area".
+/// Guarantees: sorted by id; outer rings counter-clockwise, inner ones clockwise, each starting at its westernmost
+/// point (of equal ones the southernmost). Cost: O(n log n) for each area, if few segments overlap in longitude;
+/// parallel.
 AssembledAreas assemble_areas(const Elements& elements, int threads, Report& report);
 
 }  // namespace citykiln::source

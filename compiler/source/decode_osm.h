@@ -1,4 +1,4 @@
-// A whole OSM file decoded into memory by libosmium, once; all later steps work on these buffers.
+// Decodes a whole OSM file into memory buffers with libosmium; all later steps work on these buffers.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace citykiln::source {
 
-/// Elements in the order of the file.
+/// Elements in file order.
 struct DecodedOsm {
   std::vector<osmium::memory::Buffer> buffers;
   std::optional<LonLatBox> header_box;
 };
 
-/// Errors as read_osm's. Memory: about 25 times a PBF file's size, about the size of plain XML.
+/// Errors: those of read_osm(). Memory: about 25 times the size of a PBF file, about the size of plain XML.
 Result<DecodedOsm> decode_osm(const std::string& path, int threads);
 
 }  // namespace citykiln::source

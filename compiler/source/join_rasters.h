@@ -1,4 +1,4 @@
-// Heightmaps cut out of one grid, put together again.
+// Joins heightmap files that are cut from one grid.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,15 @@
 
 namespace citykiln::source {
 
-/// Joins neighbours in the list whose samples lie on one grid (same system, same steps, apart by whole samples), so
-/// that voids and spikes at the cut are mended from both sides, and heights there do not depend on the cut. Run it
-/// before spikes_to_voids and fill_voids.
+/// Joins consecutive rasters whose samples lie on one grid (same reference system and steps, offset by whole samples),
+/// so that voids and spikes at the seam are mended from both sides. Must run before spikes_to_voids() and fill_voids().
 ///
-/// Where parts overlap, the first that has a sample gives it. A part joins only if the parts then fill a rectangle, so
-/// that no void comes into being: four tiles of a degree become one raster, three of them two.
+/// In overlaps the first raster with a sample wins. Rasters are joined only if they fill a rectangle, so that joining
+/// never creates voids: four one-degree tiles become one raster, three become two.
 ///
-/// Guarantees: the samples of a raster cut in two along a column or row, in either order, are those of the whole, at
-/// the same places to the bit where the part that begins it keeps its origin. The joined raster has the name and credit
-/// of the first. Rasters of different grids keep their order. Total. O(samples).
+/// Guarantees: cutting a raster along a column or row and joining the parts, in either order, restores its samples, and
+/// exactly its georeference if the part with the first sample keeps its origin. The result has the name and credit of
+/// the first part. Rasters of different grids keep their order. Cannot fail. O(samples).
 std::vector<Raster> join_rasters(std::vector<Raster> rasters);
 
 }  // namespace citykiln::source

@@ -1,4 +1,4 @@
-// The living elements of an extract, each once, sorted by id, whatever the order of the file.
+// Sorts the elements of an extract by id and removes duplicates and deleted elements.
 #pragma once
 
 #include <osmium/memory/buffer.hpp>
@@ -11,19 +11,19 @@
 
 namespace citykiln::source {
 
-/// Pointers into the buffers; each sorted by id.
+/// Pointers into the buffers, each vector sorted by id.
 struct Elements {
-  std::vector<const osmium::Node*> nodes;  ///< With a valid place.
+  std::vector<const osmium::Node*> nodes;  ///< With a valid location.
   std::vector<osmium::Way*> ways;
   std::vector<const osmium::Relation*> relations;
 };
 
 /// Sorts the elements, keeps the highest version of each (of equal versions the one with the smaller bytes) and drops
-/// deleted ones and nodes without a place. Opens the accounts "source/node", "source/way" and "source/relation": in,
-/// merged, dropped. O(n), or O(n log n) if the file is not sorted; 8 bytes an element.
+/// deleted elements and nodes without a location. Opens the ledger accounts "source/node", "source/way" and
+/// "source/relation". O(n), or O(n log n) for unsorted files; 8 bytes for each element.
 Elements order_elements(std::vector<osmium::memory::Buffer>& buffers, int threads, Report& report);
 
-/// Writes each way node's place into the ways, by the nodes' ids; where the node is missing the place stays invalid.
+/// Writes node locations into the ways, looked up by id. Locations of missing nodes stay invalid.
 void locate_way_nodes(const Elements& elements, int threads);
 
 }  // namespace citykiln::source

@@ -1,5 +1,4 @@
-// Which kind of OSM file this is, and whether it is whole, before any decoder looks at it: so that a wrong file ends in
-// one clear line.
+// Detects the format of an OSM file and truncated PBF files before decoding, to report clear errors.
 #pragma once
 
 #include <string>
@@ -10,10 +9,10 @@ namespace citykiln::source {
 
 enum class OsmFormat { kXml, kXmlGzip, kXmlBzip2, kPbf };
 
-/// The format that the name promises (.osm, .xml, also with .gz or .bz2; .pbf), checked against the file's first bytes,
-/// and for PBF against the sizes that its blob headers state. Errors: a missing, unreadable or empty file, an unknown
-/// suffix, contents of another kind, a PBF file cut short (with the byte). Cost: one read of 64 bytes; for PBF one seek
-/// and one short read a blob.
+/// Returns the format by the file's suffix (.osm, .xml, also with .gz or .bz2; .pbf), after comparing it with the
+/// file's first bytes and, for PBF, with the sizes in its blob headers. Errors: a missing, unreadable or empty file, an
+/// unknown suffix, contents of another format, a truncated PBF file (with the byte). Cost: one read of 64 bytes; for
+/// PBF a seek and a short read for each blob.
 Result<OsmFormat> osm_format_of(const std::string& path);
 
 }  // namespace citykiln::source

@@ -1,4 +1,4 @@
-// GDAL prints what goes wrong; citykiln says it in its own one line.
+// Suppresses GDAL's own error output; citykiln reports GDAL's messages as errors.
 #pragma once
 
 #include <cpl_error.h>
@@ -7,7 +7,7 @@
 
 namespace citykiln::source {
 
-/// Silences GDAL in this thread for as long as it lives.
+/// Suppresses GDAL's messages in this thread during its lifetime.
 class QuietGdal {
  public:
   QuietGdal() {
@@ -18,7 +18,7 @@ class QuietGdal {
   QuietGdal(const QuietGdal&) = delete;
   QuietGdal& operator=(const QuietGdal&) = delete;
 
-  /// GDAL's words on what went wrong last, in one line.
+  /// GDAL's last error message as one line.
   std::string last_message() const {
     std::string message = CPLGetLastErrorMsg();
     for (char& letter : message) {

@@ -1,4 +1,4 @@
-// A heightmap as its file gives it: samples on a regular grid of the file's own reference system.
+// A heightmap: samples on a regular grid in the file's own reference system.
 #pragma once
 
 #include <array>
@@ -12,16 +12,15 @@
 
 namespace citykiln::source {
 
-/// How a heightmap is given on the command line: --dem
-/// FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
+/// The value of --dem: FILE[,bounds=W/S/E/N,scale=,offset=,encoding=,tile=Z/X/Y,credit=].
 struct RasterSpec {
   std::string path;
-  std::optional<LonLatBox> bounds;  ///< For pictures without a place: the outer edges of the outer pixels.
+  std::optional<LonLatBox> bounds;  ///< Outer pixel edges, for pictures without a georeference.
   double scale = 1;                 ///< height_m = scale * value + offset.
   double offset_m = 0;
   std::string encoding;                        ///< "", "terrarium" or "mapbox".
   std::optional<std::array<int, 3>> tile_zxy;  ///< Web Mercator tile of a terrarium or mapbox picture.
-  std::string credit;                          ///< Goes into every output's attribution.
+  std::string credit;                          ///< Added to the attribution of all outputs.
 };
 
 /// Heights in metres at the nodes of a grid. Row 0 is the northernmost. Voids are NaN.
@@ -30,11 +29,11 @@ struct Raster {
   std::string credit;
   int columns = 0, rows = 0;
   std::vector<float> heights_m;  ///< Row by row, columns * rows.
-  /// Sample (c, r) lies at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) of the raster's own system (sample centres, not pixel
-  /// corners).
+  /// Sample (c, r) lies at (a0 + a1 c + a2 r, a3 + a4 c + a5 r) in the raster's own system. This is its centre, unlike
+  /// in GDAL's geotransform.
   std::array<double, 6> from_grid{};
   std::string system_wkt;  ///< Empty: longitude and latitude on WGS84 in degrees.
-  Vec2 spacing_m;          ///< East and north, at the centre (raster_system.h).
+  Vec2 spacing_m;          ///< Distance of samples east and north at the centre (spacing_m_of).
 
   float at(int column, int row) const { return heights_m[static_cast<std::size_t>(row) * columns + column]; }
 };

@@ -11,11 +11,11 @@ namespace citykiln::source {
 
 /// Reads an extract with libosmium and assembles its areas.
 ///
-/// Guarantees: the product does not depend on the order of elements in the file; of elements that occur twice the
-/// highest version stays. Missing nodes and members, deleted elements and rings that cannot be assembled are diagnosed;
-/// ledger "source/node", "source/way", "source/area", "source/relation". Errors: a file that is missing, empty,
-/// truncated, malformed, or of another kind than its name says. Cost: about three decodings of the file on its own;
-/// unsorted files are sorted in memory (stated in README).
+/// Guarantees: the result does not depend on the order of elements in the file; of duplicate elements the highest
+/// version is kept. Missing nodes and members, deleted elements and broken areas are diagnosed; ledger accounts
+/// "source/node", "source/way", "source/area" and "source/relation". Errors: a file that is missing, empty, truncated,
+/// malformed, or not of the format of its name. Cost: about three times that of decoding the file; unsorted files are
+/// sorted in memory.
 Result<OsmData> read_osm(const std::string& path, int threads, Report& report);
 
 }  // namespace citykiln::source

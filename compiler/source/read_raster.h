@@ -11,22 +11,22 @@
 
 namespace citykiln::source {
 
-/// Parses "FILE,key=value,…" (see RasterSpec). An unknown key or a value that does not parse is an error that names it.
+/// Parses "FILE,key=value,…" (see RasterSpec). Errors name an unknown key or an invalid value.
 Result<RasterSpec> parse_raster_spec(std::string_view text);
 
 /// Reads the samples of one heightmap; voids become NaN.
-/// @param window  If given, only samples needed inside this box (and a margin of 16 samples) are read.
-/// A raster that does not come near the window has no columns and no rows.
-/// Errors: a missing or unreadable file, a picture without bounds, an encoding that does not fit the bands.
+/// @param window  If given, only samples inside this box and a margin of 16 samples are read; a raster outside of it
+/// has no columns and no rows. Errors: a missing or unreadable file, a picture without bounds, an encoding that does
+/// not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
 
-/// Fills voids smoothly (each connected hole becomes the solution of Laplace's equation between its rim; without a rim,
-/// 0), diagnosed kVoidFilled with the number of samples. Total. Deterministic: multigrid cycles in
-/// fixed order. Cost: about 0.4 s for a hole of a million samples.
+/// Fills voids smoothly: each connected hole becomes the solution of Laplace's equation with its boundary samples, or 0
+/// without any. Diagnosed kVoidFilled with the number of samples. Cannot fail. Deterministic: multigrid cycles in fixed
+/// order. Cost: about 0.4 s for a hole of a million samples.
 Raster fill_voids(Raster raster, Report& report);
 
-/// From longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the identity where system_wkt
-/// is empty. Returns a function so that the reference systems are looked up once. Not safe to call from two threads.
+/// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
+/// identity if system_wkt is empty. Not safe to call from two threads.
 using ToRasterSystem = std::function<void(double& x, double& y)>;
 Result<ToRasterSystem> to_system_of(const Raster& raster);
 

@@ -1,4 +1,4 @@
-// All texts of a kind in a folder.
+// Reads all text files with one suffix in a folder.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace citykiln::source {
 
 struct TextFile {
-  std::string name;  ///< Below the folder, with "/" between folders: "parts/window.cga".
+  std::string name;  ///< Path relative to the folder with "/" as separator: "parts/window.cga".
   std::string text;
 };
 
-/// Files with this ending (".cga") in a folder and the folders in it, sorted by name. Errors: what is no folder, a file
+/// Reads files with this suffix (".cga") in a folder and its subfolders, sorted by name. Errors: not a folder, a file
 /// that cannot be read.
 Result<std::vector<TextFile>> read_texts(const std::string& folder, std::string_view ending);
 

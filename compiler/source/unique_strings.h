@@ -1,4 +1,4 @@
-// Keys, values and roles, each kept once.
+// A set of strings with consecutive numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace citykiln::source {
 
-/// Gives each different string a number, in order of first use; numbers in order of the alphabet can be had at the end.
+/// Numbers distinct strings in order of first use; can renumber them in alphabetical order at the end.
 class UniqueStrings {
  public:
-  /// @param text  Must stay where it is for as long as this lives.
+  /// @param text  Must outlive this object.
   std::uint32_t number_of(std::string_view text);
 
   /// All strings, sorted by bytes.
   std::vector<std::string> sorted() const;
 
-  /// Place in sorted() of each number.
+  /// The index in sorted() of each number.
   std::vector<std::uint32_t> places_in_sorted() const;
 
  private:

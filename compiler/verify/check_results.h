@@ -1,4 +1,4 @@
-// What `check` found out: the promises, and what is stated but not judged.
+// The results of `check`: guarantees that passed or failed, and measures that are reported without a limit.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace citykiln::verify {
 
-/// One promise, how often it was put to the test, and where it broke.
+/// One guarantee, the number of its tests, and a line of text for each failure.
 struct Check {
   std::string claim;
   std::uint64_t tests = 0;
@@ -37,7 +37,7 @@ struct CheckResults {
   Check lakes{"lakes are level", 0, {}};
   Check footing{"the gap below every corner of a building is at most 5 cm, or error_m if that is more", 0, {}};
   Check trunks{"no tree trunk stands in a road, a railway, a building or water", 0, {}};
-  // stated, not judged
+  // reported without a limit
   Grades grades;
   ReferenceErrors reference_errors;
   Clearances clearances;
@@ -45,7 +45,7 @@ struct CheckResults {
 
 std::vector<const Check*> all_of(const CheckResults& results);
 
-/// Counts what a tile was found to be to what is known of others; its breaches come after theirs.
+/// Adds the results of one tile; its failures are appended.
 void add(CheckResults& results, const CheckResults& of_tile);
 
 }  // namespace citykiln::verify

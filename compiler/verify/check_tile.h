@@ -1,4 +1,4 @@
-// One tile of a run against its recipes: every level's file, byte for byte, and its ground by its own triangles.
+// Checks one tile of a run: every level's file byte for byte against its recipes, and the ground by its triangles.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace citykiln::verify {
 
-/// What a run left, in memory but for the tiles.
+/// The outputs of a run, without the tiles' files.
 struct LoadedRun {
   std::string folder;
   RunRecord record;
@@ -24,19 +24,20 @@ struct LoadedRun {
   std::shared_ptr<const bake::PrototypeCache> prototypes;
 };
 
-/// The edges at each side of a tile at one level, waiting for the neighbour's.
+/// Ground edges on the four sides of a tile at one level, to compare with the neighbouring tiles'.
 struct Borders {
   BorderEdges west, east, south, north;
 };
 
 struct CheckedTile {
   CheckResults results;
-  std::vector<Borders> borders;  ///< One a level.
+  std::vector<Borders> borders;  ///< One for each level.
 };
 
-/// @param levels  The files of one tile.
-/// Errors: a file that cannot be read; a tile that the manifest does not have. On one thread. Memory: one level, and
-/// the ground of all.
+/// Checks all levels of one tile on one thread.
+/// @param levels  The files of the tile, sorted by level; not empty.
+/// Errors: a file that cannot be read; a tile that the manifest does not contain. Memory: one level, and the reference
+/// ground of all.
 Result<CheckedTile> check_tile(const LoadedRun& loaded, std::span<const WrittenTile> levels);
 
 }  // namespace citykiln::verify

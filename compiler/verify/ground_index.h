@@ -1,4 +1,4 @@
-// The ground of a baked tile, asked place by place.
+// Looks up ground triangles of a baked tile by place.
 #pragma once
 
 #include <span>
@@ -10,22 +10,22 @@
 
 namespace citykiln::verify {
 
-/// Its faces that look upwards.
+/// The ground faces that are visible from above.
 struct GroundIndex {
   std::vector<GroundFace> faces;
   BoxGrid grid;
 };
 
-/// @param standing  Overlooked. O(triangles).
+/// @param non_ground  Objects whose faces are skipped. O(triangles).
 GroundIndex index_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
 
 struct GroundHit {
   double z_m = 0;  ///< Plane metres.
-  OsmId feature;   ///< What covers it.
+  OsmId feature;   ///< Of the face.
 };
 
-/// The faces that hold the place, or end beside it by no more than the plane's grid moves borders, from the lowest to
-/// the highest: two where the ground steps, none where there is none. O(1) expected.
+/// The faces at a place, from the lowest to the highest: two at a step, none in a hole. A face within 2^-9 m of the
+/// place counts, since snapping moves borders. O(1) expected.
 std::vector<GroundHit> ground_at(const GroundIndex& index, Vec2 p);
 
 }  // namespace citykiln::verify

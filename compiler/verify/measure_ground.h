@@ -1,4 +1,4 @@
-// Measures of the ground that are made from a baked tile's own triangles, without trusting who made them.
+// Measures of a baked tile's ground by its triangles, independently of the code that made them.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace citykiln::verify {
 
-/// What stands on the ground, or leaves it, and may be made of the same materials. All sorted.
+/// Ids of objects with ground materials that ground checks skip. All vectors are sorted.
 struct NonGroundObjects {
-  std::vector<OsmId> off_ground;    ///< Bridges, tunnels, walls: no ground, whatever they are made of.
-  std::vector<OsmId> building_ids;  ///< No ground but for what lies under them, and their fields.
+  std::vector<OsmId> off_ground;    ///< Bridges, tunnels and walls: all their faces.
+  std::vector<OsmId> building_ids;  ///< All their faces except those of land cover under or of them.
   std::vector<std::pair<OsmId, materials::Material>>
-      land_cover_materials{};   ///< Of houses that are also a field of that material.
-  std::vector<OsmId> stairs{};  ///< Ways of steps: what is of stone there is stairs.
+      land_cover_materials{};   ///< Land cover materials of buildings that are also mapped as land cover.
+  std::vector<OsmId> stairs{};  ///< Ways of steps: their faces of stone.
 };
 
 /// A triangle of the ground, in plane metres.
@@ -29,45 +29,45 @@ struct GroundFace {
   OsmId feature;
 };
 
-/// All triangles of a ground material, upright ones too.
-/// @param standing  As below.
+/// All triangles of a ground material, including vertical ones.
+/// @param non_ground  Objects whose triangles are skipped.
 std::vector<GroundFace> ground_faces(const bake::BakedTile& tile, const NonGroundObjects& non_ground);
 
-/// What looking straight down at a lattice of places found.
+/// The result of sampling the ground from above.
 struct GroundSamples {
   std::uint64_t count = 0;
-  std::uint64_t uncovered = 0;  ///< Places with no ground at all.
-  Vec2 hole;                    ///< The first of those.
-  double error_m = 0;           ///< Largest vertical distance between ground and heights.
-  Vec2 at;                      ///< Where that is.
+  std::uint64_t uncovered = 0;  ///< Samples without any ground.
+  Vec2 hole;                    ///< The first sample without ground.
+  double error_m = 0;           ///< Largest vertical deviation.
+  Vec2 at;                      ///< Place of the largest deviation.
 };
 
-/// How far a height is off what it should be at a place of the plane, where a feature covers it.
+/// The deviation of a height from the expected one at a place covered by a feature, metres.
 using DeviationAt = std::function<double(Vec2 p, double z_m, OsmId feature)>;
 
-/// Samples a random place in every square of a lattice over the box: the lowest upward triangle of a ground material
-/// there is the ground.
-/// @param standing  Overlooked.
-/// @param a_side   Squares along each side of the box.
+/// Samples the ground at one random place in every square of a lattice over the box. The ground is the lowest
+/// upward-facing triangle of a ground material.
+/// @param non_ground  Objects whose triangles are skipped.
+/// @param a_side      Squares along each side of the box, > 0.
 /// O(triangles + samples).
 GroundSamples sample_ground(const bake::BakedTile& tile, const NonGroundObjects& non_ground,
                             const DeviationAt& deviation_m, const Box2& box, int a_side);
 
-/// An edge of the ground that runs along a tile's border, in plane metres, lower end first.
+/// An edge of a ground triangle on the border of a tile, in plane metres, lower end first.
 using BorderEdge = std::array<Vec3, 2>;
 
-/// Those of a tile at one of its sides, sorted.
+/// The border edges on one side of a tile, sorted.
 struct BorderEdges {
-  std::vector<BorderEdge> ground;   ///< Of triangles that are seen from above.
-  std::vector<BorderEdge> upright;  ///< Of those that stand in the border: steps, skirts.
+  std::vector<BorderEdge> ground;   ///< Of triangles visible from above.
+  std::vector<BorderEdge> upright;  ///< Of vertical triangles in the border plane: steps and skirts.
 };
 
-/// The edges of ground triangles that lie in the line x = at (or y = at), those straight up left out.
+/// The edges of ground triangles on the line x = at (or y = at), without vertical edges.
 BorderEdges border_edges_along_x(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
 BorderEdges border_edges_along_y(const bake::BakedTile& tile, const NonGroundObjects& non_ground, double at);
 
-/// Whether the ground of neighbouring tiles meets: it has the same edges, or an upright face of one of them stands
-/// between two, where a border between surfaces runs along the tile's.
+/// True if the ground of neighbouring tiles fits: both have the same edges, or a vertical face of one of them closes
+/// the difference where a border between surfaces runs along the tile border.
 bool borders_match(const BorderEdges& own, const BorderEdges& other);
 
 }  // namespace citykiln::verify

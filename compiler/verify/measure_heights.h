@@ -1,4 +1,4 @@
-// How well a scene's recipes agree about heights: what report.json says. `check` measures the baked tiles as well.
+// Consistency of heights in the recipes of a scene, for report.json. `check` measures the baked tiles as well.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ namespace citykiln::verify {
 struct HeightMeasures {
   Grades grades;
   Jumps jumps;
-  RoadFaces road_faces;  ///< Profiles against the graded terrain.
+  RoadFaces road_faces;  ///< Road profiles against the graded terrain.
   Rises rises;
-  Lakes lakes;      ///< Levels against the graded terrain, along shores.
-  Footing footing;  ///< Buildings' lower ends against the graded terrain.
+  Lakes lakes;      ///< Lake levels against the graded terrain along shores.
+  Footing footing;  ///< Lower ends of buildings against the graded terrain.
   Clearances clearances;
 };
 
-/// Of all chunks; what crosses their borders counts in each. O(n log n), each chunk by itself.
+/// Measures all chunks, each separately; objects in several chunks count in each. O(n log n).
 HeightMeasures measure_heights(const scene::Scene& scene, int threads);
 
 }  // namespace citykiln::verify

@@ -1,4 +1,4 @@
-// Whether standing water is level in a baked tile.
+// Level faces of lakes and other standing water in a baked tile.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace citykiln::verify {
 
 struct Lakes {
-  std::uint64_t waters = 0;     ///< NonGroundObjects waters with a face in the tile.
-  std::uint64_t not_level = 0;  ///< Of these, with a corner of a face off the water's level by more than rounding.
-  double largest_m = 0;         ///< How far off at most.
+  std::uint64_t waters = 0;     ///< Standing waters with a face in the tile.
+  std::uint64_t not_level = 0;  ///< Waters with a corner off their level by more than rounding.
+  double largest_m = 0;         ///< Largest deviation.
   OsmId worst{};
 };
 
-/// Of both, counted together.
+/// The counts added, and the larger of the deviations.
 Lakes combined(const Lakes& a, const Lakes& b);
 
-/// Every corner of every upward face of a water with a level. O(faces log waters).
+/// Measures every corner of every upward-facing face of waters with a level. O(faces log waters).
 Lakes measure_lakes(const scene::Chunk& chunk, const GroundIndex& ground);
 
 }  // namespace citykiln::verify

@@ -1,5 +1,5 @@
-// What the recipes of a scene's lines keep: roads their grade limits and each other's heights where they meet, streams
-// their fall.
+// Consistency of the heights of roads and watercourses in the recipes: grade limits, equal heights at common vertices,
+// and water that does not rise.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 namespace citykiln::verify {
 
 struct Grades {
-  double length_m = 0;  ///< Of graded roads on the ground, and of bridges and tunnels of their classes.
-  double over_m = 0;    ///< Of that, steeper than the class's limit by more than the heights' rounding.
+  double length_m = 0;  ///< Of graded roads on the ground, and of bridges and tunnels of the same classes.
+  double over_m = 0;    ///< The part of it that exceeds the class's grade limit by more than the rounding of heights.
 };
 
-/// What lies in the chunk's tile; what crosses a border counts on each side as far as it lies there, bridges and
-/// tunnels whole. O(n).
+/// Measures the roads inside the chunk's tile. Roads across a border count on each side with their length there,
+/// bridges and tunnels count in full. O(n).
 Grades measure_grades(const scene::Header& header, const scene::Chunk& chunk);
 
 struct Jumps {
-  std::uint64_t places = 0;  ///< Where two roads, or a road and a bridge or tunnel, meet at a vertex.
+  std::uint64_t places = 0;  ///< Vertices where two roads, or a road and a bridge or tunnel, meet.
   double largest_m = 0;
   Vec2 at;
 };
 
-/// Over all chunks: roads of the ground at vertices in common, and what leaves the ground where it ends on one, or
-/// where two such ends meet. Roads that follow the ground as it is have no heights of their own: left out. O(n log n).
+/// Measures height differences at common vertices of all chunks: between ground roads, and where bridges or tunnels end
+/// at a road or at each other. Roads without a profile have no heights and are skipped. O(n log n).
 Jumps measure_jumps(const scene::Scene& scene);
 
 struct Rises {
@@ -32,7 +32,7 @@ struct Rises {
   double largest_m = 0;
 };
 
-/// Streams that rise along their profile, or from one to another at a vertex in common. O(n log n).
+/// Finds watercourses that rise along their profile, or from one to the next at a common vertex. O(n log n).
 Rises measure_rises(const scene::Chunk& chunk);
 
 }  // namespace citykiln::verify

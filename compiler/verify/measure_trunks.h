@@ -1,4 +1,4 @@
-// Whether trees stand where none can: in carriageways, rails, buildings or water.
+// Tree trunks in places where none can be: roads, railways, buildings and water.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,15 @@
 namespace citykiln::verify {
 
 struct Trunks {
-  std::uint64_t trees = 0;      ///< Looked at.
-  std::uint64_t misplaced = 0;  ///< Of them.
-  Vec2 at;                      ///< Of the first of those.
-  OsmId worst{};                ///< Whose it is.
+  std::uint64_t trees = 0;      ///< Number of trunks measured.
+  std::uint64_t misplaced = 0;  ///< Trunks in a wrong place.
+  Vec2 at;                      ///< Place of the first of them.
+  OsmId worst{};                ///< Its tree or wood.
 };
 
-/// Of the tile's instances those that are named after a species with a trunk: "oak_3". Hedges may stand anywhere, and
-/// blades have none.
-///
-/// @param map  What covers the ground of the tile.
-/// O(instances).
+/// Measures the tile's instances that are named after a species with a trunk, such as "oak_3"; hedges and grass have
+/// none. O(instances).
+/// @param map  The land cover of the tile.
 Trunks measure_trunks(const bake::BakedTile& tile, const ground::LandCoverIndex& map);
 
 }  // namespace citykiln::verify

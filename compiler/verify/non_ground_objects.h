@@ -1,4 +1,4 @@
-// What of a scene stands on the ground or leaves it, by name: what measures of the ground overlook.
+// Ids of the objects of a scene that ground checks skip.
 #pragma once
 
 #include "compiler/scene/scene.h"

@@ -1,5 +1,5 @@
-// report.json: what a run took in, what became of it, and what it left; timing.json: what that took, apart, since it is
-// never the same twice.
+// Reads and writes report.json (what a run read, planned and wrote) and writes timing.json. Times are kept apart
+// because they differ between runs.
 #pragma once
 
 #include <cstddef>
@@ -19,53 +19,53 @@
 
 namespace citykiln::verify {
 
-/// A file a run wrote.
+/// A file written by a run.
 struct WrittenFile {
   std::string name;  ///< Relative to the folder.
   std::uint64_t bytes = 0;
 };
 
-/// A tile at a level, in a file.
+/// The file of a tile at one level.
 struct WrittenTile {
   WrittenFile file;
   scene::TileKey tile;
   std::size_t level = 0;
   double tolerance_m = 0, error_m = 0;
-  std::uint64_t triangles = 0;  ///< Each instance's counted.
+  std::uint64_t triangles = 0;  ///< Including those of every instance.
   std::uint64_t instances = 0;
 };
 
 struct WrittenFiles {
-  std::vector<WrittenFile> files;  ///< Those that are not tiles.
+  std::vector<WrittenFile> files;  ///< All files except tiles.
   std::vector<WrittenTile> tiles;
   std::uint64_t bytes() const;
 };
 
-/// How well heights agree: what the recipes say, and what only a run that had the map can say.
+/// Consistency of heights: of the recipes, and of the planner's lines if the run compiled a map.
 struct HeightReport {
   HeightMeasures recipes;
   std::optional<ground::ProfileMeasures> planned{};
 };
 
-/// The report as JSON. Same inputs, same bytes: no times, no folders, no thread counts in it.
+/// The report as JSON. The same inputs give the same bytes: it contains no times, folders or thread counts.
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights);
 std::string timing_json(std::span<const StageCost> costs, int threads);
 
-/// The settings of a run as the writer of .glb files has them.
+/// The settings of a run as types of the .glb exporter.
 exporters::Compression compression_of(Compress compress);
 exporters::Instancing instancing_of(bool instances_as_nodes);
 
-/// True where something was mended or dropped: what --strict objects to.
+/// True if a diagnosis is kMended or kDropped, which --strict reports by the exit code.
 bool has_mended_or_dropped(const Report& report);
 
-/// What `check` and `preview` need of a report.json.
+/// The part of report.json that `check` and `preview` need.
 struct RunRecord {
   std::vector<WrittenTile> tiles;
   bool instances_as_nodes = false;
   Compress compress = Compress::kNone;
   bool has_manifest = false;
-  std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers, added up again, do not balance.
+  std::vector<std::string> unbalanced;  ///< Accounts of the ledger whose numbers do not balance.
 };
 Result<RunRecord> read_report(const std::string& folder);
 
