@@ -81,7 +81,7 @@ GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m) {
   const DeckDimensions dimensions = deck_dimensions(tunnel, 0);
   // half of the tolerance is for ribs, half for frames and kerbs
   const SimplifiedRibs simplified = simplify_ribs(all, dimensions.left_m, dimensions.right_m, tolerance_m / 2);
-  const bool has_kerbs = tolerance_m < kFlatDeck_m, has_frames = tolerance_m / 2 < kFrameTop_m;
+  const bool has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m), has_frames = tolerance_m / 2 < kFrameTop_m;
   const Section road = add_road(tunnel, simplified.ribs, has_kerbs, tolerance_m, generated);
   const double high_m = ground::bore_height_m(tunnel);
   Mesh mesh = lining(tunnel, simplified.ribs, road, high_m);
