@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <tuple>
 
@@ -40,6 +41,7 @@ std::vector<Edge> edges_of(std::span<const map::Footprint> footprints) {
 
 // The part of `wall` along which `other` runs in the opposite direction.
 std::optional<SharedWall> shared(const Edge& wall, const Edge& other) {
+  assert(wall.footprint != other.footprint);
   const double length_m = distance(wall.from, wall.to);
   if (length_m < kMinLength_m) return std::nullopt;
   const Vec2 along = (wall.to - wall.from) * (1 / length_m), against = unit(other.to - other.from);

@@ -1,5 +1,6 @@
 #include "compiler/buildings/style.h"
 
+#include <cassert>
 #include <iterator>
 
 #include "compiler/map/building_classes.h"
@@ -71,6 +72,7 @@ Style style_of_class(const map::Footprint& footprint, const Building& building) 
 std::string_view rule_file_of(Style style) { return kRules[static_cast<std::size_t>(style)]; }
 
 Style style_of(const map::Footprint& footprint, const Building& building) {
+  assert(footprint.id == building.id);
   const double wall_m = eaves_m(building) - building.floor_m;
   if (wall_m < kMinWall_m || area_m2(footprint.polygon) < kMinArea_m2) return Style::kPlain;
   const bool is_glass = building.wall == materials::Material::kGlassFacade;

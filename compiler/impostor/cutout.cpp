@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -45,6 +46,7 @@ void draw(const Picture& picture, Vec2 at_m, Cutout& cutout) {
 }  // namespace
 
 CutoutLayout lay_out_cutout(std::vector<Picture> pictures, double texel_m) {
+  assert(texel_m > 0);
   std::vector<Picture> filled = pictures;
   for (Picture& picture : filled) fill_gaps(picture);
   AtlasLayout layout = lay_out_atlas(filled, texel_m);

@@ -1,6 +1,7 @@
 #include "compiler/structures/deck_dimensions.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::structures {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kRoadParapet_m = 1, kBallastWall_m = 0.35, kUpstand_m = 0.125, 
 }  // namespace
 
 DeckDimensions deck_dimensions(const roads::Road& road, double bay_m) {
+  assert(bay_m >= 0);
   DeckDimensions shape{.left_m = roads::left_m(road) + roads::raised_left_m(road),
                        .right_m = roads::right_m(road) + roads::raised_right_m(road),
                        .thickness_m = std::clamp(bay_m / kSlenderness, kMinThickness_m, kMaxThickness_m)};
@@ -30,6 +32,7 @@ DeckDimensions deck_dimensions(const roads::Road& road, double bay_m) {
 }
 
 double longest_bay_m(const Span& span) {
+  assert(!span.axis.empty() && std::ranges::is_sorted(span.piers, {}, &Pier::at_m));
   const std::vector<double> along = roads::distances_along(span);
   double longest_m = 0, last_m = along.front();
   for (const Pier& pier : span.piers) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::structures {
@@ -33,6 +34,7 @@ void add_posts(std::span<const Rib> ribs, double left_m, double from_m, double t
 }  // namespace
 
 RailingDetail railing_detail(double high_m, double tolerance_m) {
+  assert(high_m > 0 && tolerance_m >= 0);
   // the middle between two rails is half their distance from them
   const double panel_error_m = high_m / kRails / 2 + kRail_m;
   if (tolerance_m < panel_error_m) return {RailingForm::kPosts, 0};
@@ -41,6 +43,7 @@ RailingDetail railing_detail(double high_m, double tolerance_m) {
 }
 
 void add_railing(std::span<const Rib> ribs, double left_m, double from_m, double to_m, RailingForm form, Mesh& mesh) {
+  assert(ribs.size() >= 2 && from_m <= to_m);
   if (form == RailingForm::kPanel) add_rail(ribs, left_m, to_m, to_m - from_m, mesh);
   if (form != RailingForm::kPosts) return;
   for (int i = 1; i <= kRails; ++i) add_rail(ribs, left_m, from_m + (to_m - from_m) * i / kRails, kRail_m, mesh);

@@ -1,6 +1,7 @@
 #include "compiler/structures/ribs.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/geometry/segment.h"
 #include "compiler/geometry/snap.h"
@@ -141,6 +142,7 @@ std::vector<Rib> ribs_of(const Span& span) {
 }
 
 SimplifiedRibs simplify_ribs(std::span<const Rib> ribs, double left_m, double right_m, double tolerance_m) {
+  assert(tolerance_m >= 0);
   if (ribs.size() < 2) return {};
   Simplification simplification{ribs, left_m, right_m, tolerance_m};
   simplification.result.ribs.push_back(ribs.front());
