@@ -3,6 +3,7 @@
 // Source: W. Briggs, V. E. Henson, S. McCormick, "A Multigrid Tutorial", SIAM 2000, chapters 3 (cycles) and 4
 // (cell-centred grids).
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -186,6 +187,7 @@ void solve(Grid& grid) {
 }  // namespace
 
 Raster fill_voids(Raster raster, Report& report) {
+  assert(raster.has_all_samples());
   Grid grid = grid_of(raster);
   if (grid.voids.empty()) return raster;
   solve(grid);
