@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 
 namespace citykiln::bake {
@@ -54,7 +55,7 @@ void generate_textured_buildings(const scene::Header& header, const scene::Chunk
   std::vector<TileLevel*> textured_faces;
   std::vector<double> tolerances_m;
   for (TileLevel& level : levels)
-    if (level.tolerance_m >= buildings::kFacadeTextures_m)
+    if (has_detail(Detail::kFacadeTextures, level.tolerance_m))
       textured_faces.push_back(&level), tolerances_m.push_back(level.tolerance_m);
   if (textured_faces.empty()) return;
   std::vector<Report> reports(textured_faces.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/bake/merge.h"
+#include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::bake {
 namespace {
@@ -72,7 +73,7 @@ bool bake_lamp_kind(Baking& baking, const Lamps& lamps, const ground::GradedTerr
 
 Placed placed_in(const Baking& baking, const SharedByLevels& common) {
   Placed placed{common.trees, common.lamps};
-  if (baking.tolerance_m <= plants::kBlades_m)
+  if (has_detail(Detail::kGrassBlades, baking.tolerance_m))
     for (const auto& [prototype, placements] : common.blades) placed.trees[prototype] = placements;
   if (!baking.part) return placed;
   for (auto& [prototype, placements] : placed.trees)

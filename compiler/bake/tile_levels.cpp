@@ -56,9 +56,9 @@ SharedByLevels common_at(const scene::Header& header, const scene::Chunk& chunk,
   return common;
 }
 
-bool has_canopy(double tolerance_m) { return tolerance_m >= plants::kCanopyFrom_m; }
+bool has_canopy(double tolerance_m) { return has_detail(Detail::kWoodCanopies, tolerance_m); }
 
-// What the tile's levels on either side of kRoadDetail_m have in common, each made when it is first asked for.
+// What the tile's levels with and without Detail::kRoadSurfaces have in common, each made when it is first asked for.
 struct Commons {
   const scene::Header& header;
   const scene::Chunk& chunk;
@@ -67,9 +67,9 @@ struct Commons {
   std::array<std::shared_ptr<const SharedByLevels>, 2> made{};
 
   std::shared_ptr<const SharedByLevels> at(double tolerance_m) {
-    std::shared_ptr<const SharedByLevels>& common = made[tolerance_m < scene::kRoadDetail_m ? 0 : 1];
-    const bool is_fine = tolerance_m < scene::kRoadDetail_m;
-    Wanted wanted{is_fine && std::ranges::min(tolerances_m) <= plants::kBlades_m,
+    std::shared_ptr<const SharedByLevels>& common = made[has_detail(Detail::kRoadSurfaces, tolerance_m) ? 0 : 1];
+    const bool is_fine = has_detail(Detail::kRoadSurfaces, tolerance_m);
+    Wanted wanted{is_fine && has_detail(Detail::kGrassBlades, std::ranges::min(tolerances_m)),
                   is_view || has_hedge_plants(tolerance_m)};
     if (!is_fine && !is_view) std::ranges::copy_if(tolerances_m, std::back_inserter(wanted.canopies_m), has_canopy);
     if (!common) common = std::make_shared<SharedByLevels>(common_at(header, chunk, tolerance_m, wanted));

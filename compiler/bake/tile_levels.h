@@ -10,6 +10,7 @@
 #include "compiler/bake/ground_cells.h"
 #include "compiler/bake/view_levels.h"
 #include "compiler/buildings/generate.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/plants/generate.h"
 #include "compiler/plants/prototypes/canopy.h"
 #include "compiler/props/generate.h"
@@ -26,21 +27,22 @@ struct Lamps {
   std::size_t mapped = 0;
 };
 
-/// What the levels on one side of kRoadDetail_m have in common: how the ground is carved, and what stands on it.
+/// What the levels with or without Detail::kRoadSurfaces have in common: how the ground is carved, and what stands on
+/// it.
 struct SharedByLevels {
   ground::GradedTerrain graded;
   plants::PlacedPlants trees;
-  plants::PlacedPlants blades;  ///< For levels up to plants::kBlades_m; empty where there are none.
+  plants::PlacedPlants blades;  ///< With Detail::kGrassBlades; empty where there are none.
   Report tree_report;
   std::vector<props::TreePit> pits;
   Lamps lamps;
   std::vector<structures::Stairs> stairs;
-  std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances from plants::kCanopyFrom_m on.
+  std::map<double, plants::Canopy> canopies;  ///< Of whole tiles, by tolerances with Detail::kWoodCanopies.
 };
 
 /// Whether hedges along lines are rows of plants at a tolerance, no bands. For one eye they are at all: a hedge may be
 /// near and far.
-inline bool has_hedge_plants(double tolerance_m) { return tolerance_m < scene::kRoadDetail_m; }
+inline bool has_hedge_plants(double tolerance_m) { return has_detail(Detail::kHedgePlants, tolerance_m); }
 
 /// One an object of the chunk.
 using BuildingMeshes = std::vector<buildings::GeneratedBuilding>;

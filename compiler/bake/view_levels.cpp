@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compiler/bake/skirt.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/mathematics.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/map/locate.h"
@@ -35,7 +36,8 @@ double cell_m(const ViewLevels& levels, Vec2 within) {
 
 // Whether two cells see roads alike.
 bool are_alike(double a_m, double b_m) {
-  return (a_m < scene::kRoadDetail_m) == (b_m < scene::kRoadDetail_m) || std::isinf(a_m) || std::isinf(b_m);
+  return has_detail(Detail::kRoadSurfaces, a_m) == has_detail(Detail::kRoadSurfaces, b_m) || std::isinf(a_m) ||
+         std::isinf(b_m);
 }
 
 // A cell's tolerance and those of the cells around it.
@@ -132,7 +134,7 @@ std::vector<ViewZone> zones_of(const ViewLevels& levels, const Box2& tile) {
   for (const bool sees_kerbs : {true, false}) {
     ViewZone zone;
     for (const ViewCell& cell : cells_of(levels, tile))
-      if ((cell.level.tolerance_m < scene::kRoadDetail_m) == sees_kerbs) zone.cells.push_back(cell.level);
+      if (has_detail(Detail::kRoadSurfaces, cell.level.tolerance_m) == sees_kerbs) zone.cells.push_back(cell.level);
     if (zone.cells.empty()) continue;
     zone.roads_m = roads_tolerance_m(levels, zone.cells.front().tolerance_m);
     zones.push_back(std::move(zone));
@@ -156,7 +158,7 @@ bool is_in(const TilePart& part, const Bounds& bounds) {
 }
 
 double roads_tolerance_m(const ViewLevels& levels, double tolerance_m) {
-  return tolerance_m < scene::kRoadDetail_m ? levels.finest_m : tolerance_m;
+  return has_detail(Detail::kRoadSurfaces, tolerance_m) ? levels.finest_m : tolerance_m;
 }
 
 }  // namespace citykiln::bake

@@ -5,7 +5,7 @@
 //
 // The ground has a tolerance a cell. On the side between two cells the smaller of theirs holds for both, so they meet
 // vertex for vertex as cells of one tolerance do. Only where one of them sees kerbs and lines and the other does not
-// (scene::kRoadDetail_m) their heights differ: there skirts hang from both.
+// (Detail::kRoadSurfaces) their heights differ: there skirts hang from both.
 #pragma once
 
 #include <vector>

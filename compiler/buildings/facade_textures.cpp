@@ -7,6 +7,7 @@
 
 #include "compiler/buildings/paint_colour.h"
 #include "compiler/buildings/terminal_meshes.h"
+#include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -20,9 +21,6 @@ using materials::MaterialMesh;
 
 // Balconies and bays stand out so far.
 constexpr double kStandsOut_m = 2;
-
-// From here on a texel is a window or more, and what comes forward on one side of it goes back on the other.
-constexpr double kFlat_m = 2;
 
 // Pictures have all colours: the material under them says only what the rest is like that no picture tells.
 constexpr Material kUnderPictures = Material::kPaint;
@@ -38,7 +36,7 @@ View view_of(const Face& face, double texel_m) {
   View view;
   view.u = axis[0], view.v = axis[1] * -1, view.texel_m = texel_m;
   view.before_m = std::min(texel_m, kStandsOut_m), view.behind_m = texel_m;
-  view.has_slopes = texel_m < kFlat_m;
+  view.has_slopes = has_detail(Detail::kFacadeNormals, texel_m);
   const Vec3 first = face.outer.front();
   Vec2 low{}, high{};
   each_vertex(face, [&](Vec3 p) {

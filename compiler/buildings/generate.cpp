@@ -9,6 +9,7 @@
 #include "compiler/buildings/mass_model.h"
 #include "compiler/buildings/rule_attributes.h"
 #include "compiler/buildings/terminal_meshes.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/tolerance.h"
 #include "grammars/derivation/form_roofs.h"
 
@@ -188,7 +189,7 @@ std::vector<GeneratedBuilding> generate(const Building& building, const Rulebook
   std::optional<impostor::Model> looks;
   std::vector<GeneratedBuilding> levels;
   for (std::size_t i = 0; i < tolerances_m.size(); ++i) {
-    const bool is_imprinted = program != rulebook.end() && tolerances_m[i] >= kFacadeTextures_m;
+    const bool is_imprinted = program != rulebook.end() && has_detail(Detail::kFacadeTextures, tolerances_m[i]);
     if (is_imprinted && !looks) looks = looks_of(building, program->second, setting);
     const LevelOf level{tolerances_m[i], is_imprinted ? &*looks : nullptr};
     levels.push_back(expand_level(building, rulebook, setting, level, reports[i]));

@@ -16,7 +16,7 @@ namespace citykiln::buildings {
 struct GeneratedBuilding {
   std::vector<materials::MaterialMesh> meshes;
   double error_m = 0;  ///< Between this and the building at tolerance 0: Hausdorff, both ways, of what can be seen.
-  std::vector<TexturedFace> textured_faces{};  ///< From kFacadeTextures_m on: the faces that show pictures.
+  std::vector<TexturedFace> textured_faces{};  ///< With Detail::kFacadeTextures: the faces that show pictures.
 };
 
 /// What is the same for all houses of a scene.
@@ -24,9 +24,6 @@ struct SceneContext {
   std::uint64_t seed = 0;
   bool is_night = false;  ///< Then rules light some windows.
 };
-
-/// From this tolerance on what is left out of facades is pictures on the faces that are left.
-inline constexpr double kFacadeTextures_m = 0.5;
 
 /// The mass (mass.h), worked on by the style's rules as far as the tolerance sees; where it sees nothing of them, or
 /// there are none, the bare mass. A building lower than the tolerance, chimneys and all, is dropped, with its height as

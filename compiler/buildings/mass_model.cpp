@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "grammars/derivation/form_roofs.h"
 #include "grammars/roofs/generate_roof.h"
@@ -245,7 +246,7 @@ Vec3 front_axis(const MassModel& mass) {
 MassModel mass_model_of(const Building& building, double tolerance_m, Report& report) {
   MassModel mass;
   mass.roof = roofs::generate_roof(building.footprint, building.roof_shape, tolerance_m, building.id.osm, report);
-  const Walling walling{building, eaves_m(building), tolerance_m < kKeepPartyWalls_m, mass};
+  const Walling walling{building, eaves_m(building), has_detail(Detail::kPartyWallOpenings, tolerance_m), mass};
   const std::vector<Run> runs = runs_of(building, mass.roof);
   for (const Run& run : runs) add_walls(walling, run);
   if (!building.stands_on_ground) add_underside(building, runs, mass);

@@ -24,9 +24,6 @@ struct MassModel {
   std::vector<grammars::Face> foundation;  ///< Below the walls; the underside of what hangs in the air.
 };
 
-/// At tolerances from here on walls between neighbours stay: the neighbour may be gone.
-inline constexpr double kKeepPartyWalls_m = 1;
-
 /// Guarantees: walls without party walls, foundation, roof and floor close, corner to corner where no storey is buried,
 /// and with them what stands is open at the bottom alone. Roofs that fall back to flat are diagnosed kRoofFallback.
 /// roof.error_m <= tolerance_m. Total.

@@ -7,6 +7,7 @@
 
 #include "compiler/bake/ground_cells.h"
 #include "compiler/charts/chart.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/cover/partition.h"
 #include "compiler/ground/cover/simplify_borders.h"
@@ -66,13 +67,14 @@ Measure measure_level(const scene::Scene& scene, double tolerance_m, int threads
 
 /// Bakes all levels of a tile together, as bake() does.
 void bake_ladder(const scene::Scene& scene, const scene::Chunk& chunk, std::span<const double> ladder_m, int threads) {
+  constexpr double kRoadSurfaces_m = tolerances_with(Detail::kRoadSurfaces).below_m;
   const auto carve = [&](double tolerance_m) { return scene::graded_terrain_of(scene.header, chunk, tolerance_m); };
-  const ground::GradedTerrain fine = carve(scene::kRoadDetail_m / 2), coarse = carve(scene::kRoadDetail_m);
+  const ground::GradedTerrain fine = carve(kRoadSurfaces_m / 2), coarse = carve(kRoadSurfaces_m);
   std::vector<scene::LandCover> covers;
   for (const double tolerance_m : ladder_m) covers.push_back(scene::land_cover_of(scene.header, chunk, tolerance_m));
   std::vector<bake::GroundLevel> levels;
   for (std::size_t i = 0; i < ladder_m.size(); ++i)
-    levels.push_back({ladder_m[i] < scene::kRoadDetail_m ? fine : coarse, covers[i].surfaces, ladder_m[i]});
+    levels.push_back({has_detail(Detail::kRoadSurfaces, ladder_m[i]) ? fine : coarse, covers[i].surfaces, ladder_m[i]});
   std::vector<Report> ignored(levels.size());
   bake::generate_cells(levels, scene::box_of(scene.header, chunk.tile), threads, ignored);
 }

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/draw.h"
 #include "compiler/materials/texture_pattern.h"
 
@@ -15,8 +16,6 @@ using Rgb = std::array<double, 3>;
 constexpr int kColours = 16;
 // Steps of a slope either way: 15 by 15 normals fit a palette.
 constexpr int kSlopeSteps = 7, kMirroredSlopeSteps = 100;
-// From here on the ground's bumps are not told; water's waves are, of which nothing else tells.
-constexpr double kEven_m = 0.06;
 constexpr std::uint32_t kFewest_px = 16, kMostNormals_px = 128;
 
 struct Row {
@@ -128,7 +127,8 @@ double side_m(const Texture& texture) {
 
 bool has_texture(Material material, double tolerance_m) {
   const Row* row = row_of(material);
-  return row != nullptr && tolerance_m < kUntextured_m && texels_at(*row, row->side_px, tolerance_m) > 0;
+  return row != nullptr && has_detail(Detail::kMaterialTextures, tolerance_m) &&
+         texels_at(*row, row->side_px, tolerance_m) > 0;
 }
 
 double texture_side_m(Material material) {
@@ -148,7 +148,8 @@ Texture texture_of(Material material, double tolerance_m, std::uint64_t seed) {
   Texture texture{material, {}, {}};
   if (row.contrast > 0)
     texture.colour = coloured(row, downsampled(tones.tone, texels_at(row, row.side_px, tolerance_m)));
-  const bool is_shaped = row.relief_m > 0 && (tolerance_m < kEven_m || row.pattern == TexturePattern::kWaves);
+  const bool is_shaped =
+      row.relief_m > 0 && (has_detail(Detail::kGroundNormals, tolerance_m) || row.pattern == TexturePattern::kWaves);
   if (is_shaped) texture.normal = shaped(row, downsampled(tones.relief, texels_at(row, kMostNormals_px, tolerance_m)));
   return texture;
 }

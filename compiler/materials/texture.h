@@ -31,14 +31,11 @@ struct Texture {
 /// Metres after which it repeats.
 double side_m(const Texture& texture);
 
-/// From this tolerance on a texel is larger than what textures show: plain colours, their means, do.
-inline constexpr double kUntextured_m = 0.25;
-
 /// Bark is looked at from nearer than all else that is as fine: its texels may be so much smaller than the tolerance.
 inline constexpr double kBarkTexelsPerTolerance = 8;
 
-/// Does the material have one at this tolerance, which must be under kUntextured_m? Its texels are at least as large
-/// as the tolerance; of bark, as an eighth of it.
+/// Does the material have one at this tolerance, which must have Detail::kMaterialTextures? Its texels are at least as
+/// large as the tolerance; of bark, as an eighth of it.
 bool has_texture(Material material, double tolerance_m);
 
 /// The side of the material's texture, metres; 0: it has none.

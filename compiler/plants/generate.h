@@ -55,9 +55,8 @@ struct PlacingContext {
 /// Ledger "bake/tree" for single trees. O(n log n).
 PlacedPlants generate(const PlantRecipes& recipes, const PlacingContext& land, Report& report);
 
-/// Grass, reed and corn: seen by tolerances up to kBlades_m, one plant for a tuft. Beyond, the ground's texture stands
-/// for them, and no error is stated.
-inline constexpr double kBlades_m = 0.05;
+/// Grass, reed and corn: at tolerances with Detail::kGrassBlades, one plant for a tuft. Beyond, the ground's texture
+/// stands for them, and no error is stated.
 
 /// At most so many of them stand on a square kilometre; where recipes ask for more, some of all are left out.
 inline constexpr double kMostBladesPerKm2 = 200'000;

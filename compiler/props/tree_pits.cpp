@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 
@@ -190,7 +191,7 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
 
 GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m) {
   if (!is_even(pit, ground)) return {};
-  if (tolerance_m >= kNoTreePits_m) return {{}, kEdging_m};
+  if (!has_detail(Detail::kTreePits, tolerance_m)) return {{}, kEdging_m};
   if (tolerance_m >= kEdging_m) return {{soil_of(pit, ground, pit.side_m)}, kEdging_m - kSoil_m};
   return {{edging_of(pit, ground), soil_of(pit, ground, pit.side_m - 2 * kEdgingWidth_m)}, 0};
 }

@@ -25,9 +25,6 @@ struct TreePit {
   bool operator==(const TreePit&) const = default;
 };
 
-/// From this tolerance on a pit is not seen: its tree hides its colour, and nothing of it is as high.
-inline constexpr double kNoTreePits_m = 0.25;
-
 /// Is it paving that trees stand in: pavements, squares, parking, pedestrian streets, but no carriageway?
 bool is_paving(map::LandCoverClass surface);
 
@@ -41,7 +38,8 @@ std::vector<TreePit> tree_pits(std::span<const Placement> trees, std::span<const
                                const ground::LandCoverIndex& surfaces);
 
 /// On the ground at its corners; nothing where that is steep, or bent between them by over 2 cm. Where the edging is
-/// lower than the tolerance, soil alone; from kNoTreePits_m on nothing. Error: the edging's height above what is left.
+/// lower than the tolerance, soil alone; without Detail::kTreePits nothing. Error: the edging's height above what is
+/// left.
 GeneratedProp generate(const TreePit& pit, const ground::GradedTerrain& ground, double tolerance_m);
 
 }  // namespace citykiln::props

@@ -1,5 +1,6 @@
 #include "compiler/scene/graded_terrain.h"
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/scene/land_cover.h"
 
 namespace citykiln::scene {
@@ -11,8 +12,8 @@ ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk
   std::vector<roads::Road> bores;
   for (const structures::Span& tunnel : chunk.tunnels)
     if (tunnel.is_bored) bores.push_back(tunnel);
-  return ground::grade_terrain(
-      chunk.heights, {chunk.roads, chunk.watercourses, surfaces, box, tolerance_m < kRoadDetail_m, decks, bores});
+  return ground::grade_terrain(chunk.heights, {chunk.roads, chunk.watercourses, surfaces, box,
+                                               has_detail(Detail::kRoadSurfaces, tolerance_m), decks, bores});
 }
 
 }  // namespace citykiln::scene

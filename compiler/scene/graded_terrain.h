@@ -6,7 +6,7 @@
 
 namespace citykiln::scene {
 
-/// The graded terrain of the chunk's tile and a little around it. From kRoadDetail_m on no tolerance sees kerbs.
+/// The graded terrain of the chunk's tile and a little around it. It has kerbs with Detail::kRoadSurfaces.
 /// O(n log n).
 ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk, double tolerance_m);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/plan.h"
 #include "compiler/roads/junctions/corner_pavements.h"
 #include "compiler/roads/junctions/through_road.h"
@@ -125,7 +126,7 @@ std::vector<LandCoverPolygon> coarse_land_cover(const Chunk& chunk) {
 }
 
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m) {
-  if (tolerance_m >= kRoadDetail_m) return {coarse_land_cover(chunk), {}, {}};
+  if (!has_detail(Detail::kRoadSurfaces, tolerance_m)) return {coarse_land_cover(chunk), {}, {}};
   LandCover cover{surfaces_without_roads(chunk), {}, {}};
   const std::vector<roads::StripEnds> ends = roads::ends_of(chunk.roads);
   const auto gaps = roads::junction_intervals_of(chunk.roads, chunk.junctions);

@@ -9,9 +9,6 @@
 
 namespace citykiln::scene {
 
-/// Tolerances from this one on see roads as one surface from kerb to kerb: neither lines nor kerbs can be told.
-inline constexpr double kRoadDetail_m = 0.25;
-
 struct LandCover {
   std::vector<ground::LandCoverPolygon>
       surfaces;  ///< Sorted by id, then class, then piece. Each id, class and piece once.
@@ -21,7 +18,7 @@ struct LandCover {
 };
 
 /// Everything that covers the ground: surfaces, roads, the islands between them, junctions, streams, the footprints of
-/// buildings that stand on it. Below kRoadDetail_m roads come in pieces. Total. O(n log n).
+/// buildings that stand on it. With Detail::kRoadSurfaces roads come in pieces. Total. O(n log n).
 LandCover land_cover_of(const Header& header, const Chunk& chunk, double tolerance_m);
 
 /// The same with every road as one surface from kerb to kerb: for clearances, which no tolerance may change.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/grading/road_influence.h"
 #include "compiler/structures/deck.h"
 #include "compiler/structures/railing.h"
@@ -63,7 +64,7 @@ void add_supports(const Span& bridge, std::span<const Rib> ribs, const DeckDimen
 
 DeckDetail detail_of(const DeckDimensions& shape, double tolerance_m, Budget& budget) {
   DeckDetail detail;
-  detail.has_kerbs = tolerance_m < kFlatDeck_m;
+  detail.has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m);
   if (!detail.has_kerbs) budget.error_m = ground::kKerbRise_m;
   detail.has_slab = budget.keeps(length(Vec2{shape.thickness_m, kParapet_m}));
   detail.has_parapets = detail.has_slab && budget.keeps(length(Vec2{shape.parapet_m, kParapet_m}));

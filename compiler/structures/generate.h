@@ -21,9 +21,6 @@ struct GeneratedStructure {
   double error_m = 0;  ///< How far what is left out moves the surface.
 };
 
-/// From this tolerance on neither kerbs nor lines can be told; the ground's roads say the same.
-inline constexpr double kFlatDeck_m = 0.25;
-
 /// The bridge at a tolerance.
 ///
 /// The deck is the span's road from edge to edge with its pavements and kerbs, between parapets or railings, on a slab;

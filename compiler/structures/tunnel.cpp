@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/ground/grading/span_influence.h"
 #include "compiler/structures/deck.h"
 
@@ -84,7 +85,7 @@ GeneratedStructure generate_tunnel(const Span& tunnel, double tolerance_m) {
   const DeckDimensions shape = deck_dimensions(tunnel, 0);
   // half for ribs, half for frames and kerbs
   const SimplifiedRibs few = simplify_ribs(all, shape.left_m, shape.right_m, tolerance_m / 2);
-  const bool has_kerbs = tolerance_m < kFlatDeck_m, has_frames = tolerance_m / 2 < kFrameTop_m;
+  const bool has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m), has_frames = tolerance_m / 2 < kFrameTop_m;
   const Section road = add_road(tunnel, few.ribs, has_kerbs, tolerance_m, generated);
   const double high_m = ground::bore_height_m(tunnel);
   Mesh mesh = lining(tunnel, few.ribs, road, high_m);

@@ -10,6 +10,7 @@
 
 #include "compiler/bake/bake.h"
 #include "compiler/bake/ground_cells.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/generate.h"
 #include "compiler/scene/graded_terrain.h"
@@ -35,7 +36,7 @@ constexpr int kOneThread = 1;
 // meshes refer to `graded`, which must not move.
 struct ExpectedGround {
   Box2 box;
-  bool is_plain;  // roads without kerbs, as from kRoadDetail_m on
+  bool is_plain;  // without Detail::kRoadSurfaces
   ground::GradedTerrain graded;
   std::vector<ground::LandCoverPolygon> surfaces;
   std::vector<ground::Reference> cells;
@@ -70,7 +71,7 @@ struct TileUnderCheck {
   CheckResults& results() { return checked.results; }
 };
 
-bool is_plain(double tolerance_m) { return tolerance_m >= scene::kRoadDetail_m; }
+bool is_plain(double tolerance_m) { return !has_detail(Detail::kRoadSurfaces, tolerance_m); }
 
 // Returns the previous level's expected ground where this level's is the same.
 const ExpectedGround& expected_ground_at(TileUnderCheck& tile, double tolerance_m) {

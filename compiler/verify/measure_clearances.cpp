@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/geometry/box_grid.h"
@@ -22,7 +23,7 @@ namespace {
 using map::LandCoverGroup;
 
 /// The tolerance of the graded terrain: no kerbs.
-constexpr double kTolerance_m = scene::kRoadDetail_m;
+constexpr double kTolerance_m = tolerances_with(Detail::kRoadSurfaces).below_m;
 constexpr double kEvery_m = 4, kWidest_m = 16, kBucket_m = 64;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/scene/graded_terrain.h"
@@ -14,7 +15,7 @@ namespace citykiln::verify {
 namespace {
 
 /// Fine enough for kerbs.
-constexpr double kFine_m = scene::kRoadDetail_m / 2;
+constexpr double kFine_m = tolerances_with(Detail::kRoadSurfaces).below_m / 2;
 
 Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   Lakes lakes;

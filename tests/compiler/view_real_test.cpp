@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compiler/bake/view_levels.h"
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/draw.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/pipeline.h"
@@ -135,7 +136,8 @@ TEST_F(ViewReal, RandomPlacesAreWithinTheRequestedPixelError) {
 }
 
 bool see_roads_alike(const Seen& a, const Seen& b) {
-  return (a.level.tolerance_m < scene::kRoadDetail_m) == (b.level.tolerance_m < scene::kRoadDetail_m);
+  return has_detail(Detail::kRoadSurfaces, a.level.tolerance_m) ==
+         has_detail(Detail::kRoadSurfaces, b.level.tolerance_m);
 }
 
 TEST_F(ViewReal, CellsOfAllLevelsShareTheirEdges) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/plants/prototypes/crown_average.h"
 
@@ -195,7 +196,7 @@ double top_m_at(const Canopy& canopy, Vec2 p) {
 Canopy make_canopy(std::span<const Wood> woods, std::span<const PowerLineCorridor> corridors,
                    const PlacingContext& land, double tolerance_m, Month month) {
   Canopy canopy;
-  if (woods.empty() || tolerance_m < kCanopyFrom_m) return canopy;
+  if (woods.empty() || !has_detail(Detail::kWoodCanopies, tolerance_m)) return canopy;
   const WoodMap map = map_woods(woods, land);
   const Lattice lattice =
       lattice_of(map, index_corridors(corridors, land.box.widened(kCanopyCell_m)), land.box, tolerance_m, month);

@@ -14,9 +14,6 @@
 
 namespace citykiln::plants {
 
-/// From this tolerance on. A canopy's cell takes fewer bytes than the places of the trees in it.
-inline constexpr double kCanopyFrom_m = 11;
-
 /// Width of its cells. Tiles' sides are multiples of it, and two cells beyond them are known.
 inline constexpr double kCanopyCell_m = 16;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/materials/texture.h"
 #include "compiler/plants/prototypes/crossed_cards.h"
 #include "compiler/plants/prototypes/crown_hull.h"
@@ -158,6 +159,6 @@ PrototypeMesh prototype_mesh(const GrownPlant& grown, Species species, double he
   return plant;
 }
 
-int variants_at(double tolerance_m) { return tolerance_m < 1 || tolerance_m > 10 ? 2 : kVariants; }
+int variants_at(double tolerance_m) { return has_detail(Detail::kAllPlantVariants, tolerance_m) ? kVariants : 2; }
 
 }  // namespace citykiln::plants

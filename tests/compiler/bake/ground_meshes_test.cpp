@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/materials/texture.h"
 
 namespace citykiln::bake {
@@ -142,7 +143,7 @@ TEST(DressGround, EachVertexHasATintAndAPlaceWhereThereIsATexture) {
     for (const auto& mesh : slope.dressed(tolerance_m)) {
       EXPECT_EQ(mesh.mesh.positions.size(), 6u);
       EXPECT_EQ(mesh.tints.size(), 6u);
-      EXPECT_EQ(mesh.uvs.size(), tolerance_m < materials::kUntextured_m ? 6u : 0u);
+      EXPECT_EQ(mesh.uvs.size(), has_detail(Detail::kMaterialTextures, tolerance_m) ? 6u : 0u);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/contract/draw.h"
 #include "compiler/map/locate.h"
 #include "compiler/scene/land_cover.h"
@@ -91,7 +92,8 @@ TEST(ViewLevels, BothCellsOfASideHaveOneToleranceThere) {
         ++sides;
         EXPECT_EQ(own.sides_m.east_m, other.sides_m.west_m);
         EXPECT_EQ(own.sides_m.east_m, std::min(own.tolerance_m, other.tolerance_m));
-        const bool are_alike = (own.tolerance_m < scene::kRoadDetail_m) == (other.tolerance_m < scene::kRoadDetail_m);
+        const bool are_alike =
+            has_detail(Detail::kRoadSurfaces, own.tolerance_m) == has_detail(Detail::kRoadSurfaces, other.tolerance_m);
         EXPECT_EQ(a.skirt.max.x != own.cell.max.x, are_alike) << "a skirt hangs where roads look different, only there";
         EXPECT_EQ(b.skirt.min.x != other.cell.min.x, are_alike);
       }

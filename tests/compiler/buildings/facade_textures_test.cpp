@@ -6,6 +6,7 @@
 
 #include "compiler/buildings/generate.h"
 #include "compiler/buildings/style.h"
+#include "compiler/contract/detail_tolerances.h"
 
 namespace citykiln::buildings {
 namespace {
@@ -191,7 +192,7 @@ TEST(ImprintWalls, LevelsTogetherAreTheLevelsAlone) {
     const GeneratedBuilding alone = expanded(block, ladder_m[l]);
     ASSERT_EQ(together[l].meshes.size(), alone.meshes.size());
     ASSERT_EQ(together[l].textured_faces.size(), alone.textured_faces.size());
-    EXPECT_TRUE(alone.textured_faces.empty() || ladder_m[l] >= kFacadeTextures_m);
+    EXPECT_TRUE(alone.textured_faces.empty() || has_detail(Detail::kFacadeTextures, ladder_m[l]));
     for (std::size_t i = 0; i < alone.meshes.size(); ++i)
       EXPECT_TRUE(are_same(together[l].meshes[i].mesh, alone.meshes[i].mesh));
     for (std::size_t i = 0; i < alone.textured_faces.size(); ++i) {

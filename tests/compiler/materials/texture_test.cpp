@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "compiler/contract/detail_tolerances.h"
+
 namespace citykiln::materials {
 namespace {
 
@@ -94,7 +96,8 @@ TEST(Texture, TexelsAreAsLargeAsTheToleranceAndDivideThePeriod) {
 }
 
 TEST(Texture, IsNotThereWhereRoadsAreOneSurface) {
-  for (const double tolerance_m : {kUntextured_m, 0.5, 2.5, 12.5}) EXPECT_TRUE(all_textures(tolerance_m).empty());
+  for (const double tolerance_m : {tolerances_with(Detail::kMaterialTextures).below_m, 0.5, 2.5, 12.5})
+    EXPECT_TRUE(all_textures(tolerance_m).empty());
 }
 
 TEST(Texture, HasFewColoursAndNormalsSoThatAPaletteHoldsThem) {

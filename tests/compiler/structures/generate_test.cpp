@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/structures/ribs.h"
 #include "tests/compiler/structures/made_spans.h"
@@ -76,7 +77,7 @@ TEST(Expand, IsAsWideAsItsRoadAndAsymmetricLikeIt) {
 
 TEST(Expand, MarksItsLanesWhereLinesCanBeSeen) {
   EXPECT_EQ(generate(bent(), 0.02).marked.size(), 1u);
-  EXPECT_TRUE(generate(bent(), kFlatDeck_m).marked.empty());
+  EXPECT_TRUE(generate(bent(), tolerances_with(Detail::kRoadSurfaces).below_m).marked.empty());
 }
 
 TEST(Expand, JoinedSpansShareTheirEdges) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/contract/detail_tolerances.h"
 #include "compiler/materials/texture.h"
 #include "compiler/plants/prototypes/crossed_cards.h"
 #include "compiler/plants/prototypes/crown_hull.h"
@@ -201,7 +202,7 @@ TEST(PrototypeBark, HasPlacesOnItsPictureWhereThatIsFineEnoughToShow) {
       const auto meshes = mesh_of(species, tolerance_m).meshes;
       const materials::MaterialMesh& stems = meshes.front();
       if (stems.colour_source != ColourSource::kByMaterial) continue;
-      const bool is_shown = tolerance_m < materials::kUntextured_m;
+      const bool is_shown = has_detail(Detail::kMaterialTextures, tolerance_m);
       EXPECT_EQ(stems.uvs.size(), is_shown ? stems.mesh.positions.size() : 0) << values_of(species).file << tolerance_m;
       EXPECT_EQ(stems.material, is_shown ? nursery().grown({species, 0}).bark : materials::Material::kBark);
       for (const Vec2 uv : stems.uvs) {
