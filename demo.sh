@@ -1,6 +1,6 @@
 #!/bin/sh
-# Sets everything up and runs the main job: the embedded town becomes a manifest, glTF tiles and a picture, in out/town.
-# What is up to date is not made again.
+# Builds citykiln, compiles the example town to a manifest and glTF tiles in out/town, and renders a picture of it.
+# Outputs that are up to date are not made again.
 set -eu
 cd "$(dirname "$0")"
 ./setup.sh release
@@ -9,24 +9,44 @@ citykiln=build/release/citykiln
 town=examples/town
 out=out/town
 
-# true where $1 is there and nothing that it is made of is newer
+# True if file $1 exists and none of the other arguments is newer.
 is_fresh() {
   made="$1"
   shift
   [ -f "$made" ] && [ -z "$(find "$@" -newer "$made" -print -quit)" ]
 }
 
+# Runs a command and says how long it took: timed "what it does" COMMAND…
+timed() {
+  echo
+  echo "$1"
+  shift
+  start_s="$(date +%s)"
+  "$@"
+  echo "done in $(($(date +%s) - start_s)) s"
+}
+
 if ! is_fresh "$out/report.json" "$citykiln" "$town"; then
-  "$citykiln" compile --spec "$town/spec.json" -o "$out"
+  timed "compiling the map $town/town.osm" "$citykiln" compile --spec "$town/spec.json" -o "$out"
 fi
 if ! is_fresh "$out/preview.png" "$citykiln" "$out/report.json"; then
-  "$citykiln" preview "$out" --level 0 --view low --size 1280x720 --spp 64 -o "$out/preview.png"
+  timed "rendering a picture" \
+    "$citykiln" preview "$out" --level 0 --view low --size 1280x720 --spp 32 -o "$out/preview.png"
 fi
 
-echo
-echo "made in $out:"
-echo "  scene.kiln   the manifest: every object's recipe       $(wc -c <"$out/scene.kiln") bytes"
-echo "  glb/         $(find "$out/glb" -name '*.glb' | wc -l) glTF tiles, <x>_<y>_L<level>.glb       $(cat "$out"/glb/*.glb | wc -c) bytes"
-echo "  report.json  what was made, mended and dropped"
-echo "  timing.json  time and memory by stage"
-echo "  preview.png  a picture of it"
+megabytes() { cat "$@" | wc -c | awk '{printf "%.1f MB", $1 / 1e6}'; }
+cat <<END
+
+Files in $out:
+  preview.png   a picture of the town
+  glb/          $(find "$out/glb" -name '*.glb' | wc -l) glTF tiles, $(megabytes "$out"/glb/*.glb): <x>_<y>_L<level>.glb, level 0 (0.1 m) is the finest
+  scene.kiln    the manifest, $(megabytes "$out/scene.kiln"): a recipe for every object
+  report.json   counts of objects, and what was repaired or dropped
+  timing.json   time and memory of each stage
+
+What to open next:
+  the picture   xdg-open $out/preview.png
+  in a browser  drag $out/glb/0_0_L1.glb onto https://gltf-viewer.donmccurdy.com or https://sandbox.babylonjs.com
+  in Blender    File > Import > glTF 2.0, then choose $out/glb/0_0_L1.glb (Blender 3.6 or newer)
+  your own map  $citykiln compile MAP.osm.pbf -o out/mine
+END

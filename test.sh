@@ -1,5 +1,6 @@
 #!/bin/sh
-# Sets everything up and runs the tests: unit, properties, golden, real. --full adds interop, the sanitizers and fuzzing.
+# Builds the program and the tests, and runs the tests: unit, properties, golden, real.
+# --full adds the sanitizers, and readers of glTF that are not part of citykiln.
 set -eu
 cd "$(dirname "$0")"
 
@@ -11,24 +12,31 @@ for argument in "$@"; do
   esac
 done
 
-./setup.sh release
+# release has the program that the script tests run, checked has the unit tests
+./setup.sh release test $([ "$full" = no ] || echo interop)
+./setup.sh checked test
 
-# readers that are not ours, pinned by a lock file; without npm or a registry their tests say that they are skipped
-if command -v npm >/dev/null 2>&1 && [ -f tests/interop/package-lock.json ] && [ ! -d tests/interop/node_modules ]; then
+# the glTF validator, at the version in the lock file; without npm or its registry, tests with it are skipped
+if command -v npm >/dev/null 2>&1 && [ ! -d tests/interop/node_modules ]; then
   npm ci --prefix tests/interop --silent --no-audit --no-fund || echo "npm ci failed: tests with the glTF validator are skipped"
 fi
 
 jobs="$(nproc)"
+run_tests() { ctest --test-dir "build/$1" -j "$jobs" --output-on-failure "$2" "$3"; }
+
 if [ "$full" = no ]; then
-  ctest --test-dir build/release -j "$jobs" --output-on-failure -LE 'interop|fuzz'
+  run_tests checked -LE interop
   exit
 fi
+run_tests checked -L .
 
-# the sanitizers see units only: the whole way under them would take hours
+# the address and thread sanitizers run unit tests only: the others would take hours
+./setup.sh asan test
+run_tests asan -L '^unit$'
+# picture writing is left out: the thread sanitizer does not see the locks inside OpenImageIO
+./setup.sh tsan test
 export TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp"
-for preset in asan tsan; do
-  ./setup.sh "$preset"
-  # all threads of a written picture are OpenImageIO's, which the thread sanitizer knows nothing about
-  ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure -L unit -E "$([ "$preset" = tsan ] && echo WriteImage || echo '^$')"
-done
-ctest --test-dir build/release -j "$jobs" --output-on-failure
+ctest --test-dir build/tsan -j "$jobs" --output-on-failure -L '^unit$' -E WriteImage
+
+# benchmarks and tools must compile
+./setup.sh bench test

@@ -234,15 +234,13 @@ Result<map::Heightfield> read_heights(const CompileSpec& spec, const map::Plane&
 }
 
 ground::GradedTerrain grade_whole_map(const scene::Recipes& recipes, const Box2& region) {
-  std::vector<ground::LandCoverPolygon> wet = recipes.surfaces;
-  for (const roads::Strip& stream : recipes.watercourses) wet.push_back(ground::surface_of(stream));
-  const std::vector<structures::Span>&bridges = recipes.structures.bridges, &tunnels = recipes.structures.tunnels;
-  const std::vector<roads::Road> decks(bridges.begin(), bridges.end());
-  std::vector<roads::Road> bores;
-  for (const structures::Span& tunnel : tunnels)
-    if (tunnel.is_bored) bores.push_back(tunnel);
-  return ground::grade_terrain(recipes.heights,
-                               {recipes.roads, recipes.watercourses, wet, region, false, decks, bores});
+  return ground::grade_terrain<structures::Span>(recipes.heights,
+                                                 {.roads = recipes.roads,
+                                                  .streams = recipes.watercourses,
+                                                  .surfaces = recipes.surfaces,
+                                                  .box = region,
+                                                  .has_kerbs = false},
+                                                 recipes.structures.bridges, recipes.structures.tunnels);
 }
 
 std::vector<ground::LandCoverPolygon> pier_obstacles(const scene::Recipes& recipes, const map::Features& features) {

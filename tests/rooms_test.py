@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Rooms: who may include whom (DESIGN section 3), what files may be called, and what no room after the map may use.
+"""Checks the source tree: which room may include which, that no folders of a room include each other in a cycle, how files
+are named, and that rooms after the map use only functions that give the same bits on every machine.
 
-Run from anywhere; reads the tree it stands in. Prints one line a breach.
+Prints one line for each violation.
 """
 import re
 import sys
@@ -10,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# From left to right; rooms of one row do not know each other.
+# A room may include rooms of earlier rows only, not those of its own row. ARCHITECTURE.md describes the rooms.
 ROWS = [
     ["compiler/contract"],
     ["compiler/geometry"],
@@ -35,20 +36,21 @@ ROWS = [
 ]
 ROW_OF = {room: i for i, row in enumerate(ROWS) for room in row}
 
-# What a room may not see although it lies to the left: patterns over the included path.
-BLIND_TO = {
+# Headers that a room may not include although they are in an earlier row: patterns of the included path.
+FORBIDDEN = {
     "exporters": r"compiler/source/|grammars/|lsystems/|compiler/[^/]+\.h$|.*/(plan|expand)\.h$",
     "preview": r"grammars/|lsystems/|compiler/source/read_|compiler/[^/]+\.h$|.*/plan\.h$",
     "main": r"(?!compiler/commands/)",
 }
 
-NAMELESS = re.compile(r"(^|_)(util|utils|common|helper|helpers|manager|misc|core|stuff|tools?)(_|$)")
+# Names that do not say what a file holds.
+VAGUE = re.compile(r"(^|_)(util|utils|common|helper|helpers|manager|misc|core|stuff|tools?)(_|$)")
 
-# Their last bits differ between CPUs and libraries; the domain rooms do without (DESIGN section 8.7).
-UNEQUAL = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
-MUST_BE_EQUAL = ["grammars", "lsystems"] + [room for row in ROWS[4:14] for room in row]
-# light that only pictures show
-MAY_DIFFER = [Path("compiler/sky/generate.cpp"), Path("compiler/sky/sunlight.cpp")]
+# Functions whose last bits differ between CPUs and C libraries.
+NOT_REPRODUCIBLE = re.compile(r"<random>|std::hash\b|std::(a?sinh?|a?cosh?|a?tanh?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot)\(")
+REPRODUCIBLE_ROOMS = ["grammars", "lsystems"] + [room for row in ROWS[4:14] for room in row]
+# sky light, which is only in rendered pictures
+EXEMPT = [Path("compiler/sky/generate.cpp"), Path("compiler/sky/sunlight.cpp")]
 
 
 def sources():
@@ -65,90 +67,137 @@ def room_of(path):
     return "/".join(parts[:2]) if parts[0] == "compiler" and len(parts) > 2 else parts[0]
 
 
+def node_of(path):
+    """The node of the graph inside a room: a folder with all below it, or a file at the room's top."""
+    return "/".join(path.parts[:len(Path(room_of(path)).parts) + 1])
+
+
 def quoted_includes(path):
+    """Line number and path of each #include with quotes."""
     for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
         found = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
         if found:
             yield number, found.group(1)
 
 
-def breach_of_include(path, included):
+def violation_of_include(path, included):
     own, other = room_of(path), room_of(Path(included))
     if other not in ROW_OF:
-        return f"{included} is in no room"
+        return f"{included} is in no room of ROWS"
     if own == other:
         return None
     if ROW_OF[other] >= ROW_OF[own]:
-        return f"{own} lies left of, or beside, {other}"
-    if own in BLIND_TO and re.match(BLIND_TO[own], included):
-        return f"{own} does not look into {included}"
+        return f"{own} may not include {included}: {other} is in the same or a later row"
+    if own in FORBIDDEN and re.match(FORBIDDEN[own], included):
+        return f"{own} may not include {included}"
     return None
 
 
-class Rooms(unittest.TestCase):
-    def assertNone(self, breaches):
-        self.assertEqual(breaches, [], "\n" + "\n".join(breaches))
+def includes_inside_rooms():
+    """For each node the nodes of its room that it includes, each with the place of the first include."""
+    graph = {}
+    for path in sources():
+        for number, included in quoted_includes(path):
+            target = Path(included)
+            if room_of(path) == room_of(target) and node_of(path) != node_of(target):
+                graph.setdefault(node_of(path), {}).setdefault(node_of(target), f"{path}:{number}")
+    return graph
 
-    def test_includes_run_from_right_to_left(self):
-        breaches = []
+
+def cycles_of(graph):
+    """Cycles found by depth-first search, at least one if there are any; each ends with the node it starts with."""
+    finished, cycles = set(), []
+
+    def visit(node, trail):
+        if node in trail:
+            cycles.append(trail[trail.index(node):] + [node])
+        elif node not in finished:
+            for target in graph.get(node, {}):
+                visit(target, trail + [node])
+            finished.add(node)
+
+    for start in graph:
+        visit(start, [])
+    return cycles
+
+
+class Rooms(unittest.TestCase):
+    def assertNone(self, violations):
+        if violations:
+            self.fail("\n" + "\n".join(violations))
+
+    def test_sources_are_found(self):
+        self.assertGreater(len(list(sources())), 500)
+        self.assertEqual({room_of(path) for path in sources()}, set(ROW_OF))
+
+    def test_rooms_include_earlier_rows_only(self):
+        violations = []
         for path in sources():
             for number, included in quoted_includes(path):
-                breach = breach_of_include(path, included)
-                if breach:
-                    breaches.append(f"{path}:{number}: {breach}")
-        self.assertNone(breaches)
+                violation = violation_of_include(path, included)
+                if violation:
+                    violations.append(f"{path}:{number}: {violation}")
+        self.assertNone(violations)
+
+    def test_folders_of_a_room_do_not_include_each_other_in_a_cycle(self):
+        graph = includes_inside_rooms()
+        self.assertGreater(len(graph), 100)
+        self.assertNone([f"cycle: {' -> '.join(cycle)}\n" +
+                         "\n".join(f"    {graph[a][b]}: {a} includes {b}" for a, b in zip(cycle, cycle[1:]))
+                         for cycle in cycles_of(graph)])
+
+    def test_a_cycle_is_found(self):
+        self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}}), [])
+        self.assertEqual(cycles_of({"a": {"b": ""}, "b": {"c": ""}, "c": {"b": ""}}), [["b", "c", "b"]])
 
     def test_includes_name_files_from_the_root(self):
-        breaches = []
+        violations = []
         for path in sources():
             for number, included in quoted_includes(path):
                 if not (ROOT / included).exists() and not included.endswith("_generated.h"):
-                    breaches.append(f"{path}:{number}: there is no {included}")
-        self.assertNone(breaches)
-
-    def test_every_room_is_in_a_row(self):
-        self.assertNone([f"{path}: its room is in no row" for path in sources() if room_of(path) not in ROW_OF])
+                    violations.append(f"{path}:{number}: there is no {included}")
+        self.assertNone(violations)
 
     def test_a_source_includes_its_own_header_first(self):
-        breaches = []
+        violations = []
         for path in sources():
             header = path.with_suffix(".h")
             if path.suffix != ".cpp" or not (ROOT / header).exists():
                 continue
             first = next((included for _, included in quoted_includes(path)), None)
             if first != str(header):
-                breaches.append(f"{path}: {header} comes first")
-        self.assertNone(breaches)
+                violations.append(f"{path}: {header} must be the first include")
+        self.assertNone(violations)
 
-    def test_headers_are_read_once(self):
-        self.assertNone([f"{path}: lacks #pragma once" for path in sources()
+    def test_headers_have_pragma_once(self):
+        self.assertNone([f"{path}: #pragma once is missing" for path in sources()
                          if path.suffix == ".h" and "#pragma once" not in (ROOT / path).read_text()])
 
-    def test_everything_has_a_name(self):
-        breaches = []
+    def test_file_names_say_what_a_file_holds(self):
+        violations = []
         for top in ("compiler", "exporters", "preview", "grammars", "lsystems", "tests", "examples"):
             for path in sorted((ROOT / top).rglob("*")):
-                if "node_modules" not in path.parts and NAMELESS.search(path.stem):
-                    breaches.append(f"{path.relative_to(ROOT)}: named after what could not be named")
-        self.assertNone(breaches)
+                if "node_modules" not in path.parts and VAGUE.search(path.stem):
+                    violations.append(f"{path.relative_to(ROOT)}: the name does not say what it holds")
+        self.assertNone(violations)
 
-    def test_rooms_after_the_map_use_nothing_that_differs_between_machines(self):
-        breaches = []
+    def test_rooms_after_the_map_use_reproducible_functions_only(self):
+        violations = []
         for path in sources():
-            if room_of(path) not in MUST_BE_EQUAL or path in MAY_DIFFER:
+            if room_of(path) not in REPRODUCIBLE_ROOMS or path in EXEMPT:
                 continue
             for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
-                if UNEQUAL.search(line.split("//")[0]):
-                    breaches.append(f"{path}:{number}: {line.strip()}")
-        self.assertNone(breaches)
+                if NOT_REPRODUCIBLE.search(line.split("//")[0]):
+                    violations.append(f"{path}:{number}: {line.strip()}")
+        self.assertNone(violations)
 
-    def test_nothing_is_left_to_do_later(self):
-        breaches = []
+    def test_no_comment_says_todo(self):
+        violations = []
         for path in sources():
             for number, line in enumerate((ROOT / path).read_text().splitlines(), 1):
                 if re.search(r"\b(TODO|FIXME|XXX|HACK)\b", line):
-                    breaches.append(f"{path}:{number}: {line.strip()}")
-        self.assertNone(breaches)
+                    violations.append(f"{path}:{number}: {line.strip()}")
+        self.assertNone(violations)
 
 
 if __name__ == "__main__":

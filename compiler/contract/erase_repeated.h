@@ -16,4 +16,11 @@ void erase_repeated(std::vector<T>& all, Key key) {
   all.erase(std::unique(all.begin(), all.end(), alike), all.end());
 }
 
+/// Sorts and leaves each value once. O(n log n).
+template <typename T>
+void sort_unique(std::vector<T>& all) {
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+}
+
 }  // namespace citykiln

@@ -1,6 +1,7 @@
 #include "compiler/ground/generate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/ground/cover/partition.h"
@@ -15,16 +16,22 @@
 namespace citykiln::ground {
 namespace {
 
-// How much finer than the tolerance borders are split at most.
+// Borders are split to at most this many times finer than the heights' tolerance.
 constexpr double kFinestBorders = 8;
 
-// The cell's own border is split at this share of the tolerance. A vertex close to a border that is off by a, where the
+// The cell's border is split at this share of the tolerance. A vertex close to a border that is off by a, where the
 // border is off by b, leaves an edge between them that is off by at most a + b: two halves are the tolerance.
 constexpr double kCellBorderShare = 0.5;
 
-// Of the tolerance, what borders may be off in plan, and what thin faces may be thick: together a little over two
-// thirds, so that as much is left for heights (the squares add up).
+// The shares of the tolerance that borders may move in plan and that merged faces may be thick: together 0.7, so that
+// √(1 - 0.7²) ≈ 0.7 is left for heights.
 constexpr double kBorderShare = 0.5, kSliverShare = 0.2;
+
+[[maybe_unused]] bool is_whole(const Box2& cell) {
+  const auto is_integer = [](double x) { return x == std::floor(x); };
+  return !cell.is_empty() && is_integer(cell.min.x) && is_integer(cell.min.y) && is_integer(cell.max.x) &&
+         is_integer(cell.max.y);
+}
 
 std::vector<FaceHeight> heights_of(std::span<const LandCoverPolygon> surfaces) {
   std::vector<FaceHeight> heights;
@@ -39,21 +46,21 @@ std::vector<FaceHeight> face_heights(std::span<const std::uint32_t> face_cover, 
   return of_faces;
 }
 
-// Thin faces given away, and the rest of the borders simplified; no border is off by more than the error.
-struct Simpler {
+// Borders after thin faces are merged and the rest simplified; none moved by more than the error.
+struct SimplerBorders {
   std::vector<Border> borders;
   double error_m;
 };
 
-Simpler simpler_borders(const Regions& between_borders, double tolerance_m) {
+SimplerBorders simpler_borders(const Regions& between_borders, double tolerance_m) {
   const auto any = [](std::uint32_t) { return true; };
   const auto none = [](GridPoint) { return false; };
-  MergedSlivers yielded = merge_slivers(between_borders, kSliverShare * tolerance_m, any);
-  SimplifiedBorders simplified = simplify_borders(yielded.borders, kBorderShare * tolerance_m, none);
-  return {std::move(simplified.borders), yielded.error_m + simplified.error_m};
+  MergedSlivers merged = merge_slivers(between_borders, kSliverShare * tolerance_m, any);
+  SimplifiedBorders simplified = simplify_borders(merged.borders, kBorderShare * tolerance_m, none);
+  return {std::move(simplified.borders), merged.error_m + simplified.error_m};
 }
 
-// How far off the ground the cell's own border, the borders inside and the faces may be.
+// The height tolerances of the cell's border, of borders inside and of faces.
 struct HeightTolerances {
   SideTolerances cell_border_m;
   double borders_m, faces_m;
@@ -64,51 +71,53 @@ SideTolerances cell_border_m(const SideTolerances& s) {
   return {kShare * s.west_m, kShare * s.east_m, kShare * s.south_m, kShare * s.north_m};
 }
 
-// Borders bent to the ground, and points between them.
+// Splits the borders where the ground bends, triangulates them and refines the faces.
 Refined refined_to(const Reference& reference, std::span<const Border> borders, std::span<const FaceHeight> heights,
                    const HeightTolerances& tolerances) {
-  const SplitBorders bent = split_at_bends(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
+  const SplitBorders bent = split_borders(reference, borders, heights, tolerances.cell_border_m, tolerances.borders_m);
   Partition seen = partition_of_borders(bent.borders, bent.points, reference.cell);
   std::vector<FaceHeight> of_faces = face_heights(seen.face_cover, heights);
   return refine(std::move(seen), std::move(of_faces), reference, tolerances.faces_m);
 }
 
-Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const GradedHeights& carved,
+Reference reference_on(Partition&& all, std::span<const FaceHeight> heights, const GradedHeights& cache,
                        const Box2& cell) {
-  RefinedReference followed = refine_reference(std::move(all), heights, carved);
-  return reference_of(std::move(followed.triangulation), std::move(followed.heights), cell);
+  RefinedReference refined = refine_reference(std::move(all), heights, cache);
+  return reference_of(std::move(refined.triangulation), std::move(refined.heights), cell);
 }
 
-// Where nothing is carved the terrain is the reference, and its lines matter on the border alone.
-std::vector<Border> borders_of_bare(const NearbyCover& layers, GradedHeights& carved, const Box2& cell) {
+// Without grading the terrain itself is the reference; its grid lines matter only on the cell's border.
+std::vector<Border> ungraded_borders(const NearbyCover& layers, GradedHeights& cache, const Box2& cell) {
   if (layers.order.empty()) return empty_cell_borders(cell);
-  const Partition all = partition_all_rings(layers, lines_near_border(grading_lines(carved, cell), cell), {}, cell);
+  const Partition all = partition_all_rings(layers, lines_near_border(grading_lines(cache, cell), cell), {}, cell);
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
 }
 
 }  // namespace
 
 Reference reference_of_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell) {
+  assert(is_whole(cell));
   if (!has_grading(graded, cell)) return reference_of(graded.terrain, cell);
   return prepare_cell(surfaces, graded, cell).reference;
 }
 
 PreparedCell prepare_cell(std::span<const LandCoverPolygon> surfaces, const GradedTerrain& graded, const Box2& cell) {
+  assert(is_whole(cell));
   std::vector<FaceHeight> heights = heights_of(surfaces);
-  GradedHeights carved(graded);
-  const std::vector<LandCoverPolygon> bent = rings_with_bends(surfaces, carved, cell);
+  GradedHeights cache(graded);
+  const std::vector<LandCoverPolygon> bent = rings_with_bends(surfaces, cache, cell);
   const NearbyCover layers = land_cover_near(bent, cell);
   if (!has_grading(graded, cell))
     return {std::move(heights),
-            regions_between(borders_of_bare(layers, carved, cell)),
+            regions_between(ungraded_borders(layers, cache, cell)),
             {},
             reference_of(graded.terrain, cell)};
-  const auto lines = grading_lines(carved, cell);
-  const std::vector<GridPoint> points = bend_points_on_border(carved, cell);
+  const auto lines = grading_lines(cache, cell);
+  const std::vector<GridPoint> points = bend_points_on_border(cache, cell);
   Partition all = partition_all_rings(layers, lines, points, cell);
   Regions between = regions_between(visible_borders(all, ring_joints(layers, all.arrangement, cell)));
   std::vector<CellBorderPiece> cell_border = cell_border_pieces(layers, lines, points, all.arrangement, cell);
-  Reference reference = reference_on(std::move(all), heights, carved, cell);
+  Reference reference = reference_on(std::move(all), heights, cache, cell);
   return {std::move(heights), std::move(between), std::move(cell_border), std::move(reference)};
 }
 
@@ -118,21 +127,24 @@ GroundMesh generate_cell(std::span<const LandCoverPolygon> surfaces, const Grade
   return generate_cell(prepare_cell(surfaces, graded, cell), normals, tolerance_m, report);
 }
 
-GroundMesh generate_cell(const PreparedCell& known, GradedNormals& normals, double tolerance_m, Report& report) {
-  return generate_cell(known, normals, tolerance_m, all_sides(tolerance_m), report);
+GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, double tolerance_m, Report& report) {
+  return generate_cell(prepared, normals, tolerance_m, all_sides(tolerance_m), report);
 }
 
-GroundMesh generate_cell(const PreparedCell& known, GradedNormals& normals, double tolerance_m,
+GroundMesh generate_cell(const PreparedCell& prepared, GradedNormals& normals, double tolerance_m,
                          const SideTolerances& sides_m, Report& report) {
-  const Simpler simpler = simpler_borders(known.between_borders, tolerance_m);
+  assert(tolerance_m > 0);
+  assert(std::min({sides_m.west_m, sides_m.east_m, sides_m.south_m, sides_m.north_m}) > 0);
+  const SimplerBorders simpler = simpler_borders(prepared.between_borders, tolerance_m);
 
-  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more, too thin for a further
-  // vertex: then the borders are split more finely, while that helps. The cell's own border is not: its vertices are
-  // the neighbour's too.
+  // Where a border is off by nearly the tolerance, a sliver beside it can be off by more and too thin for a further
+  // vertex. So inner borders are split more finely while that helps. The cell's border is not: its vertices are the
+  // neighbour's too.
   const double height_m = std::sqrt(tolerance_m * tolerance_m - simpler.error_m * simpler.error_m);
   double inner_m = height_m;
   const auto refine_borders = [&] {
-    return refined_to(known.reference, simpler.borders, known.heights, {cell_border_m(sides_m), inner_m, height_m});
+    return refined_to(prepared.reference, simpler.borders, prepared.heights,
+                      {cell_border_m(sides_m), inner_m, height_m});
   };
   Refined refined = refine_borders();
   while (refined.error_m > height_m && inner_m > height_m / kFinestBorders) {
@@ -142,7 +154,7 @@ GroundMesh generate_cell(const PreparedCell& known, GradedNormals& normals, doub
     refined = std::move(finer);
   }
   if (refined.error_m > height_m) report.add(Code::kToleranceNotMet, {}, refined.error_m);
-  GroundMesh ground = layered_mesh(refined, normals, known.heights, known.cell_border);
+  GroundMesh ground = layered_mesh(refined, normals, prepared.heights, prepared.cell_border);
   ground.border_error_m = simpler.error_m;
   return ground;
 }

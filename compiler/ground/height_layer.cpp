@@ -37,7 +37,7 @@ bool is_strip_or_junction(const LandCoverPolygon& surface) { return surface.area
 
 HeightLayer layer_of(const LandCoverPolygon& surface) {
   const HeightLayer layer = layer_of_class(surface.surface);
-  // paths follow the land, but for those that lead to bridges and underpasses
+  // paths lie on the land, except those with a profile: to bridges and underpasses
   if (surface.is_graded && layer == HeightLayer::kLand) return HeightLayer::kCarriageway;
   return layer == HeightLayer::kWater || is_strip_or_junction(surface) ? layer : HeightLayer::kLand;
 }

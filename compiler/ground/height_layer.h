@@ -1,5 +1,5 @@
-// The heights of the ground are a few functions of the place, one for each kind of surface; where two kinds meet and
-// their heights differ, a step stands between them: a kerb, a quay, a retaining wall.
+// Height layers: the ground's height is one function of the place for each kind of land cover. Where faces of two
+// layers meet at different heights, a vertical face joins them: a kerb, a quay, a retaining wall.
 #pragma once
 
 #include <array>
@@ -12,25 +12,26 @@
 namespace citykiln::ground {
 
 enum class HeightLayer : std::uint8_t {
-  kLand,         ///< The terrain, cut and filled towards roads and water.
-  kRoad,         ///< What is level with a road's kerbs: pavements, verges, islands, roads without kerbs.
-  kCarriageway,  ///< What lies between kerbs, below their tops.
+  kLand,         ///< The terrain, cut and filled beside roads and water.
+  kRoad,         ///< Level with the tops of kerbs: pavements, verges, islands, roads without kerbs.
+  kCarriageway,  ///< Between kerbs, below their tops.
   kWater,
   kCount
 };
 
 inline constexpr auto kHeightLayers = static_cast<std::size_t>(HeightLayer::kCount);
 
-/// Metres of the plane at one place, one a layer.
+/// Plane heights in metres at one place, one per layer.
 using Heights = std::array<double, kHeightLayers>;
 
 inline double of(const Heights& heights, HeightLayer layer) { return heights[static_cast<std::size_t>(layer)]; }
 
-/// The layer on which a surface lies. Areas of a road's class, squares and car parks, have no profile: they are land.
-/// Paths are land too, unless they are graded.
+/// Returns the layer of a polygon. Areas of a road's class (squares, car parks) have no profile and lie on the land. So
+/// do paths, unless they have a profile.
 HeightLayer layer_of(const LandCoverPolygon& surface);
 
-/// How high a face lies: as its layer does; standing water at its one level, even where its shore has been simplified.
+/// The height of a face: its layer's, or the level of standing water, which holds even where the shore has been
+/// simplified.
 struct FaceHeight {
   HeightLayer layer = HeightLayer::kLand;
   std::optional<double> level_m;

@@ -13,7 +13,8 @@ std::uint32_t whole_m2(double area_m2) {
 }
 
 LandCoverPolygon area_surface(const map::AreaFeature& area) {
-  LandCoverPolygon surface{area.id, area.surface, whole_m2(area.area_m2), {area.polygon.outer}};
+  LandCoverPolygon surface{
+      .id = area.id, .surface = area.surface, .area_m2 = whole_m2(area.area_m2), .rings = {area.polygon.outer}};
   surface.rings.insert(surface.rings.end(), area.polygon.holes.begin(), area.polygon.holes.end());
   return surface;
 }
@@ -36,7 +37,7 @@ std::vector<roads::Strip> plan_streams(const map::Features& features, Report& re
   Account account;
   for (const map::Waterway& water : features.waterways) {
     ++account.in;
-    // a culvert or an aqueduct leaves the ground as it is
+    // a culvert or an aqueduct does not cover the ground
     if (water.passage != map::Passage::kGround) {
       report.drop(account, Code::kWaterOffGround, water.id.osm, length_m(water.axis));
       continue;
@@ -53,29 +54,6 @@ std::vector<Polyline> covered_waterways(const map::Features& features) {
   for (const map::Waterway& water : features.waterways)
     if (water.passage != map::Passage::kGround) covered.push_back(water.axis);
   return covered;
-}
-
-// no area: a trimmed strip must rank as the whole one does, so among equals its id decides
-LandCoverPolygon surface_of(const roads::Strip& stream) {
-  return {stream.id, stream.surface, kStripArea_m2, roads::stroke(stream, {true, {}, {}})};
-}
-
-LandCoverPolygon surface_of(const roads::Road& road, const roads::StripEnds& ends) {
-  LandCoverPolygon surface{road.id, road.surface, kStripArea_m2, roads::stroke_carriageway(road, ends)};
-  surface.is_graded = !road.profile.empty();
-  return surface;
-}
-
-LandCoverPolygon pavement_of(const roads::Road& road, const roads::StripEnds& ends) {
-  return {road.id, map::LandCoverClass::kPavement, kStripArea_m2, roads::stroke_pavements(road, ends)};
-}
-
-LandCoverPolygon trimmed_to(const LandCoverPolygon& surface, const Box2& box) {
-  LandCoverPolygon trimmed{surface.id,    surface.surface, surface.area_m2,  {},
-                           surface.piece, surface.level_m, surface.is_graded};
-  for (const Ring& ring : surface.rings)
-    if (Ring kept = citykiln::trimmed_to(ring, box); !kept.empty()) trimmed.rings.push_back(std::move(kept));
-  return trimmed;
 }
 
 }  // namespace citykiln::ground

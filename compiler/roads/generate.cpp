@@ -9,7 +9,7 @@
 namespace citykiln::roads {
 namespace {
 
-// cos and sin of k · 22.5°, written out so that every CPU agrees.
+// cos and sin of k · 22.5° as literals, so that every CPU agrees
 constexpr double kC1 = 0.9238795325112867, kC2 = 0.7071067811865476, kC3 = 0.3826834323650898;
 constexpr std::array<Vec2, 16> kCircle = {{{1, 0},
                                            {kC1, kC3},
@@ -34,27 +34,27 @@ Ring disk(Vec2 centre, double radius_m) {
   return ring;
 }
 
-// How far a strip reaches to either side of its axis.
+// The extent of a strip on either side of its axis.
 struct Halves {
   double left_m, right_m;
 };
 
-// The corner that a bend opens between two quads, filled to the mitre: p, the two outer corners and the point where the
+// The wedge that a bend opens between two quads, filled to the mitre: p, the two outer corners, and the point where the
 // outer edges meet.
 Ring mitre(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
-  // a left bend opens on the right; an edge that a building presses beyond the axis opens nothing
+  // a left bend opens on its right; an edge that width limits press beyond the axis opens nothing
   const double half_m = cross(before, after) > 0 ? -std::max(halves.right_m, 0.0) : std::max(halves.left_m, 0.0);
   const Vec2 a = left_of(before) * half_m, b = left_of(after) * half_m;
   const Vec2 tip = (a + b) * (1 / (1 + dot(before, after)));
   return {snapped(p), snapped(p + a), snapped(p + tip), snapped(p + b)};
 }
 
-// Bends of less than a right angle take a mitre (its tip lies within 1.42 half widths), sharper ones a disk.
+// Bends of less than a right angle take a mitre, whose tip lies within 1.42 half widths; sharper ones take a disk.
 Ring bend(Vec2 p, Vec2 before, Vec2 after, Halves halves) {
   return dot(before, after) > 0 ? mitre(p, before, after, halves) : disk(p, std::max(halves.left_m, halves.right_m));
 }
 
-// Turned counter-clockwise; what snapping left without area is no ring.
+// Appends a ring counter-clockwise, unless snapping left no area.
 void push_if_area(std::vector<Ring>& rings, Ring ring) {
   ring = without_repeats(ring);
   if (ring.size() < 3) return;
@@ -63,10 +63,10 @@ void push_if_area(std::vector<Ring>& rings, Ring ring) {
   if (area != 0) rings.push_back(std::move(ring));
 }
 
-// Sharper bends are ends, not joints.
+// True for bends of less than a right angle; sharper ones are two ends.
 bool is_joint(Vec2 before, Vec2 after) { return dot(before, after) > 0; }
 
-// A place on the axis, and how far the strip reaches there.
+// A point of the axis with the extent of the strip there.
 struct Station {
   Vec2 at;
   Halves halves;
@@ -105,7 +105,7 @@ std::vector<Ring> stroke_along(const Polyline& axis, const Stations& stations, c
   return rings;
 }
 
-// Vertices, and in between where an edge bends.
+// Stations at the vertices, and between them where an edge bends.
 template <typename HalvesAt>
 Stations stations_along(const Road& road, HalvesAt halves_at) {
   const std::vector<double> along = distances_along(road), bends = bends_of_edges(road);
@@ -143,7 +143,7 @@ std::vector<Ring> stroke_carriageway(const Road& road, const StripEnds& ends) {
 std::vector<Ring> stroke_pavements(const Road& road, const StripEnds& ends) {
   const double left = paved_left_m(road), right = paved_right_m(road);
   if (left == 0 && right == 0) return {};
-  // verges farther out have given way before anything else does
+  // verges outside the pavement are narrowed first, so the pavement keeps its width while they give way
   const auto outer = [&](double along_m) {
     const RoadEdges edges = road_edges_at(road, along_m);
     return Halves{std::min(edges.left_m, edges.kerb_left_m + left),

@@ -1,4 +1,4 @@
-// From an axis to the strip of ground it covers.
+// Strips of ground along an axis, as rings.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,25 @@
 
 namespace citykiln::roads {
 
-/// How a strip ends: square; round; or with the joint of a bend, where another strip goes on towards a point.
+/// How a strip ends: square, round, or joined by a mitre to the strip that continues there.
 struct StripEnds {
   bool are_round = false;
-  std::optional<Vec2> from, to;  ///< Before the first point of the axis, after the last.
+  std::optional<Vec2> from,
+      to;  ///< The neighbouring strips' next points: before the first point of the axis, after its last.
 };
 
-/// The strip as overlapping counter-clockwise rings: one quad a segment, a wedge or a disk at each bend, ends as asked
-/// for. Their union (where the sum of winding numbers is not zero) is the strip; it needs no union to be computed and
-/// has no case that fails. Vertices are snapped to 2^-10 m; disks are 16-gons about the circle (border error under 2 %
-/// of the half width). O(n).
+/// Returns the strip as overlapping counter-clockwise rings, snapped to 2^-10 m: one quad a segment, a wedge or a disk
+/// at each bend, and the ends asked for. The strip is their union (sum of winding numbers not zero). Total. Disks are
+/// 16-gons about the circle: their border is off by less than 2 % of the half width. O(n).
+/// @param strip  At least two points.
 std::vector<Ring> stroke(const Strip& strip, const StripEnds& ends = {});
 
-/// What lies between the road's kerbs, narrowed where buildings stand, likewise: a quad a segment, and one more
-/// wherever an edge bends beside it.
+/// Returns the carriageway within its width limits, as rings like stroke(). Adds a quad wherever an edge bends between
+/// two vertices.
 std::vector<Ring> stroke_carriageway(const Road& road, const StripEnds& ends = {});
 
-/// The road out to its outermost pavement or cycle track, likewise; empty where it has none. What lies between this and
-/// the carriageway is pavement, verges within it and all; verges farther out are not in it.
+/// Returns the road up to its outermost pavement or cycle track, as rings like stroke_carriageway(), or nothing where
+/// it has none. Verges between pavement and kerb are included, verges outside are not.
 std::vector<Ring> stroke_pavements(const Road& road, const StripEnds& ends = {});
 
 }  // namespace citykiln::roads

@@ -8,7 +8,7 @@
 namespace citykiln::roads {
 namespace {
 
-// A road passes a place: which of its vertices lies there.
+// One vertex of a road. Sorting groups the vertices that share a position within a family.
 struct Passing {
   Vec2 at;
   Family family;
@@ -32,7 +32,7 @@ void add_arms(std::span<const Road> roads, std::uint32_t road, std::uint32_t ver
   if (vertex + 1 < roads[road].axis.size()) arms.push_back({road, vertex, 1});
 }
 
-// Each place that roads of one family share or end at, with the arms that leave it.
+// Calls visit(vertex, arms) for each position at which roads of one family have a vertex.
 template <typename Visit>
 void for_each_place(std::span<const Road> roads, Visit visit) {
   const std::vector<Passing> passings = passings_of(roads);
@@ -54,9 +54,9 @@ Vec2 direction(std::span<const Road> roads, const Arm& arm) {
   return unit(second_point(roads, arm) - roads[arm.road].axis[arm.vertex]);
 }
 
-// Two arms of two roads that a driver takes for one road.
+// True where one road continues in the other: same widths, and a turn of less than a right angle.
 bool go_on(std::span<const Road> roads, const Arm& a, const Arm& b) {
-  // the same road's own bend is part of its strip
+  // a road's own bend belongs to its strip
   if (a.road == b.road) return true;
   constexpr double kSameWidth_m = 0.25;
   const auto is_same = [](double p_m, double q_m) { return std::abs(p_m - q_m) < kSameWidth_m; };
@@ -117,7 +117,6 @@ std::vector<Joint> joints_of(std::span<const Road> roads) {
   std::vector<Joint> joints;
   for_each_place(roads, [&](const Passing& here, const std::vector<Arm>& arms) {
     if (here.family == Family::kOther || arms.size() != 2 || !go_on(roads, arms[0], arms[1])) return;
-    // a road's own bend is no joint
     if (arms[0].road != arms[1].road || arms[0].vertex != arms[1].vertex) joints.push_back({arms[0], arms[1]});
   });
   return joints;

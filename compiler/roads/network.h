@@ -1,4 +1,4 @@
-// Where roads meet: places that several axes share, and the arms that leave them.
+// The road network: nodes that several axes share, and the arms that leave them.
 #pragma once
 
 #include <cstdint>
@@ -11,49 +11,53 @@
 
 namespace citykiln::roads {
 
-/// Roads meet within their family: a footpath that ends on a street is no junction of streets.
+/// Roads only meet roads of their family: a footpath that ends on a street makes no junction of streets. kOther (rails,
+/// runways) makes none at all.
 enum class Family : std::uint8_t { kStreet, kPath, kOther };
 Family family_of(map::LandCoverClass surface);
 
-/// A road as it leaves a place: from axis[vertex] towards axis[vertex + step].
+/// A road leaving a node, from axis[vertex] towards axis[vertex + step].
 struct Arm {
   std::uint32_t road = 0, vertex = 0;
   std::int32_t step = 1;  ///< 1 or -1.
   auto operator<=>(const Arm&) const = default;
 };
 
-/// A place on the plane's grid where axes of one family meet or end.
+/// A position on the plane's grid where axes of one family meet or end.
 struct Node {
   Vec2 at;
   Family family{};
   std::vector<Arm> arms;  ///< Sorted.
 };
 
-/// All places where at least three arms leave, or two that do not go on into each other (another width, or a bend of
-/// more than a right angle), or that are round.
+/// Returns all nodes with at least three arms, with two that do not continue into each other (another width, or a turn
+/// of more than a right angle), or that are circular.
 ///
-/// Axes meet where they share a vertex; those that cross without one do not (bridges). Sorted by place, then family.
-/// Total. O(n log n) in vertices.
+/// Axes meet only where they share a vertex; those of a bridge and the road below it do not. Sorted by position, then
+/// family. Total. O(n log n) in vertices.
 std::vector<Node> find_nodes(std::span<const Road> roads);
 
-/// How each road's strip ends: with a joint where it goes on into one other road of its family. O(n log n) in vertices.
+/// Returns how each road's strip ends: joined where it continues into exactly one other road end of its family. O(n log
+/// n) in vertices.
 std::vector<StripEnds> ends_of(std::span<const Road> roads);
 
-/// Two roads, or both ends of a loop, that go on into each other and meet no third: their ends' arms.
+/// Two arms that continue into each other at a node without a third arm: of two roads, or both ends of a loop.
 struct Joint {
   Arm a, b;
 };
-/// In the order of places. O(n log n) in vertices.
+/// Returns all joints, sorted by position. O(n log n) in vertices.
 std::vector<Joint> joints_of(std::span<const Road> roads);
 
-/// From an arm's axis to the kerbs, seen as it leaves.
+/// The distance from an arm's axis to its kerbs, as seen leaving the node.
 double left_of(std::span<const Road> roads, const Arm& arm);
 double right_of(std::span<const Road> roads, const Arm& arm);
 
-/// The arms of a family that leave each of the places, place by place. O(n log m).
+/// Returns the arms of a family that leave each of the nodes, node by node. @param nodes  Positions, sorted. O(n log
+/// m).
 std::vector<Arm> arms_at(std::span<const Road> roads, std::span<const Vec2> places, Family family);
 
-/// The points of an arm from its place on, at most `length_m` long; the last one is interpolated and not snapped.
+/// Returns the first part of an arm's axis, at most `length_m` long. The last point may be interpolated and is not
+/// snapped. At least two points where length_m > 0.
 Polyline walk(std::span<const Road> roads, const Arm& arm, double length_m);
 
 }  // namespace citykiln::roads

@@ -21,7 +21,7 @@ std::vector<Road> plan(const map::Features& features, Report& report) {
   Account account;
   for (const map::Track& track : features.tracks) {
     ++account.in;
-    // bridges and tunnels go into structures/
+    // bridges and tunnels become structures
     if (track.passage != map::Passage::kGround) {
       ++account.merged;
       continue;

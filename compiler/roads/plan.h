@@ -1,4 +1,4 @@
-// Stage 3: which ways become roads on the ground.
+// Plans roads: which tracks of the map become roads on the ground.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace citykiln::roads {
 
-/// The track as a road of its network: not narrowed.
+/// Returns the track as a road, at its full width.
 Road road_of(const map::Track& track);
 
-/// All tracks of the ground, sorted by id. Ledger "roads/track": what leaves the ground counts as merged (into
-/// structures/). Total.
+/// Returns all tracks on the ground, sorted by id. Ledger "roads/track": tracks on bridges and in tunnels count as
+/// merged, since they become structures. Total. O(n).
 std::vector<Road> plan(const map::Features& features, Report& report);
 
 }  // namespace citykiln::roads

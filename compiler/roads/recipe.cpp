@@ -7,7 +7,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Lanes from an outer edge inwards.
+// @param lanes  From an outer edge inwards.
 double raised_before_kerb_m(const std::vector<map::Lane>& lanes) {
   double width = 0;
   for (const map::Lane& lane : lanes) {
@@ -51,7 +51,7 @@ std::vector<double> distances_along(const Polyline& axis, double start_along_m) 
 std::vector<double> distances_along(const Road& road) { return distances_along(road.axis, road.start_along_m); }
 
 double max_offset_m(const Road& road) {
-  // a mitre of less than a right angle lies within 1.42 of what it bends
+  // the mitre of a bend under a right angle lies within 1.42 half widths
   return 1.5 * std::max(left_m(road) + raised_left_m(road), right_m(road) + raised_right_m(road));
 }
 

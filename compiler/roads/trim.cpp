@@ -6,7 +6,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Points [first, last] of an axis.
+// The points [first, last] of an axis.
 struct Run {
   std::size_t first, last;
 };
@@ -27,7 +27,7 @@ bool touches(const Polyline& axis, std::size_t segment, const Box2& box) {
   return box_of(std::array{axis[segment], axis[segment + 1]}).touches(box);
 }
 
-// Runs that share a segment become one.
+// Merges runs that share a segment.
 std::vector<Run> joined(const std::vector<Run>& runs) {
   std::vector<Run> all;
   for (const Run run : runs) {
@@ -39,7 +39,7 @@ std::vector<Run> joined(const std::vector<Run>& runs) {
   return all;
 }
 
-// One more segment where a run ends with one that touches the box.
+// Extends a run by one segment at each end whose segment touches the box: mitres there depend on the next segment.
 std::vector<Run> with_neighbours(const Polyline& axis, std::vector<Run> runs, const Box2& box) {
   for (Run& run : runs) {
     const bool more_before = run.first > 0 && touches(axis, run.first, box);
@@ -55,7 +55,7 @@ Polyline part_of(const Polyline& axis, Run run) {
           axis.begin() + static_cast<std::ptrdiff_t>(run.last) + 1};
 }
 
-// Those that lie along the run, and the ones before and after it: what they allow holds in between.
+// Keeps the limits along the run and the nearest one on either side: limits in between depend on both.
 std::vector<WidthLimit> pinches_between(const std::vector<WidthLimit>& width_limits, double from_m, double to_m) {
   auto first = std::ranges::lower_bound(width_limits, from_m, {}, &WidthLimit::at_m);
   auto last = std::ranges::upper_bound(width_limits, to_m, {}, &WidthLimit::at_m);
@@ -93,7 +93,7 @@ Strip part_of(const Strip& strip, Run run) {
 }  // namespace
 
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m) {
-  // cells look a metre beyond themselves
+  // ground cells read one metre beyond their border
   const Box2 near = box.widened(max_offset_m(road) + 1);
   std::vector<Road> parts;
   for (const Run run : with_neighbours(road.axis, runs_near(road.axis, near.widened(halo_m)), near))

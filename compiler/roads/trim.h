@@ -1,4 +1,4 @@
-// The part of a road that a box needs to know.
+// Trims roads and strips to the part a tile needs.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace citykiln::roads {
 
-/// The runs of the road's segments whose strip may touch the box widened by the halo, each with the road's id, uncut
-/// between their points: there the strips of the runs cover what the road's strip covers. A segment that may touch the
-/// box itself has its neighbours with it, as its ends lie on the mitres with them. Often one, or none. O(n).
+/// Returns the runs of segments whose strip may touch the box widened by the halo, mostly one or none. Each keeps the
+/// road's id and its vertices, so that within that area the runs cover exactly what the road covers. A segment that may
+/// touch the box itself keeps its neighbours, since its ends lie on mitres with them. O(n).
 std::vector<Road> trimmed_to(const Road& road, const Box2& box, double halo_m);
-/// Of a strip, whose segments end square.
+/// The same for a strip, whose segments end square.
 std::vector<Strip> trimmed_to(const Strip& strip, const Box2& box, double halo_m);
 
 }  // namespace citykiln::roads

@@ -7,13 +7,13 @@ namespace citykiln::scene {
 
 ground::GradedTerrain graded_terrain_of(const Header& header, const Chunk& chunk, double tolerance_m) {
   const std::vector<ground::LandCoverPolygon> surfaces = coarse_land_cover(chunk);
-  const Box2 box = box_of(header, chunk.tile).widened(ground::kGrading_m);
-  const std::vector<roads::Road> decks(chunk.bridges.begin(), chunk.bridges.end());
-  std::vector<roads::Road> bores;
-  for (const structures::Span& tunnel : chunk.tunnels)
-    if (tunnel.is_bored) bores.push_back(tunnel);
-  return ground::grade_terrain(chunk.heights, {chunk.roads, chunk.watercourses, surfaces, box,
-                                               has_detail(Detail::kRoadSurfaces, tolerance_m), decks, bores});
+  return ground::grade_terrain<structures::Span>(chunk.heights,
+                                                 {.roads = chunk.roads,
+                                                  .streams = chunk.watercourses,
+                                                  .surfaces = surfaces,
+                                                  .box = box_of(header, chunk.tile).widened(ground::kGrading_m),
+                                                  .has_kerbs = has_detail(Detail::kRoadSurfaces, tolerance_m)},
+                                                 chunk.bridges, chunk.tunnels);
 }
 
 }  // namespace citykiln::scene

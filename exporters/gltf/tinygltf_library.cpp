@@ -1,7 +1,8 @@
-// tinygltf's own code, compiled here once: Debian's library is built with other switches, and the class changes with
-// them.
-// which tinygltf leaves out without files of its own, and then needs
+// Compiles tinygltf's implementation once: Debian's library is built with other switches, which change its classes.
+
+// tinygltf's implementation uses these but, with our switches, does not include them
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #define TINYGLTF_IMPLEMENTATION
 #include "exporters/gltf/tinygltf_config.h"

@@ -1,4 +1,4 @@
-// Real data for benchmarks; what is absent is skipped with a message.
+// Real data for benchmarks. A benchmark whose data are missing is skipped with a message.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -8,11 +8,11 @@
 
 namespace citykiln {
 
-/// Where ../shared/data has a file, or nothing, in which case the benchmark is marked as skipped.
+/// The path of a file in ../shared/data; empty if it is missing, and then the benchmark is marked as skipped.
 inline std::string data_or_skip(benchmark::State& state, const std::string& name) {
   const std::string path = std::string(CITYKILN_DATA) + "/" + name;
   if (std::filesystem::exists(path)) return path;
-  state.SkipWithError(("absent: " + path).c_str());
+  state.SkipWithError(("missing: " + path).c_str());
   return {};
 }
 

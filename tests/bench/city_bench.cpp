@@ -1,5 +1,5 @@
-// All buildings of a real town: planned, and expanded at the tolerances of the levels. What the houses of
-// houses_bench.cpp cannot tell: how often a town asks for what it has had before, and what its odd footprints cost.
+// Plans all buildings of a real town and generates their meshes at the tolerances of the levels. Unlike
+// houses_bench.cpp this includes reuse between equal parts of a town, and the cost of irregular footprints.
 #include <benchmark/benchmark.h>
 
 #include "compiler/buildings/generate.h"
@@ -44,7 +44,7 @@ std::uint64_t triangles_of(const GeneratedBuilding& house) {
   return triangles;
 }
 
-// planned once for all benchmarks of a run
+// The town's buildings, planned once for all benchmarks of a run.
 const std::vector<Building>& town(benchmark::State& state) {
   static const std::vector<Building> buildings = [&] {
     Report report;
@@ -53,7 +53,7 @@ const std::vector<Building>& town(benchmark::State& state) {
   return buildings;
 }
 
-void expand_town(benchmark::State& state) {
+void generate_town(benchmark::State& state) {
   const std::vector<Building>& all = town(state);
   const double tolerance_m = static_cast<double>(state.range(0)) / 1000;
   const auto one_in = static_cast<std::size_t>(state.range(1));
@@ -72,8 +72,8 @@ void expand_town(benchmark::State& state) {
 }
 
 BENCHMARK(plan_town)->Unit(benchmark::kMillisecond);
-// tolerances in millimetres; one building in so many; threads
-BENCHMARK(expand_town)
+// tolerance in millimetres; one building in this many; threads
+BENCHMARK(generate_town)
     ->ArgNames({"mm", "one_in", "threads"})
     ->ArgsProduct({{20, 100, 500, 2500}, {16}, {1}})
     ->Args({20, 1, 1})

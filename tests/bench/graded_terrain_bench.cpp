@@ -31,7 +31,7 @@ const scene::Scene& village(const std::string& map, const std::string& dem) {
   return scene;
 }
 
-/// The tile with most roads.
+/// Returns the chunk with most roads.
 const scene::Chunk& busiest(const scene::Scene& scene) {
   return *std::ranges::max_element(scene.chunks, {}, [](const scene::Chunk& chunk) { return chunk.roads.size(); });
 }

@@ -1,5 +1,5 @@
-// Houses of whole rule files, from their footprints to their terminals, at the tolerances of the levels: L0 is to give
-// 3 million triangles a second and core, and coarser levels are to cost less.
+// Derives houses by whole rule files, from footprint to terminals, at the tolerances of the levels. Goal: 3 million
+// triangles per second and core at level 0, and less time at coarser levels.
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -21,27 +21,27 @@ Result<std::string> file_at(const std::string& path) {
 
 Result<std::string> beside(const std::string& file) { return file_at(std::string(CITYKILN_SOURCE) + "/tests/" + file); }
 
-/// What is derived again and again.
+/// The input of one derivation.
 struct House {
   Result<Program> program;
   double width_m, depth_m;
   DeriveOptions options;
 };
 
-// an old town's house: a shop, five floors of windows with reveals, frames, sills; no roof, they have a bench of their
-// own
+// A house of an old town: a shop, and five floors of windows with reveals, frames and sills. No roof; see
+// roof_bench.cpp.
 House old_town() {
   House house{read_rules("grammars/town_house.cga", beside), 18, 12, {}};
   house.options.attributes = {{"height", 21.0}, {"levels", 6.0}};
   return house;
 }
 
-// ten floors of windows, and of balconies with railings
+// Ten floors of windows, and of balconies with railings.
 House flats() { return {read_rules("bench/flats.cga", beside), 24, 14, {}}; }
 
 std::uint64_t triangles_of(const Derivation& derivation) {
   std::uint64_t triangles = 0;
-  // a polygon of n points is n - 2 triangles, two more for each hole
+  // a polygon of n points has n - 2 triangles, and two more for each hole
   for (const Terminal& terminal : derivation.terminals)
     for (const Face& face : terminal.faces) triangles += vertex_count({&face, 1}) - 2 + 2 * face.holes.size();
   return triangles;
@@ -70,7 +70,7 @@ void read_house(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_rules("grammars/town_house.cga", beside));
 }
 
-// tolerances in millimetres; 0 without copies, 1 with copies, 2 with what is known ahead too
+// tolerance in millimetres; 0 without instances, 1 with instances, 2 with precomputed bounds too
 const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {0, 1, 2}};
 BENCHMARK(derive_old_town)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
 BENCHMARK(derive_flats)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);

@@ -1,5 +1,5 @@
-// Whole houses, from their recipes to their meshes: masses, roofs, rules and triangles, at the tolerances of the
-// levels. L0 is to give 3 million triangles a second and core.
+// Generates whole houses from recipes to meshes (masses, roofs, rules, triangles) at the tolerances of the levels.
+// Goal: 3 million triangles per second and core at level 0.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -10,9 +10,9 @@
 namespace citykiln::buildings {
 namespace {
 
-constexpr int kHouses = 24;  // no two of a size, so that nothing is derived for all
+constexpr int kHouses = 24;  // all of different sizes, so that no derivation is shared
 
-// the i-th along a street that runs at an angle to the axes, `wide` metres on average
+// The i-th house along a street at an angle to the axes; mean width `wide` metres.
 Building house(Style style, roofs::Form form, double wide_m, int levels, int i) {
   Building b;
   b.id = {{OsmType::kWay, 1000 + i}, 0};
@@ -31,7 +31,7 @@ Building house(Style style, roofs::Form form, double wide_m, int levels, int i) 
   return b;
 }
 
-void expand_street(benchmark::State& state, Style style, roofs::Form form, double wide_m, int levels) {
+void generate_street(benchmark::State& state, Style style, roofs::Form form, double wide_m, int levels) {
   std::vector<Building> street;
   for (int i = 0; i < kHouses; ++i) street.push_back(house(style, form, wide_m, levels, i));
   const Rulebook rulebook = parse_rulebook(styles_of(street), shipped_rules());
@@ -51,16 +51,16 @@ void expand_street(benchmark::State& state, Style style, roofs::Form form, doubl
   state.counters["houses/s"] = benchmark::Counter(static_cast<double>(houses), benchmark::Counter::kIsRate);
 }
 
-void expand_villas(benchmark::State& state) { expand_street(state, Style::kVilla, roofs::Form::kGabled, 12, 2); }
-void expand_flats(benchmark::State& state) { expand_street(state, Style::kPanelBlock, roofs::Form::kFlat, 40, 5); }
-void expand_town_houses(benchmark::State& state) {
-  expand_street(state, Style::kOldTownHouse, roofs::Form::kHipped, 15, 4);
+void generate_villas(benchmark::State& state) { generate_street(state, Style::kVilla, roofs::Form::kGabled, 12, 2); }
+void generate_flats(benchmark::State& state) { generate_street(state, Style::kPanelBlock, roofs::Form::kFlat, 40, 5); }
+void generate_town_houses(benchmark::State& state) {
+  generate_street(state, Style::kOldTownHouse, roofs::Form::kHipped, 15, 4);
 }
 
-// tolerances in millimetres
-BENCHMARK(expand_villas)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
-BENCHMARK(expand_flats)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
-BENCHMARK(expand_town_houses)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
+// tolerance in millimetres
+BENCHMARK(generate_villas)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
+BENCHMARK(generate_flats)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
+BENCHMARK(generate_town_houses)->ArgName("mm")->Arg(20)->Arg(100)->Arg(500)->Arg(2500)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace citykiln::buildings

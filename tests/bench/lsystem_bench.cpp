@@ -1,6 +1,6 @@
-// Plants from their rules to strings, skeletons and meshes: Honda's tree at n = 15 is to be derived at 40 million
-// symbols a second and core; RPForest writes 12 to 17. 1.5 million triangles are to be made in 0.1 s; RPForest
-// takes 44.9 s.
+// Derives plants to strings, skeletons and meshes. Goals: Honda's tree at n = 15 at 40 million symbols per second and
+// core (RPForest: 12 to 17 million), and 1.5 million triangles in 0.1 s (RPForest: 44.9 s). Figures are of
+// Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants.
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@
 namespace citykiln::lsystems {
 namespace {
 
-// the book's figure 2.6 a
+// figure 2.6 a
 constexpr const char* kHonda = R"(
 #define r1 0.9
 #define r2 0.6
@@ -28,13 +28,13 @@ p2: B(l,w) : * -> !(w)F(l)[-(a2)$C(l*r2,w*wr)]C(l*r1,w*wr)
 p3: C(l,w) : * -> !(w)F(l)[+(a2)$B(l*r2,w*wr)]B(l*r1,w*wr)
 )";
 
-// figure 1.24 e: no numbers, all F double
+// figure 1.24 e: no parameters, every F doubles
 constexpr const char* kBush = "axiom: X\nX -> F[+X][-X]FX\nF -> FF\n";
 
-// figure 1.27: dice
+// figure 1.27: stochastic
 constexpr const char* kChance = "axiom: F\nF -> (0.33) F[+F]F[-F]F\nF -> (0.33) F[+F]F\nF -> (0.34) F[-F]F\n";
 
-// Hogeweg and Hesper's a (figure 1.31): contexts on both sides
+// figure 1.31 a, by Hogeweg and Hesper: contexts on both sides
 constexpr const char* kContexts = R"(
 #ignore: +-F
 axiom: F1F1F1
@@ -82,17 +82,17 @@ void walk_system(benchmark::State& state, const char* text) {
   state.counters["segments/s"] = benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
 }
 
-// segments over time: a line of slope 1
+// time must be linear in the number of segments
 void mesh_system(benchmark::State& state, double tolerance_m) {
   const Result<LSystem> system = read_lsystem(kHonda, "bench.lsys");
   DeriveOptions options;
   options.steps = static_cast<int>(state.range(0));
   Skeleton skeleton = walk(*system, derive(*system, options).string);
-  // as thick everywhere, so that all is drawn, with as many sides
+  // one thickness everywhere, so that every segment is drawn with the same number of sides
   for (Segment& segment : skeleton.segments) segment.start_radius = segment.end_radius = 0.05;
   TubeOptions tubes;
   tubes.tolerance_m = tolerance_m;
-  // memory is found once
+  // allocates the memory before the timed loop
   PlantMesh mesh = mesh_plant(skeleton, tubes);
   for (auto _ : state) mesh_plant(skeleton, tubes, mesh);
   const auto triangles = static_cast<double>(mesh.bark.triangles.size());

@@ -1,4 +1,4 @@
-// Reading extracts, beside osmium's own `fileinfo -e`, which decodes everything and looks at it once.
+// Reads extracts, compared with `osmium fileinfo -e`, which decodes every element once.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ void decode(benchmark::State& state, const std::string& name) {
   for (auto _ : state) benchmark::DoNotOptimize(decode_osm(path, 0));
 }
 
-// With locations and areas: all that citykiln ever knows of the file.
+// Everything citykiln reads from a file, with node locations and areas.
 void read_all(benchmark::State& state, const std::string& name) {
   const std::string path = data_or_skip(state, name);
   for (auto _ : state) {

@@ -1,27 +1,16 @@
-// Measuring a mesh against the raw field and against the same heights as a reference: what a triangle of a coarser mesh
-// costs.
+// Measures triangles of a coarse mesh against the terrain and against a reference with the same heights.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
 #include "compiler/ground/mesh/height_error.h"
+#include "tests/bench/made_hills.h"
 #include "tests/compiler/ground/mesh/made_references.h"
 
 namespace citykiln::ground {
 namespace {
 
-// Hills on 8 m squares, 1,024 m wide: 16,641 vertices.
-map::Heightfield hills() {
-  map::Heightfield field{{0, 0}, {8, 8}, 129, 129, {}};
-  for (int j = 0; j < field.rows; ++j)
-    for (int i = 0; i < field.columns; ++i) {
-      const double metres = 40 * std::sin(i * 0.05) + 12 * std::cos(j * 0.17) + 3 * std::sin(i * 0.7 + j * 0.5);
-      field.heights.push_back(static_cast<std::int32_t>(metres / map::kHeightQuantum_m));
-    }
-  return field;
-}
-
-// A mesh as it is midway: right triangles of this width, off the grid's lines, jittered.
+// A mesh during refinement: right triangles of this width, off the grid's lines, jittered.
 std::vector<std::array<Vec3, 3>> triangles(double width_m) {
   std::vector<std::array<Vec3, 3>> all;
   const Draw draw(1, StableId{1}, "jitter");
@@ -52,21 +41,21 @@ void measure(benchmark::State& state, Inside inside, Edge edge) {
 }
 
 void measure_by_field(benchmark::State& state) {
-  const map::Heightfield field = hills();
+  const map::Heightfield field = made_hills();
   measure(
       state, [&](const auto& corners) { return worst_inside(field, corners); },
       [&](Vec3 a, Vec3 b) { return worst_on_edge(field, a, b); });
 }
 
 void measure_by_reference(benchmark::State& state) {
-  const Reference reference = reference_of_field(hills());
+  const Reference reference = reference_of_field(made_hills());
   measure(
       state, [&](const auto& corners) { return worst_inside(reference, corners, HeightLayer::kLand); },
       [&](Vec3 a, Vec3 b) { return worst_on_edge(reference, a, b, HeightLayer::kLand); });
 }
 
 void heights_by_reference(benchmark::State& state) {
-  const Reference reference = reference_of_field(hills());
+  const Reference reference = reference_of_field(made_hills());
   const Draw draw(1, StableId{1}, "places");
   std::uint32_t i = 0;
   for (auto _ : state) {

@@ -1,4 +1,5 @@
-// Roofs: how many a second, and the straight skeleton in doubles against exact numbers, over real footprints.
+// Generates roofs: each form over a rectangle, and straight skeletons in doubles and in exact numbers over real
+// footprints.
 #include <benchmark/benchmark.h>
 
 #include "bench_data.h"
@@ -20,7 +21,7 @@ std::vector<Polygon> footprints_of(const std::string& path) {
   return polygons;
 }
 
-// A detached house: no skeleton.
+// One detached house; needs no skeleton.
 void RoofOverARectangle(benchmark::State& state) {
   RoofShape shape;
   shape.form = static_cast<Form>(state.range(0));
@@ -32,8 +33,8 @@ void RoofOverARectangle(benchmark::State& state) {
 }
 BENCHMARK(RoofOverARectangle)->DenseRange(0, static_cast<int>(Form::kCount) - 1)->Unit(benchmark::kMicrosecond);
 
-// All buildings of a town, hipped, by the skeleton alone. SmallVector, but in an old town's shapes: helsinki; many
-// houses: reinickendorf.
+// Hipped roofs on all buildings of a town, by the skeleton alone: helsinki has an old town's shapes, reinickendorf many
+// houses.
 void HippedBySkeleton(benchmark::State& state, const std::string& file, SkeletonKernel kernel) {
   const std::string path = data_or_skip(state, file);
   if (path.empty()) return;

@@ -1,5 +1,5 @@
-// The codec of chunks: whatever the streams, a chunk or the name of a stream; and a chunk is written and read as
-// itself.
+// Decodes any streams to a chunk or to the name of the wrong stream. A decoded chunk that is encoded and decoded again
+// is unchanged.
 #include <cstdlib>
 
 #include "tests/fuzz/unpacked.h"

@@ -1,4 +1,4 @@
-// Derivations: rules that parse, on any footprint, keep what derive.h says of them (derivation_claims.h).
+// Derives valid rules on any footprint and checks the guarantees of derive.h (derivation_claims.h).
 #include <cstdio>
 #include <cstdlib>
 

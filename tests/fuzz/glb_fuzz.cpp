@@ -1,4 +1,4 @@
-// The reader of tiles: whatever the bytes, a tile or an error; and a tile is written and read as itself.
+// Decodes any bytes to a tile or an error. A decoded tile that is encoded and decoded again is unchanged.
 #include <cstdlib>
 
 #include "exporters/gltf/glb.h"

@@ -1,5 +1,5 @@
-// Rules and derivations: whatever the text, a program or one line; whatever the program, a derivation within its limits
-// that says the same of itself at a tolerance.
+// Parses any text to a program or one error line. Any program derives within its limits, and its derivation at a
+// tolerance reports the same counts.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

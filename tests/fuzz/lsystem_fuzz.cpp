@@ -1,5 +1,5 @@
-// L-systems: whatever the text, a system or one line; whatever the system, a string and a skeleton within the limits,
-// finite, with balanced brackets, and the same again; and a mesh that is finite and closed. RPForest's notation too.
+// Reads any text, in either notation, as an L-system or one error line. Any L-system derives, twice alike, to a string
+// with balanced brackets and a finite skeleton within the limits, and to a finite, closed mesh.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -64,7 +64,7 @@ void check_part(const PartMesh& mesh) {
       if (corner >= mesh.positions.size()) std::abort();
 }
 
-// each edge as often one way as the other, points in one place being one
+// Aborts unless each edge is used equally often in both directions; equal positions are one vertex.
 void check_closed(const PartMesh& mesh) {
   std::map<Vec3, int> places;
   std::map<std::pair<int, int>, int> passes;
@@ -82,7 +82,7 @@ void check_closed(const PartMesh& mesh) {
 
 void check_mesh(const Skeleton& skeleton) {
   TubeOptions options;
-  // no more than some 10,000 triangles
+  // coarse enough for at most about 10,000 triangles
   options.tolerance_m = 0.05;
   const PlantMesh mesh = mesh_plant(skeleton, options);
   check_part(mesh.bark);
@@ -113,7 +113,7 @@ void check(const Result<LSystem>& system) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  // the first byte says which notation
+  // the first byte chooses the notation
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   switch (data[0] % 8) {
     case 0:

@@ -1,5 +1,5 @@
-// make_seeds FOLDER FILE…: what the fuzz programs begin with, out of sound manifests and tiles; and made-up tiles with
-// a sheet and an atlas, plain and packed by Draco and meshoptimizer, and their sheets.
+// make_seeds FOLDER FILE…: writes first inputs for the fuzz programs, from valid manifests and tiles, and from made-up
+// tiles with a marking atlas and a facade atlas: plain, compressed by Draco and by meshoptimizer, and their pictures.
 #include <cstdio>
 #include <filesystem>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace citykiln::exporters;
 
-// A seed in the folder of its program, named after its file.
+// Writes a seed to the folder of its program, named after its file.
 void write_seed(const std::filesystem::path& folder, const std::string& name, const fuzz::Bytes& seed) {
   std::filesystem::create_directories(folder);
   const auto done = write_file((folder / name).string(), std::as_bytes(std::span(seed)));
@@ -25,7 +25,7 @@ fuzz::ByteSpan span_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
-// Plain and packed.
+// Writes the seeds of a tile, plain and compressed.
 void write_made_glbs(const std::filesystem::path& folder, const citykiln::bake::BakedTile& tile, std::uint32_t seed) {
   constexpr std::pair<Compression, const char*> kPacked[] = {
       {Compression::kNone, "made_"}, {Compression::kDraco, "draco_"}, {Compression::kMeshopt, "meshopt_"}};

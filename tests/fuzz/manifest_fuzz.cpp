@@ -1,4 +1,4 @@
-// The manifest's reader: whatever the bytes, a scene or an error; and a scene is written and read as itself.
+// Decodes any bytes to a scene or an error. A decoded scene that is encoded and decoded again is unchanged.
 #include <cstdlib>
 
 #include "exporters/kiln/manifest.h"
@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace citykiln;
   using namespace citykiln::exporters;
   const std::span<const std::uint8_t> input(data, size);
-  // as it is, and with sound guards
+  // the input as a file, and then with correct checksums
   (void)decode_manifest(std::as_bytes(input), "raw", {});
   const auto bytes = fuzz::packed_manifest(input);
   const auto scene = decode_manifest(std::as_bytes(std::span(bytes)), "packed", {});

@@ -1,4 +1,4 @@
-// The reader of pictures: whatever the bytes, a picture or an error; and a picture is written and read as itself.
+// Decodes any bytes to a picture or an error. A decoded picture that is encoded and decoded again is unchanged.
 #include <cstdlib>
 
 #include "exporters/gltf/png.h"

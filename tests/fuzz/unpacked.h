@@ -1,5 +1,5 @@
-// Manifests and tiles in forms that a fuzzer can change: without checksums, compression and lengths, which would stop
-// it at the door. `packed` puts them back, so that the readers are entered as always.
+// Manifests and tiles without checksums, compression and lengths, so that a fuzzer's changes get past the first checks
+// of the readers. The functions packed_… add them again; the readers themselves are unchanged.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline ByteSpan take(ByteSpan& rest, std::uint64_t size) {
   return taken;
 }
 
-/// As in the manifest.
+/// The manifest's checksum (FNV-1a, 64 bits).
 inline std::uint64_t checksum(ByteSpan bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::uint8_t b : bytes) hash = (hash ^ b) * 0x100000001b3u;
@@ -44,7 +44,7 @@ inline std::uint64_t checksum(ByteSpan bytes) {
 
 constexpr std::size_t kMostChunks = 8;
 
-/// The header with an index of these frames, as far as it has one; as it is where it is none.
+/// The header with its index replaced by one of these frames. Returns the input if it is no valid header with an index.
 inline Bytes with_index(const Bytes& header, const std::vector<std::vector<std::byte>>& frames) {
   flatbuffers::Verifier verifier(header.data(), header.size());
   if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return header;
@@ -63,7 +63,7 @@ inline Bytes with_index(const Bytes& header, const std::vector<std::vector<std::
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-/// The header's dictionary, made ready; none where the header or the dictionary is not sound.
+/// The header's dictionary, loaded; empty if the header or the dictionary is invalid.
 inline PackingDictionary dictionary_in(const Bytes& header) {
   flatbuffers::Verifier verifier(header.data(), header.size());
   if (!verifier.VerifyBuffer<fbs::Header>(nullptr)) return nullptr;
@@ -73,9 +73,9 @@ inline PackingDictionary dictionary_in(const Bytes& header) {
   return packing_dictionary({dictionary->data(), dictionary->size()});
 }
 
-/// A .kiln whose bytes are right where they guard others. An unpacked manifest is: a byte, whose lowest bit asks that
-/// the index is left as it is; four bytes, the header's size; the header's FlatBuffer; then each chunk's four bytes of
-/// size, and its bytes as they are before zstd; at most eight chunks.
+/// A .kiln file with correct checksums and sizes. The input holds a byte, whose lowest bit keeps the index unchanged;
+/// the header's size in four bytes; the header's FlatBuffer; then for each of at most eight chunks its size in four
+/// bytes and its uncompressed bytes.
 inline Bytes packed_manifest(ByteSpan seed) {
   if (seed.size() < 5) return {seed.begin(), seed.end()};
   const bool keeps_index = (seed[0] & 1) != 0;
@@ -104,14 +104,14 @@ inline Bytes packed_manifest(ByteSpan seed) {
   return bytes;
 }
 
-/// The first numbers of a stream, as a stream.
+/// A stream of the first numbers of a stream.
 inline Bytes first_steps(const Bytes& stream, std::size_t count) {
   StreamReader reader(stream);
   for (std::size_t i = 0; i < count; ++i) reader.get();
   return {stream.begin(), stream.end() - static_cast<std::ptrdiff_t>(reader.remaining())};
 }
 
-/// Of a sound manifest; of a large one, its first tiles.
+/// The inverse of packed_manifest, for a valid manifest; keeps the first tiles of a large one.
 inline Bytes unpacked_manifest(ByteSpan bytes) {
   const auto file = std::as_bytes(bytes);
   const std::uint64_t size = get(bytes, 12, 4);
@@ -139,7 +139,7 @@ inline Bytes unpacked_manifest(ByteSpan bytes) {
   return seed;
 }
 
-/// Streams of a chunk: each two bytes of size, and its bytes; those that are not there are empty.
+/// The streams of a chunk: each has its size in two bytes and then its bytes; missing ones are empty.
 inline Streams packed_streams(ByteSpan rest) {
   Streams streams;
   for (const char* name : stream_names()) {
@@ -161,7 +161,7 @@ inline Bytes unpacked_streams(Streams streams) {
   return unpacked;
 }
 
-/// A .glb: four bytes, the size of its JSON; the JSON; the buffer.
+/// A .glb file from the size of its JSON in four bytes, the JSON, and the buffer.
 inline Bytes packed_glb(ByteSpan unpacked) {
   if (unpacked.size() < 4) return {unpacked.begin(), unpacked.end()};
   ByteSpan rest = unpacked.subspan(4);
@@ -179,7 +179,7 @@ inline Bytes packed_glb(ByteSpan unpacked) {
   return bytes;
 }
 
-/// Of a sound tile.
+/// The inverse of packed_glb, for a valid tile.
 inline Bytes unpacked_glb(ByteSpan bytes) {
   const std::uint64_t size = get(bytes, 12, 4);
   Bytes unpacked;
@@ -190,7 +190,7 @@ inline Bytes unpacked_glb(ByteSpan bytes) {
   return unpacked;
 }
 
-/// A PNG whose checksums are right, as far as its chunks are whole. Unpacked is: the file.
+/// The PNG file with correct checksums in all complete chunks.
 inline Bytes packed_png(ByteSpan unpacked) {
   constexpr std::size_t kSignature = 8, kFrame = 12;
   Bytes bytes(unpacked.begin(), unpacked.end());

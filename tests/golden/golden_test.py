@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Golden cases: a directory each, with map.osm, perhaps heights.asc, args (words of the command line) and expected.json. Measures tell what changed,
-hashes tell that it changed. Adding a case needs no code: make the directory, then `golden_test.py --update`.
+"""Compares the outputs of each golden case with its expected.json. A case is a folder with map.osm, args (words of the command line),
+expected.json, and optionally heights.asc. Differences in measures show what changed; hashes show any change of bytes.
+
+To add a case, make the folder and run `golden_test.py --update`; no code is needed.
 """
 import hashlib
 import json
@@ -21,7 +23,7 @@ def cases():
 
 
 def hash_of(outputs, ending):
-    """One hash for all files of an ending, in the order of their names."""
+    """One hash of all files with this ending, in the order of their names."""
     together = hashlib.sha256()
     for name, digest in sorted(outputs.items()):
         if name.endswith(ending):
@@ -45,6 +47,9 @@ def measured(out):
 
 class Golden(ProgramTest):
     maxDiff = None
+
+    def test_there_are_cases(self):
+        self.assertTrue(cases())
 
     def compare(self, case):
         words = (case / "args").read_text().split()

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Blender imports the town as it is: upright, in metres, in its place; copies share their mesh; materials and tints arrive. What Blender holds is
-compared with the .glb's own JSON chunk and with what `citykiln inspect` says."""
+"""Blender imports the town upright, in metres and in its place; instances share their mesh; materials keep their values. Blender's
+data are compared with the JSON chunk of the .glb and with the output of `citykiln inspect`."""
 import json
 import os
 import shutil
-import struct
 import subprocess
 import sys
 import unittest
@@ -12,19 +11,15 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
 from citykiln_program import TOWN, ProgramTest, run  # noqa: E402
+from glb import Glb  # noqa: E402
 
 BLENDER = shutil.which("blender")
-# writes tiles with a sheet
+# the tool that writes tiles with a marking atlas
 MADE_GLB = os.environ.get("MADE_GLB")
 SCRIPT = Path(__file__).resolve().parent / "import_blender.py"
 
-# Places on a grid of 2^-10 m, passed through Blender's single precision, 1 km from the plane's origin.
+# Coordinates are on a grid of 2^-10 m; Blender holds them in single precision, 1 km from the plane's origin.
 NEAR_M = 2e-4
-
-
-def gltf_of(path):
-    data = path.read_bytes()
-    return json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])
 
 
 def z_up(v):
@@ -32,14 +27,14 @@ def z_up(v):
 
 
 def box_of(gltf, mesh):
-    """What the accessors of a mesh say: its box in Blender's axes, from the mesh's own origin."""
+    """The box of a mesh from its accessors' min and max, in Blender's axes, relative to the mesh's origin."""
     accessors = [gltf["accessors"][p["attributes"]["POSITION"]] for p in mesh["primitives"]]
     corners = [z_up(a[end]) for a in accessors for end in ("min", "max")]
     return [min(c[i] for c in corners) for i in range(3)], [max(c[i] for c in corners) for i in range(3)]
 
 
 class BlenderTest(ProgramTest):
-    """What Blender holds of the files that `written` writes."""
+    """Imports the files that `written` writes into Blender, once for all tests of the class."""
 
     @classmethod
     def setUpClass(cls):
@@ -50,11 +45,12 @@ class BlenderTest(ProgramTest):
         facts = cls.keeper.folder / "facts.json"
         cls.done = subprocess.run([BLENDER, "-b", "--factory-startup", "-noaudio", "--python-exit-code", "3", "-P", SCRIPT, "--", facts, *cls.paths],
                                   capture_output=True, text=True, check=False,
-                                  # it looks for its Python's library beside the first python3 on the PATH
+                                  # Blender looks for its Python library beside the first python3 on the PATH
                                   env={**os.environ, "PATH": "/usr/bin:/bin"})
         if cls.done.returncode != 0:
             raise AssertionError(cls.done.stdout[-2000:] + cls.done.stderr[-2000:])
-        cls.tiles = list(zip(cls.paths, map(gltf_of, cls.paths), json.loads(facts.read_text())))
+        cls.tiles = list(zip(cls.paths, (Glb(path).gltf for path in cls.paths), json.loads(facts.read_text()), strict=True))
+        assert cls.tiles
 
     def assert_near(self, a, b, near=NEAR_M):
         for x, y in zip(a, b, strict=True):
@@ -67,7 +63,7 @@ class BlenderImport(BlenderTest):
         out = keeper.compiled("town", "--spec", TOWN / "spec.json", "--lods", "0.5", "--instancing", "nodes")
         return sorted((out / "glb").glob("*.glb"))
 
-    def test_nothing_is_complained_about(self):
+    def test_blender_prints_no_error(self):
         self.assertGreater(len(self.tiles), 1)
         for word in ("error", "traceback", "unknown", "not supported"):
             self.assertNotIn(word, (self.done.stdout + self.done.stderr).lower())
@@ -82,10 +78,10 @@ class BlenderImport(BlenderTest):
             self.assert_near(facts["tile"]["low_m"], [a + b for a, b in zip(at, low)])
             self.assert_near(facts["tile"]["high_m"], [a + b for a, b in zip(at, high)])
 
-    def test_the_ground_is_seen_from_above(self):
+    def test_the_ground_faces_up(self):
         for _, _, facts in self.tiles:
             size = [high - low for low, high in zip(facts["tile"]["low_m"], facts["tile"]["high_m"])]
-            # roofs that reach out over the edge count in the box alone
+            # roofs that overhang the tile's edge enlarge the box, but not the ground
             self.assertGreater(facts["tile"]["area_seen_from_above_m2"], 0.8 * size[0] * size[1])
             self.assertLess(size[2], 0.3 * min(size[:2]))
 
@@ -113,10 +109,10 @@ class BlenderImport(BlenderTest):
             triangles += sum(row["triangles"] * len(row["places"]) for row in facts["copies"].values())
             self.assertEqual(triangles, said["triangles"])
 
-    def test_copies_share_their_mesh(self):
+    def test_instances_share_their_mesh(self):
         shared = 0
         for _, gltf, facts in self.tiles:
-            # one for the tile
+            # one mesh is the tile's own
             self.assertEqual(facts["meshes"], 1 + len(facts["copies"]))
             self.assertEqual(facts["meshes"], len(gltf["meshes"]))
             for row in facts["copies"].values():
@@ -124,7 +120,7 @@ class BlenderImport(BlenderTest):
                 shared += row["users"] > 1
         self.assertGreater(shared, 0)
 
-    def test_copies_stand_upright_where_they_belong(self):
+    def test_instances_are_upright_in_their_places(self):
         for _, gltf, facts in self.tiles:
             root = z_up(gltf["nodes"][0]["translation"])
             for name, row in facts["copies"].items():
@@ -153,20 +149,20 @@ class BlenderImport(BlenderTest):
                 else:
                     self.assertLess(abs(found["roughness"] - values["roughnessFactor"]), 1e-5)
 
-    def test_the_tile_says_what_it_is(self):
+    def test_name_and_extras_of_the_tile_arrive(self):
         for _, gltf, facts in self.tiles:
             self.assertEqual(facts["extras"], sorted(gltf["nodes"][0]["extras"]))
             self.assertEqual(facts["root"], gltf["nodes"][0]["name"])
 
 
 @unittest.skipUnless(MADE_GLB, "MADE_GLB is not set")
-class BlenderSheet(BlenderTest):
+class BlenderMarkingAtlas(BlenderTest):
     @classmethod
     def written(cls, keeper):
         subprocess.run([MADE_GLB, keeper.folder], check=True)
         return [keeper.folder / "marked_nodes.glb"]
 
-    def test_what_is_on_the_sheet_shows_one_picture_in_metres(self):
+    def test_marked_materials_share_one_picture_scaled_in_metres(self):
         [(_, gltf, facts)] = self.tiles
         marked = [material for material in gltf["materials"] if material["name"].endswith("Marked")]
         self.assertEqual(len(marked), 3)
@@ -177,11 +173,11 @@ class BlenderSheet(BlenderTest):
             self.assertTrue(found["has_pixels"])
             self.assertEqual(found["picture_px"], facts["pictures"][0])
             self.assert_near(found["scale"][:2], scale, 1e-6)
-            # v runs down from the picture's top, Blender's up from its bottom
+            # glTF counts v down from the top of a picture, Blender up from the bottom
             self.assert_near(found["location"][:2], [0, 1 - scale[1]], 1e-6)
 
-    def test_places_on_the_sheet_are_metres(self):
-        # made_tile.h lays its roads out by their corners' x, and 16 km and their y
+    def test_texture_coordinates_are_metres_on_the_atlas(self):
+        # made_tile.h gives each corner the texture coordinates (x, 16 km + y)
         [(_, _, facts)] = self.tiles
         for name in ("AsphaltMarked", "PavingMarked"):
             self.assertEqual(len(facts["uvs"][name]), 12)
@@ -191,6 +187,6 @@ class BlenderSheet(BlenderTest):
 
 if __name__ == "__main__":
     if not BLENDER:
-        print("blender is not there (apt-get install blender python3-numpy): skipped")
+        print("Blender is not installed (./setup.sh release interop): skipped")
         sys.exit(77)
     unittest.main(verbosity=2)

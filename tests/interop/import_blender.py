@@ -1,4 +1,4 @@
-"""Inside Blender: imports .glb files, each into an empty scene, and writes what it finds as JSON.
+"""Runs inside Blender: imports .glb files, each into an empty scene, and writes facts about the imported objects as JSON.
 
 blender -b --factory-startup -noaudio --python-exit-code 3 -P import_blender.py -- FACTS.json FILE.glb...
 """
@@ -9,7 +9,7 @@ import bpy
 import mathutils
 import numpy
 
-# the importer of Blender 3.4 uses a name that newer NumPy has dropped
+# the importer of Blender 3.4 uses numpy.bool, which newer NumPy no longer has
 numpy.bool = bool
 
 
@@ -18,7 +18,7 @@ def material_name(mesh, polygon):
 
 
 def facts_of_uvs(mesh):
-    """By material: corners with their place, and where they lie on the picture, from its lower left corner as Blender has it."""
+    """For each material the corners: position, and texture coordinates from the picture's lower left corner."""
     by_material = {}
     for polygon in mesh.polygons:
         row = by_material.setdefault(material_name(mesh, polygon), [])
@@ -28,7 +28,7 @@ def facts_of_uvs(mesh):
 
 
 def facts_of_ground_and_buildings(tile):
-    """The tile's own mesh, in Blender's world: metres, z up."""
+    """Facts about the tile's own mesh in world coordinates: metres, z up."""
     mesh, world = tile.data, tile.matrix_world
     corners = [world @ vertex.co for vertex in mesh.vertices]
     by_material = {}
@@ -48,16 +48,16 @@ def facts_of_ground_and_buildings(tile):
 
 
 def nodes_behind(socket):
-    """All nodes that lead to an input."""
+    """All shader nodes upstream of an input."""
     return [node for link in socket.links for node in [link.from_node] + [n for i in link.from_node.inputs for n in nodes_behind(i)]]
 
 
 def base_colour(material):
-    """What the colours of the corners are multiplied by on the way into the shader."""
+    """The material's base colour: its picture, or the constant that is multiplied with the vertex colours."""
     shader = material.node_tree.nodes["Principled BSDF"]
     pictures = [node for node in nodes_behind(shader.inputs["Base Color"]) if node.type == "TEX_IMAGE"]
     if pictures:
-        # between it and the picture stand nodes that repeat it one way only
+        # nodes for wrapping are between the mapping and the picture
         mapping = next(node for node in nodes_behind(pictures[0].inputs["Vector"]) if node.type == "MAPPING")
         return {"roughness": shader.inputs["Roughness"].default_value,
                 "roughness_is_picture": any(n.type == "TEX_IMAGE" for n in nodes_behind(shader.inputs["Roughness"])),
@@ -71,7 +71,7 @@ def base_colour(material):
 
 
 def facts_of_copies(objects):
-    """By mesh: how many objects share it, where they stand, how they are turned."""
+    """For each mesh the objects that share it: positions, scales and up axes."""
     by_mesh = {}
     for thing in objects:
         mesh = thing.data
@@ -89,7 +89,7 @@ def facts_of(path):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     answer = bpy.ops.import_scene.gltf(filepath=path)
     if answer != {"FINISHED"}:
-        raise RuntimeError(f"{path}: the import answers {answer}")
+        raise RuntimeError(f"{path}: the import returns {answer}")
     bpy.context.view_layer.update()
     tiles = [thing for thing in bpy.data.objects if thing.parent is None]
     if len(tiles) != 1 or tiles[0].type != "MESH":

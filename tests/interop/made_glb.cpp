@@ -1,5 +1,5 @@
-// made_glb FOLDER: tiles with all that a tile can have, sheets too, and copies placed either way; for other programs to
-// read. marked.glb, marked_nodes.glb.
+// made_glb FOLDER writes marked.glb and marked_nodes.glb: tiles with every feature of the format, marking atlases too, and
+// both ways of instancing, for other programs to read.
 #include <cstdio>
 
 #include "exporters/gltf/glb.h"

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""A manifest and the tiles that were fired from it show the same picture: what is written down is the scene, and firing it again later gives what
-lies in the .glb files, to the last bit that light can see."""
+"""A picture rendered from the manifest equals the picture rendered from the tiles baked from it, byte for byte."""
 import sys
 import unittest
 from pathlib import Path
@@ -10,7 +9,7 @@ from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
 
 LEVELS = ["0.1", "2.5"]
 
-# Small, and few paths: equal inputs make equal pictures at any size.
+# Small pictures with few samples: equal scenes give equal pictures at any size.
 PICTURE = ["--size", "480x270", "--spp", "4"]
 VIEWS = ["overview", "street"]
 
@@ -30,11 +29,11 @@ class SamePictures(ProgramTest):
         for level, tolerance_m in enumerate(LEVELS):
             for view in VIEWS:
                 with self.subTest(level=level, view=view):
-                    clay = self.picture("clay.png", out / "scene.kiln", "--tolerance", tolerance_m, "--view", view)
-                    fired = self.picture("fired.png", out, "--level", level, "--view", view)
-                    self.assertEqual(clay, fired)
-                    shown.add(clay)
-        # or all of them are nothing but sky
+                    from_manifest = self.picture("manifest.png", out / "scene.kiln", "--tolerance", tolerance_m, "--view", view)
+                    from_tiles = self.picture("tiles.png", out, "--level", level, "--view", view)
+                    self.assertEqual(from_manifest, from_tiles)
+                    shown.add(from_manifest)
+        # pictures of empty sky would all be equal
         self.assertGreater(len(shown), len(VIEWS))
 
 
@@ -42,7 +41,7 @@ class SamePicturesOfTheTown(SamePictures):
     def test_the_town(self):
         self.both_show_the_same("--spec", TOWN / "spec.json")
 
-    def test_the_town_with_a_node_a_copy(self):
+    def test_the_town_with_a_node_for_each_instance(self):
         self.both_show_the_same("--spec", TOWN / "spec.json", "--instancing", "nodes")
 
     def test_the_town_in_many_tiles(self):
@@ -51,7 +50,7 @@ class SamePicturesOfTheTown(SamePictures):
 
 class SamePicturesReal(SamePictures):
     def test_andorra_la_vella(self):
-        # one tile of each: houses are many triangles, and what holds for one tile holds for more
+        # one tile of each place, because buildings have many triangles
         self.both_show_the_same(self.data("andorra/cut-andorra-la-vella.osm.pbf"), "--dem", self.data("andorra/N42E001.hgt"), "--only=0_0")
 
     def test_monaco(self):

@@ -1,4 +1,5 @@
-// Reads a .glb with packed meshes by glTF Transform, which brings Khronos' Draco and meshoptimizer's own decoder, and writes it plain: IN OUT, IN OUT, …
+// unpack_glb.mjs IN OUT [IN OUT …]: reads compressed .glb files with glTF Transform and the decoders of Draco and meshoptimizer, and
+// writes them without compression.
 import { NodeIO } from "@gltf-transform/core";
 import { ALL_EXTENSIONS } from "@gltf-transform/extensions";
 import draco3d from "draco3dgltf";

@@ -1,4 +1,5 @@
-// Runs Khronos' glTF validator over the .glb files named; fails on any error or warning. Prints one line a kind of message, and the counts.
+// validate_glb.mjs FILE.glb…: runs Khronos' glTF validator; fails on any error or warning. Prints one line for each kind of message,
+// and the counts.
 import { readFileSync } from "node:fs";
 import validator from "gltf-validator";
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Bad input: one clear line, exit 1, and nothing half-written under its final name."""
+"""Bad input gives one error line and exit code 1, and leaves no incomplete file under its final name."""
 import os
 import resource
 import subprocess
@@ -69,7 +69,7 @@ class BadInput(ProgramTest):
     def test_a_map_that_holds_nothing(self):
         self.fails(self.written("nothing.osm", EMPTY_MAP), words=["nothing.osm", "contains nothing to compile"])
 
-    def test_a_name_of_no_known_kind(self):
+    def test_an_unknown_file_type(self):
         self.fails(self.written("map.txt", MAP), words=["map.txt"])
 
     def test_a_truncated_pbf_real(self):
@@ -90,7 +90,7 @@ class BadInput(ProgramTest):
         elsewhere = "ncols 4\nnrows 4\nxllcorner 100\nyllcorner 10\ncellsize 0.001\n" + "1 2 3 4\n" * 4
         self.fails(self.good_map(), "--dem", self.written("elsewhere.asc", elsewhere), words=["elsewhere.asc"])
 
-    def test_a_heightmap_that_is_none(self):
+    def test_a_heightmap_that_is_text(self):
         self.fails(self.good_map(), "--dem", self.written("words.tif", "no heights here\n"), words=["words.tif"])
 
     def test_an_unknown_key_of_a_heightmap(self):
@@ -130,7 +130,7 @@ class BadInput(ProgramTest):
     # ---- manifests and tiles
 
     def broken_copies(self, path):
-        """Copies that no reader may take for whole: cut, emptied, overwritten."""
+        """Copies that every reader must reject: truncated, emptied, overwritten."""
         whole = path.read_bytes()
         middle = len(whole) // 2
         yield "cut", whole[:middle]
@@ -172,7 +172,7 @@ class BadInput(ProgramTest):
 
     # ---- the command line
 
-    def test_what_is_not_written_yet(self):
+    def test_planned_settings_say_not_yet(self):
         for arguments in (["--emit", "usd"], ["--emit", "kiln,3dtiles"], ["--world", "ellipsoid"], ["--world", "cylinder:8000"]):
             with self.subTest(arguments):
                 self.fails(self.good_map(), *arguments, words=[arguments[0], "yet"])
@@ -195,9 +195,9 @@ class BadInput(ProgramTest):
         self.fails(self.good_map(), "--only", "900_900", words=["900_900"])
 
     def test_strict_is_exit_2_and_keeps_the_outputs(self):
-        lacking = MAP.replace('<nd ref="6"/>', '<nd ref="6"/><nd ref="99"/>')
+        incomplete = MAP.replace('<nd ref="6"/>', '<nd ref="6"/><nd ref="99"/>')
         out = self.folder / "out"
-        done = run("compile", self.written("lacking.osm", lacking), "--lods", "0.5", "--strict", "-o", out)
+        done = run("compile", self.written("incomplete.osm", incomplete), "--lods", "0.5", "--strict", "-o", out)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertTrue((out / "report.json").exists())
 

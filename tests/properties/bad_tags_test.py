@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Bad tags, through the whole program: what cannot be read is diagnosed once with its way, what can be read is, and tiles are made."""
+"""Bad tags, through the whole program: each unreadable value is diagnosed once with its way, readable values are used, and tiles are
+written."""
 import json
 import re
 import unittest
@@ -7,7 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 from citykiln_program import ProgramTest, report_of, run
 
-# tags of a residential street, how many of them nobody can read, and the street's width then
+# Tags of a residential street, how many of their values are unreadable, and the street's width.
 RESIDENTIAL_M = 5.5
 WAYS = [
     ({"width": "wide"}, 1, RESIDENTIAL_M),
@@ -67,18 +68,18 @@ WAYS = [
 FIRST_WAY = 1001
 
 
-def lone(key, value):
+def tag_xml(key, value):
     return f"<tag k={quoteattr(key)} v={quoteattr(value)}/>"
 
 
 def map_of(ways):
-    """Streets of 60 m beside each other, 20 m apart, near 10° east, 48° north."""
+    """Parallel streets of 60 m, 20 m apart, near 10° east, 48° north."""
     nodes, lines = [], []
     for i, (tags, _, _) in enumerate(ways):
         lat = 48 + i * 0.00018
         for side in (0, 1):
             nodes.append(f'<node id="{2 * i + side + 1}" version="1" lat="{lat:.7f}" lon="{10 + side * 0.0008:.7f}"/>')
-        text = "".join(lone(k, v) for k, v in {"highway": "residential", **tags}.items())
+        text = "".join(tag_xml(k, v) for k, v in {"highway": "residential", **tags}.items())
         lines.append(f'<way id="{FIRST_WAY + i}" version="1"><nd ref="{2 * i + 1}"/><nd ref="{2 * i + 2}"/>{text}</way>')
     return '<?xml version="1.0" encoding="UTF-8"?>\n<osm version="0.6">\n' + "\n".join(nodes + lines) + "\n</osm>\n"
 
@@ -93,7 +94,7 @@ class BadTags(ProgramTest):
         return report_of(out)["diagnoses"].get("BadTagValue", {"count": 0, "objects": []})
 
     def test_each_unreadable_value_is_diagnosed_once_with_its_way(self):
-        # the report names twenty ways a code
+        # the report names at most twenty ways for each code
         for begin in range(0, len(WAYS), 20):
             ways = WAYS[begin : begin + 20]
             out = self.compiled(f"out{begin}", self.written(ways), "--lods", "2.5")
@@ -102,7 +103,7 @@ class BadTags(ProgramTest):
             self.assertEqual(sorted(found["objects"]), bad)
             self.assertEqual(found["count"], sum(count for _, count, _ in ways))
 
-    def test_what_can_be_read_is(self):
+    def test_readable_values_are_used(self):
         layer = self.folder / "roads.geojson"
         done = run("inspect", self.written(WAYS), "--layer", "roads", "--geojson", layer)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -111,16 +112,18 @@ class BadTags(ProgramTest):
         for i, (tags, _, width_m) in enumerate(WAYS):
             self.assertAlmostEqual(widths[FIRST_WAY + i], width_m, delta=0.002, msg=str(tags)[:200])
 
-    def test_a_value_longer_than_osm_knows_is_one_clear_line(self):
+    def test_a_value_longer_than_osm_allows_is_one_error_line(self):
         bad = self.written([({"turn:lanes": "x" * 10000}, 1, RESIDENTIAL_M)])
         done = run("compile", bad, "-o", self.folder / "out")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr, f"citykiln: {bad}: OSM tag value is too long\n")
 
-    def test_tiles_are_whole_and_strict_objects(self):
+    def test_tiles_are_complete_and_strict_fails(self):
         bad = self.written(WAYS)
         out = self.compiled("out", bad, "--lods", "0.5")
-        self.assertEqual(len(list(out.glob("glb/*.glb"))), len(report_of(out)["tiles"]))
+        tiles = list(out.glob("glb/*.glb"))
+        self.assertTrue(tiles)
+        self.assertEqual(len(tiles), len(report_of(out)["tiles"]))
         done = run("check", out)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(run("compile", bad, "-o", self.folder / "strict", "--lods", "2.5", "--strict").returncode, 2)

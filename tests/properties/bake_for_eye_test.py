@@ -1,22 +1,12 @@
 #!/usr/bin/env python3
-"""bake --eye: near finely, far coarsely, and what its file says about itself."""
+"""bake --eye makes meshes finer near the viewpoint than far away, and its file states the viewpoint."""
 import json
-import struct
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from citykiln_program import TOWN, ProgramTest, run, sha256  # noqa: E402
+from citykiln_program import TOWN, ProgramTest, run, sha256
+from glb import Glb
 
 EYE = "--eye=60,40,80"
-
-
-def extras_of(path):
-    """What the root node of a .glb says."""
-    data = Path(path).read_bytes()
-    return json.loads(data[20:20 + struct.unpack("<I", data[12:16])[0]])["nodes"][0]["extras"]
 
 
 class BakeForEye(ProgramTest):
@@ -32,22 +22,22 @@ class BakeForEye(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout), out
 
-    def test_more_pixels_take_fewer_triangles(self):
+    def test_a_larger_pixel_error_takes_fewer_triangles(self):
         finest, _ = self.baked("finest.glb", "--tolerance", "0.02")
         counts = [self.baked(f"{pixels}.glb", EYE, "--pixel-error", pixels)[0]["triangles"] for pixels in (1, 4, 16)]
         self.assertLess(counts[0], finest["triangles"])
         self.assertGreater(counts[0], counts[1])
         self.assertGreater(counts[1], counts[2])
 
-    def test_the_file_states_the_eye_and_its_pixel_error(self):
+    def test_the_file_states_the_viewpoint_and_its_pixel_error(self):
         answer, path = self.baked("seen.glb", EYE, "--pixel-error", 2, "--size", "1000x500", "--fov", 90)
-        seen = extras_of(path)["viewpoint"]
+        seen = Glb(path).gltf["nodes"][0]["extras"]["viewpoint"]
         self.assertEqual(seen["eye_m"], [60, 40, 80])
         self.assertAlmostEqual(seen["focal_px"], 250, 2)
         self.assertEqual(seen["pixel_error"], answer["pixel_error"])
         self.assertLessEqual(seen["pixel_error"], 2)
 
-    def test_tiles_baked_apart_are_the_whole(self):
+    def test_tiles_baked_alone_add_up_to_the_whole(self):
         whole, _ = self.baked("whole.glb", EYE)
         tiles = [json.loads(line)["tile"] for line in run("inspect", self.scene).stdout.splitlines() if '"tile"' in line]
         self.assertGreater(len(tiles), 3)
@@ -57,7 +47,7 @@ class BakeForEye(ProgramTest):
     def test_same_bytes_for_any_number_of_threads(self):
         self.assertEqual(*(sha256(self.baked(f"{n}.glb", EYE, "--threads", n)[1]) for n in (1, 3)))
 
-    def test_what_is_no_eye_is_one_clear_line(self):
+    def test_a_wrong_viewpoint_is_one_error_line(self):
         for wrong in (["--eye", "1,2"], [EYE, "--pixel-error", "0"], [EYE, "--fov", "180"], [EYE, "--tile", "99_99"]):
             done = run("bake", self.scene, *wrong, "-o", self.folder / "wrong.glb")
             self.assertEqual(done.returncode, 1)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""No building is lost between the map and the tiles: what goes in comes out, or is merged into its parts, and each of those is diagnosed; roofs that are
-flat because theirs could not be made are fewer than one in 200."""
+"""No building is lost between the map and the tiles: each is planned, or replaced by its parts and diagnosed. Fewer than one roof in
+200 is flat because the mapped roof could not be built."""
 import unittest
 from pathlib import Path
 
@@ -23,8 +23,9 @@ class BuildingsReal(ProgramTest):
         report = report_of(self.compiled("out", self.data(map_name), "--lods", LOD_M))
         read, planned = report["ledger"]["map/footprint"], report["ledger"]["buildings/footprint"]
         replaced, flat = count_of(report, "OutlineReplacedByParts"), count_of(report, "RoofFallback")
+        self.assertGreater(planned["out"], 0)
         print(f"{map_name}: in {planned['in']}, out {planned['out']}, merged into parts {planned['merged']}, dropped before {read['dropped']}, "
-              f"flat for want of their roof {flat} ({100 * flat / max(1, planned['out']):.3f} %)")
+              f"flat because their roof failed {flat} ({100 * flat / max(1, planned['out']):.3f} %)")
         self.assertEqual(read["out"], planned["in"])
         self.assertEqual(planned["in"], planned["out"] + planned["merged"])
         self.assertEqual(planned["merged"], replaced)

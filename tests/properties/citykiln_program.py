@@ -1,6 +1,7 @@
-"""The built program, and what it leaves behind, as tests see them.
+"""Runs the built program and reads its outputs.
 
-CITYKILN names the program (ctest sets it); real data are looked for in ../shared/data, and what needs them is skipped without.
+The environment variable CITYKILN names the program and CITYKILN_DATA the folder of real data; ctest sets both. Tests that need
+real data are skipped without them.
 """
 import hashlib
 import json
@@ -13,11 +14,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 DATA = Path(os.environ.get("CITYKILN_DATA", ROOT.parent / "shared" / "data"))
 PROGRAM = os.environ.get("CITYKILN", str(ROOT / "build" / "release" / "citykiln"))
+if not Path(PROGRAM).exists():
+    raise SystemExit(f"{PROGRAM} does not exist: run ./setup.sh release")
 TOWN = ROOT / "examples" / "town"
 
 
 def run(*arguments, **options):
-    """One call; never raises for the program's own failure."""
+    """Runs the program once. Does not raise if it fails."""
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=ROOT, check=False, **options)
 
 
@@ -26,10 +29,12 @@ def sha256(path):
 
 
 def bytes_of_outputs(folder):
-    """Name to hash of everything that must be the same on every run: the manifest and the tiles."""
+    """Name to hash of the files that must be the same on every run, the manifest and the tiles; at least one."""
     folder = Path(folder)
-    return {str(path.relative_to(folder)): sha256(path)
-            for path in sorted(folder.rglob("*")) if path.suffix in (".kiln", ".glb")}
+    found = {str(path.relative_to(folder)): sha256(path)
+             for path in sorted(folder.rglob("*")) if path.suffix in (".kiln", ".glb")}
+    assert found, f"{folder} holds neither a manifest nor a tile"
+    return found
 
 
 def report_of(folder):
@@ -37,7 +42,7 @@ def report_of(folder):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with a folder of its own."""
+    """A test with a temporary folder."""
 
     def setUp(self):
         self.scratch = tempfile.TemporaryDirectory(prefix="citykiln_")
@@ -52,7 +57,8 @@ class ProgramTest(unittest.TestCase):
         return out
 
     def data(self, name):
+        """A file of real data; skips the test if it is missing."""
         path = DATA / name
         if not path.exists():
-            self.skipTest(f"{path} is not there")
+            self.skipTest(f"{path} is missing")
         return path

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Tiles that know nothing of each other meet: compiled in runs of their own, or over heights that come in pieces, they are the tiles of
-the whole, byte for byte, on every level."""
+"""Tiles compiled in separate runs, or over a heightmap in pieces, have the same bytes as those of one run over one heightmap, on every
+level."""
 import array
 import unittest
 
 from citykiln_program import ProgramTest, bytes_of_outputs, report_of, run
 
 VOID = -32768
-DEGREE = 1200  # samples of SRTM to a degree
-LADDER = ["--lods", "0.1,0.5,2.5,12.5"]
+DEGREE = 1200  # SRTM samples per degree
+LEVELS = ["--lods", "0.1,0.5,2.5,12.5"]
 
 
 def tiles_in(folder):
@@ -16,18 +16,18 @@ def tiles_in(folder):
 
 
 class TilesOfFourRunsReal(ProgramTest):
-    """Andorra's capital on four tiles: roads, a river in its bed, bridges, tunnels, buildings, and the tiles' common corner."""
+    """Andorra's capital on four tiles with a common corner: roads, a river, bridges, tunnels, buildings."""
     TILES = ["-7_-4", "-6_-4", "-7_-3", "-6_-3"]
 
-    def test_they_meet_byte_for_byte_on_each_level(self):
+    def test_have_the_bytes_of_one_run_on_each_level(self):
         map_path, dem = self.data("andorra/andorra-2023.osm.pbf"), self.data("andorra/N42E001.hgt")
-        at_once = self.compiled("at_once", map_path, "--dem", dem, *LADDER, f"--only={','.join(self.TILES)}", "--threads", 2)
+        at_once = self.compiled("at_once", map_path, "--dem", dem, *LEVELS, f"--only={','.join(self.TILES)}", "--threads", 2)
         whole = tiles_in(at_once)
         self.assertEqual(len(whole), 4 * len(self.TILES))
         for threads, tile in zip((1, 7, 3, 2), reversed(self.TILES)):
-            apart = tiles_in(self.compiled(f"apart{tile}", map_path, "--dem", dem, *LADDER, f"--only={tile}", "--threads", threads))
+            apart = tiles_in(self.compiled(f"apart{tile}", map_path, "--dem", dem, *LEVELS, f"--only={tile}", "--threads", threads))
             self.assertEqual(apart, {name: digest for name, digest in whole.items() if name.startswith(f"glb/{tile}_L")})
-        # so that the borders of these four are those of the four runs: `check` compares them edge by edge
+        # `check` compares the borders of these four edge by edge; by the equality above they are those of the four runs
         done = run("check", at_once)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("neighbouring tiles have the same border edges", done.stdout)
@@ -36,14 +36,14 @@ class TilesOfFourRunsReal(ProgramTest):
 class HeightsInPiecesReal(ProgramTest):
     """A heightmap cut along a meridian in the middle of the map."""
     BOX = "1.52,42.515,1.54,42.527"
-    # columns and rows of the degree that the map needs, and more; the cut
+    # SRTM columns and rows around the map, and the column of the cut
     WEST, EAST, NORTH, SOUTH = 540, 720, 500, 660
     CUT = 636
 
     def samples(self):
         heights = array.array("h", self.data("andorra/N42E001.hgt").read_bytes())
         heights.byteswap()
-        # on both sides of the cut: a void, and a spike of two samples
+        # a void and a spike of two samples, each on both sides of the cut
         for column in range(self.CUT - 4, self.CUT + 3):
             for row in range(570, 578):
                 heights[row * (DEGREE + 1) + column] = VOID
@@ -52,7 +52,7 @@ class HeightsInPiecesReal(ProgramTest):
         return heights
 
     def grid(self, folder, first, last, north=NORTH, south=SOUTH):
-        """Columns [first, last) as a grid of text."""
+        """Writes columns [first, last) as an ESRI ASCII grid."""
         heights = self.samples()
         lines = [" ".join(map(str, heights[row * (DEGREE + 1) + first:row * (DEGREE + 1) + last])) for row in range(north, south)]
         head = (f"ncols {last - first}\nnrows {len(lines)}\nxllcorner {1 + (first - 0.5) / DEGREE!r}\n"
@@ -66,20 +66,20 @@ class HeightsInPiecesReal(ProgramTest):
         dems = [word for grid in grids for word in ("--dem", grid)]
         return self.compiled(name, self.data("andorra/andorra-2023.osm.pbf"), *dems, "--bbox", self.BOX, "--lods", "2.5,12.5")
 
-    def test_cut_in_two_they_give_the_bytes_of_the_whole(self):
+    def test_two_pieces_give_the_bytes_of_the_whole(self):
         whole = self.compiled_over("whole", self.grid("in", self.WEST, self.EAST))
         diagnoses = report_of(whole)["diagnoses"]
         self.assertEqual(diagnoses["HeightSpike"]["count"], 2)
         west, east = self.grid("in", self.WEST, self.CUT), self.grid("in", self.CUT, self.EAST)
-        # SRTM's degrees share a column; and the order is the caller's
+        # neighbouring SRTM files share a column; the order of --dem is free
         sharing = self.grid("in", self.CUT - 1, self.EAST)
-        for name, grids in {"apart": [west, east], "turned": [east, west], "sharing": [sharing, west]}.items():
+        for name, grids in {"apart": [west, east], "swapped": [east, west], "sharing": [sharing, west]}.items():
             pieces = self.compiled_over(name, *grids)
             self.assertEqual(diagnoses, report_of(pieces)["diagnoses"], name)
             self.assertEqual(chunks_of(whole), chunks_of(pieces), name)
             self.assertEqual(tiles_in(whole), tiles_in(pieces), name)
 
-    def test_so_do_all_of_andorras_recipes(self):
+    def test_two_pieces_give_all_recipes_of_andorra(self):
         degree = (0, DEGREE + 1)
         whole, west, east = (self.grid("in", *columns, *degree) for columns in (degree, (0, self.CUT), (self.CUT, DEGREE + 1)))
         map_path = self.data("andorra/andorra-2023.osm.pbf")
@@ -90,9 +90,11 @@ class HeightsInPiecesReal(ProgramTest):
 
 
 def chunks_of(folder):
-    """The manifest's body, which follows the header's frame: every tile's recipes, but not the names of sources."""
+    """The manifest's body after the header frame: the recipes of every tile, without the names of the sources."""
     manifest = (folder / "scene.kiln").read_bytes()
-    return manifest[24 + int.from_bytes(manifest[12:16], "little"):]
+    body = manifest[24 + int.from_bytes(manifest[12:16], "little"):]
+    assert body
+    return body
 
 
 if __name__ == "__main__":

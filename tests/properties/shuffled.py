@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes an .osm whose elements stand in another order: shuffled.py IN.osm OUT.osm SEED. What an element holds keeps its order."""
+"""Writes an .osm file with its elements in a random order: shuffled.py IN.osm OUT.osm SEED. Node references keep their order."""
 import random
 import sys
 import xml.etree.ElementTree as ElementTree

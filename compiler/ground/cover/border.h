@@ -1,15 +1,20 @@
-// An edge between two surfaces of the ground.
+// Edges between land cover faces.
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "compiler/geometry/arrangement.h"
 #include "compiler/geometry/box.h"
+#include "compiler/geometry/delaunay.h"
 
 namespace citykiln::ground {
 
-/// A piece of border that is seen, and what lies to its left and right. The cell's own border has nothing on one side,
-/// and is not between two surfaces.
+/// A visible piece of border and the polygons to its left and right. The cell's own border has the same polygon on both
+/// sides: the one inside.
 struct Border {
   GridPoint a, b;  ///< a < b
   std::uint32_t left = 0, right = 0;
@@ -17,21 +22,35 @@ struct Border {
   bool operator==(const Border&) const = default;
 };
 
-/// A piece of the cell's own border along which a ring runs, mostly for some grid steps where snapping has bent it
-/// there: the neighbour may have another surface on it.
+/// Orders borders by place.
+inline bool is_before(const Border& one, const Border& other) {
+  return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+}
+
+/// Returns the ends of borders, sorted, each once.
+std::vector<GridPoint> ends_of(std::span<const Border> borders);
+
+/// The ends of edge i of a triangulation's face, which lies to the left of it.
+inline std::pair<GridPoint, GridPoint> edge_of(const Delaunay& net, std::uint32_t face, int i) {
+  const auto& v = net.faces()[face].vertices;
+  return {net.vertices()[v[(i + 1) % 3]], net.vertices()[v[(i + 2) % 3]]};
+}
+
+/// A piece of the cell's border along which a ring runs, mostly for some grid steps where snapping has bent the ring
+/// onto it. The neighbouring cell may have another polygon there.
 struct CellBorderPiece {
   GridPoint a, b;            ///< a < b
-  std::uint32_t beyond = 0;  ///< What the neighbour has.
+  std::uint32_t beyond = 0;  ///< The neighbour's polygon.
   bool operator==(const CellBorderPiece&) const = default;
 };
 
-/// A tolerance for each side of a cell. Both cells of a side must be given the same one there.
+/// One tolerance per side of a cell. Both cells of a side must use the same.
 struct SideTolerances {
   double west_m, east_m, south_m, north_m;
 };
 inline SideTolerances all_sides(double m) { return {m, m, m, m}; }
 
-/// That of the side on which a piece of the cell's own border lies.
+/// Returns the tolerance of the side on which a piece of the cell's border lies.
 double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell);
 
 }  // namespace citykiln::ground

@@ -6,7 +6,7 @@
 namespace citykiln::ground {
 namespace {
 
-// Bands as high as a few edges of a river's bank are long.
+// As high as a few edges of a river's bank are long.
 constexpr double kBand_m = 32;
 constexpr std::size_t kMaxBands = 4096;
 
@@ -24,8 +24,7 @@ void add_edge(BandedRings& rings, Vec2 a, Vec2 b) {
 
 BandedRings band_rings(const LandCoverPolygon& surface) {
   BandedRings rings;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) rings.box.grow(p);
+  rings.box = box_of(surface);
   if (rings.box.is_empty()) return rings;
   const double count = std::clamp(std::ceil(rings.box.height() / kBand_m), 1.0, static_cast<double>(kMaxBands));
   rings.band_m = std::max(rings.box.height() / count, kBand_m);

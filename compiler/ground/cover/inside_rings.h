@@ -1,4 +1,4 @@
-// Asks many times whether a point lies inside of one surface.
+// Point-in-polygon tests for many points against one polygon.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace citykiln::ground {
 
-/// The borders of a surface in bands from west to east, so that a question asks only those of its own band.
+/// The edges of a polygon sorted into horizontal bands, so that a test looks at one band only.
 struct BandedRings {
   struct Edge {
     Vec2 a, b;
@@ -18,11 +18,11 @@ struct BandedRings {
   std::vector<std::vector<Edge>> bands;  ///< From south to north.
 };
 
-/// Cost: linear in edges and in the bands that they cross; about as many bands as edges.
+/// O(edges + the bands they cross); about as many bands as edges.
 BandedRings band_rings(const LandCoverPolygon& surface);
 
-/// True where the winding numbers of the rings add up to more than zero. A point on a border may count to either side.
-/// O(edges of the point's band).
+/// Returns whether the winding numbers of the rings add up to more than zero at p. A point on an edge may count to
+/// either side. O(edges in the point's band).
 bool is_inside(const BandedRings& rings, Vec2 p);
 
 }  // namespace citykiln::ground

@@ -1,6 +1,7 @@
 #include "compiler/ground/cover/label_faces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::ground {
@@ -8,10 +9,10 @@ namespace {
 
 constexpr std::uint32_t kNoEdge = 0xffffffffu;
 
-// Edges by their lower end, where each vertex has few.
+// Edges by their lower end.
 struct EdgesByEnd {
   std::span<const ArrangedEdge> edges;
-  std::vector<std::uint32_t> starts;  // one a vertex, and the end
+  std::vector<std::uint32_t> starts;  // one per vertex, and the end
 
   explicit EdgesByEnd(const Arrangement& arrangement) : edges(arrangement.edges) {
     starts.assign(arrangement.vertices.size() + 1, 0);
@@ -27,7 +28,7 @@ struct EdgesByEnd {
   }
 };
 
-// How often the walk is inside of each owner, and the ranks of those it is inside of: few.
+// The winding number of each owner at the current face, and the few owners with one above zero.
 struct Inside {
   using Ranked = std::pair<std::uint32_t, std::uint32_t>;  // rank, owner
   std::span<const std::uint32_t> ranks;
@@ -48,12 +49,12 @@ struct Inside {
   std::uint32_t top() const { return covering.empty() ? kNoOwner : covering.front().second; }
 };
 
-// A step of the walk: the face it has come to, the edge it crossed and which way.
+// A step of the walk: the face reached, the edge crossed and in which direction.
 struct Frame {
   std::uint32_t face;
   std::uint32_t edge = kNoEdge;
   std::int32_t sign = 0;
-  int next = 0;  // the neighbour to look at next
+  int next = 0;  // the neighbour to visit next
 };
 
 void cross_edge(Inside& inside, const Arrangement& arrangement, const Frame& frame, std::int32_t sign) {
@@ -63,12 +64,12 @@ void cross_edge(Inside& inside, const Arrangement& arrangement, const Frame& fra
     inside.add(arrangement.steps[i].owner, sign * arrangement.steps[i].winding);
 }
 
-// The frame on the other side of edge i of a face.
+// Returns the step over edge i of a face.
 Frame beyond(const Delaunay& triangulation, const EdgesByEnd& edges, std::uint32_t from, int i) {
   const DelaunayFace& face = triangulation.faces()[from];
   Frame frame{face.neighbours[i]};
   if (!face.is_constrained[i]) return frame;
-  // the face lies to the left of p → q, so that leaving it goes from left to right
+  // the face lies to the left of p → q, so leaving it crosses from left to right
   const std::uint32_t p = face.vertices[(i + 1) % 3], q = face.vertices[(i + 2) % 3];
   frame.edge = edges.between(p, q);
   frame.sign = p < q ? -1 : 1;
@@ -79,6 +80,7 @@ Frame beyond(const Delaunay& triangulation, const EdgesByEnd& edges, std::uint32
 
 std::vector<std::uint32_t> label_faces(const Delaunay& triangulation, const Arrangement& arrangement,
                                        const LabelledFace& known, std::span<const std::uint32_t> ranks) {
+  assert(known.face < triangulation.faces().size());
   std::vector<std::uint32_t> top(triangulation.faces().size(), kNoOwner);
   std::vector<bool> seen(top.size(), false);
   Inside inside(ranks);

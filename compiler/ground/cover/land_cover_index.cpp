@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::ground {
 namespace {
 
-// Half a grid step: buckets' sides lie between the plane's grid lines.
+// Half a grid step: the sides of buckets lie between the plane's grid lines.
 constexpr double kOffGrid_m = 0x1p-11;
 
 struct BucketRange {
@@ -33,20 +34,20 @@ std::size_t bucket_at(const LandCoverIndex& map, int column, int row) {
   return static_cast<std::size_t>(row) * map.columns + column;
 }
 
-// A border of a surface, and a bucket that it comes near to, counted along the range of the surface.
+// An edge and a bucket it comes near, numbered within the bucket range of the polygon.
 struct BucketEdge {
   std::uint32_t bucket;
   LandCoverIndex::Edge edge;
 };
 
-// False only where the edge stays clear of the bucket though its box does not: on one side of all corners.
+// Returns false only where all corners of the bucket lie on one side of the edge.
 bool may_pass(const LandCoverIndex& map, int column, int row, Vec2 a, Vec2 b) {
   const Vec2 along = b - a, centre = corner_of(map, column, row) + Vec2{map.bucket_m / 2, map.bucket_m / 2};
   return std::abs(cross(along, centre - a)) <=
          (map.bucket_m / 2 + kOffGrid_m) * (std::abs(along.x) + std::abs(along.y));
 }
 
-// The borders of one surface, sorted by bucket of the range its box touches.
+// The edges of one polygon, sorted by bucket of the range that its box touches.
 struct Sorted {
   BucketRange range;
   std::vector<BucketEdge> edges;
@@ -71,20 +72,20 @@ Sorted sort_edges(const LandCoverIndex& map, const LandCoverPolygon& surface, co
   return sorted;
 }
 
-// Whether winding_number() counts the edge at p.
+// The side test of winding_number().
 bool is_west_of(Vec2 a, Vec2 b, Vec2 p) { return a.y <= p.y ? cross(b - a, p - a) > 0 : cross(b - a, p - a) < 0; }
 
-// How often the corners of a range of buckets are inside, row by row: each edge counts once a row it crosses, not once
-// a bucket.
+// Winding numbers at the corners of a range of buckets, row by row: each edge is counted once per row it crosses, not
+// once per bucket.
 struct Windings {
   const LandCoverIndex& map;
   BucketRange range;
-  std::vector<int> steps;  // a row has one more than columns
+  std::vector<int> steps;  // differences along a row, which has one more than columns
 
   int across() const { return range.last_column - range.first_column + 1; }
   int* row(int r) { return &steps[static_cast<std::size_t>(r - range.first_row) * (across() + 1)]; }
 
-  // The columns whose corners lie west of where the edge crosses a row come first.
+  // Returns how many columns, from the west, have their corner west of where the edge crosses row r.
   int columns_west(Vec2 a, Vec2 b, int r) const {
     const double y = corner_of(map, 0, r).y, x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
     int count = static_cast<int>(std::clamp(std::ceil((x - map.corner.x) / map.bucket_m) - range.first_column, 0.0,
@@ -107,7 +108,7 @@ struct Windings {
   }
 };
 
-// One a bucket of the range.
+// Returns one winding number per bucket of the range.
 std::vector<int> windings_of(const LandCoverIndex& map, const LandCoverPolygon& surface, const BucketRange& range) {
   Windings windings{map, range, {}};
   windings.steps.assign(static_cast<std::size_t>(windings.across() + 1) * (range.last_row - range.first_row + 1), 0);
@@ -119,7 +120,7 @@ std::vector<int> windings_of(const LandCoverIndex& map, const LandCoverPolygon& 
   return sums;
 }
 
-// Where a surface is in one bucket, while the map is made.
+// An entry of the index before it is sorted into its bucket.
 struct Found {
   std::size_t bucket;
   BucketEntry entry;
@@ -128,9 +129,7 @@ struct Found {
 void find_in_buckets(const LandCoverIndex& map, std::uint32_t number, std::vector<LandCoverIndex::Edge>& all_edges,
                      std::vector<Found>& found) {
   const LandCoverPolygon& surface = map.surfaces[number];
-  Box2 box;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) box.grow(p);
+  const Box2 box = box_of(surface);
   if (box.is_empty() || !box.touches(map.box)) return;
   const Sorted sorted = sort_edges(map, surface, box);
   const std::vector<int> windings = windings_of(map, surface, sorted.range);
@@ -156,8 +155,8 @@ std::span<const LandCoverIndex::Edge> edges_of(const LandCoverIndex& map, const 
   return std::span(map.edges).subspan(entry.first_edge, entry.edge_count);
 }
 
-// From the bucket's corner, whose winding is known, north to the height of p and then east to p, counting the borders
-// on the way.
+// Counts winding steps from the bucket's corner, where the winding number is known, north to the height of p and then
+// east to p.
 bool covers_point(const LandCoverIndex& map, const BucketEntry& entry, Vec2 corner, Vec2 p) {
   int winding = entry.winding;
   for (const auto& [a, b] : edges_of(map, entry)) {
@@ -186,10 +185,10 @@ double squared_distance(const LandCoverIndex& map, int column, int row, Vec2 p) 
   return squared_distance({corner_of(map, column, row), corner_of(map, column + 1, row + 1)}, p);
 }
 
-// The square of the distance to a border, if it is below `nearest`; else that. Squares alone are compared, so it does
-// not matter which border comes first.
+// Returns the squared distance to the entry's edges if it is below `nearest`, else `nearest`. Only squares are
+// compared, so the order of edges does not matter.
 double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec2 p, double nearest) {
-  // most are farther off than another was, alone or all together
+  // most edges are farther than one found before
   if (squared_distance(entry.edges, p) >= nearest) return nearest;
   for (const auto& [a, b] : edges_of(map, entry)) {
     const Box2 box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
@@ -202,7 +201,7 @@ double squared_distance(const LandCoverIndex& map, const BucketEntry& entry, Vec
   return nearest;
 }
 
-// Takes what was found, sorted by bucket, its borders too: then a question reads them in a row.
+// Stores the entries sorted by bucket, and their edges in the same order, so that a query reads memory in a row.
 void take(LandCoverIndex& map, std::span<const Found> found, std::span<const LandCoverIndex::Edge> edges) {
   map.bucket_starts.assign(static_cast<std::size_t>(map.columns) * map.rows + 1, 0);
   map.edges.reserve(edges.size());
@@ -222,7 +221,7 @@ std::span<const BucketEntry> entries_at(const LandCoverIndex& map, int column, i
       .subspan(map.bucket_starts[bucket], map.bucket_starts[bucket + 1] - map.bucket_starts[bucket]);
 }
 
-// Of buckets: whether none that has surfaces comes within kIndexNear_m.
+// Returns per bucket whether no bucket with entries lies within kIndexNear_m.
 std::vector<bool> far_buckets(const LandCoverIndex& map) {
   std::vector<bool> is_far(static_cast<std::size_t>(map.columns) * map.rows, true);
   const int near = static_cast<int>(std::ceil(kIndexNear_m / map.bucket_m));
@@ -239,13 +238,14 @@ std::vector<bool> far_buckets(const LandCoverIndex& map) {
 }  // namespace
 
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box, double bucket_m) {
+  assert(!box.is_empty() && bucket_m > 0);
   LandCoverIndex map{surfaces, box, box.min - Vec2{kOffGrid_m, kOffGrid_m}, bucket_m, 0, 0, {}, {}, {}, {}};
   map.columns = std::max(1, static_cast<int>(std::ceil((box.width() + kOffGrid_m) / bucket_m)));
   map.rows = std::max(1, static_cast<int>(std::ceil((box.height() + kOffGrid_m) / bucket_m)));
   std::vector<std::uint32_t> order(surfaces.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return covers(surfaces[a], surfaces[b]); });
-  // found from the top down, so that a stable sort by bucket leaves each bucket's surfaces in that order
+  // entries are made from the top down, so a stable sort by bucket keeps each bucket's in that order
   std::vector<Found> found;
   std::vector<LandCoverIndex::Edge> edges;
   for (const std::uint32_t i : order) find_in_buckets(map, i, edges, found);
@@ -256,6 +256,7 @@ LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, cons
 }
 
 std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p) {
+  assert(map.box.contains(p));
   const int column = column_of(map, p.x), row = row_of(map, p.y);
   for (const BucketEntry& entry : entries_at(map, column, row))
     if (covers_point(map, entry, corner_of(map, column, row), p)) return entry.surface;
@@ -263,16 +264,17 @@ std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p) {
 }
 
 double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m) {
+  assert(map.box.contains(p) && reach_m >= 0);
   const int own_column = column_of(map, p.x), own_row = row_of(map, p.y);
   if (reach_m <= kIndexNear_m && map.is_far[bucket_at(map, own_column, own_row)]) return reach_m;
   double nearest = squared(reach_m);
   for (const BucketEntry& entry : entries_at(map, own_column, own_row)) {
-    // sorted from the top down: none of this priority can follow
+    // sorted from the top down: all that follow have a lower priority
     if (entry.priority < priority) break;
     if (covers_point(map, entry, corner_of(map, own_column, own_row), p)) return 0;
     nearest = squared_distance(map, entry, p, nearest);
   }
-  // what lies beside the own bucket may be nearer still
+  // edges in other buckets may be nearer still
   const double near_m = std::sqrt(nearest);
   const BucketRange range = buckets_of(map, {{p.x - near_m, p.y - near_m}, {p.x + near_m, p.y + near_m}});
   for (int row = range.first_row; row <= range.last_row; ++row)

@@ -1,4 +1,4 @@
-// Asks what covers the ground at a place.
+// A spatial index of land cover polygons: what covers a place, and how far the next polygon is.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,16 @@ namespace citykiln::ground {
 
 inline constexpr std::uint32_t kNoLandCover = 0xffffffffu;
 
-/// A surface in one bucket: how often the bucket's south-west corner is inside of it, and its borders that come near
-/// the bucket.
+/// A polygon in one bucket: its winding number at the bucket's south-west corner, and its edges near the bucket.
 struct BucketEntry {
   std::uint32_t surface = 0;
   std::int32_t winding = 0;
   std::int32_t priority = 0;  ///< Of its class.
   std::uint32_t first_edge = 0, edge_count = 0;
-  Box2 edges;  ///< About all those, whole.
+  Box2 edges;  ///< The box of these edges, whole.
 };
 
-/// Surfaces sorted into square buckets of a box. Refers to the surfaces it was made from, which must outlive it.
+/// Polygons sorted into square buckets of a box. Refers to the polygons, which must outlive it.
 struct LandCoverIndex {
   struct Edge {
     Vec2 a, b;
@@ -34,29 +33,30 @@ struct LandCoverIndex {
   double bucket_m = 0;
   int columns = 0, rows = 0;
   std::vector<std::uint32_t>
-      bucket_starts;  ///< columns * rows + 1 offsets into entries, each bucket's from the top down.
+      bucket_starts;  ///< columns · rows + 1 offsets into entries, which are sorted from the top down in each bucket.
   std::vector<BucketEntry> entries;
-  std::vector<bool> is_far;  ///< Of buckets from which all surfaces are farther than kIndexNear_m.
+  std::vector<bool> is_far;  ///< Per bucket: all polygons are farther than kIndexNear_m.
   std::vector<Edge> edges;   ///< In the order of entries.
 };
 
-/// Smaller buckets repeat large surfaces too often; larger ones ask too many borders a question.
+/// Smaller buckets repeat large polygons too often; larger ones hold too many edges.
 inline constexpr double kIndexBucket_m = 32;
 
-/// Within so much of most places there is nothing of what is rare: water.
+/// Rare cover (water) is farther than this from most places, which clearance_m() then sees in O(1).
 inline constexpr double kIndexNear_m = 16;
 
-/// @param bucket_m  Smaller ones for narrow surfaces that are asked about often.
-/// Cost: linear in vertices, plus buckets times vertices for the surfaces that reach over many buckets.
+/// Builds the index.
+/// @param bucket_m  Choose smaller ones for narrow polygons that are asked about often.
+/// O(vertices), plus buckets times vertices for polygons that span many buckets.
 LandCoverIndex index_land_cover(std::span<const LandCoverPolygon> surfaces, const Box2& box,
                                 double bucket_m = kIndexBucket_m);
 
-/// The index of the surface on top at p, or kNoLandCover. p must lie in the map's box. O(edges in p's bucket).
+/// Returns the index of the polygon on top at p, or kNoLandCover. p must lie in the box. O(edges in p's bucket).
 std::uint32_t land_cover_at(const LandCoverIndex& map, Vec2 p);
 
-/// The distance from p to the nearest border of a surface whose class has at least this priority; at most `reach_m`, 0
-/// where such a surface covers p. p must lie in the map's box; borders outside the box do not count. O(edges in the
-/// buckets within reach); O(1) where kIndexNear_m is enough and nothing is so near.
+/// Returns the distance from p to the nearest border of a polygon whose class has at least this priority: at most
+/// `reach_m`; 0 where such a polygon covers p. p must lie in the box; borders outside it do not count. O(edges in the
+/// buckets within reach); O(1) where nothing lies within kIndexNear_m and reach_m is no larger.
 double clearance_m(const LandCoverIndex& map, Vec2 p, int priority, double reach_m);
 
 }  // namespace citykiln::ground

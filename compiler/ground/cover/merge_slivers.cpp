@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <queue>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/delaunay.h"
 #include "compiler/geometry/point_buckets.h"
@@ -16,20 +18,15 @@ namespace {
 
 double area_m2(std::int64_t twice_steps) { return static_cast<double>(twice_steps) / 2 * kQuantum_m * kQuantum_m; }
 
-// Regions while some of them yield.
-struct Yielding {
+// Regions while some are merged into others.
+struct MergingRegions {
   const Delaunay& net;
   std::span<const std::uint32_t> of_face;
   std::vector<Region> regions;
 };
 
-bool is_before(const Border& one, const Border& other) { return std::tie(one.a, one.b) < std::tie(other.a, other.b); }
-
 Delaunay triangulated(std::span<const Border> borders) {
-  std::vector<GridPoint> vertices;
-  for (const Border& border : borders) vertices.insert(vertices.end(), {border.a, border.b});
-  std::ranges::sort(vertices);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<GridPoint> vertices = ends_of(borders);
   const auto number = [&](GridPoint p) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(vertices, p) - vertices.begin());
   };
@@ -38,21 +35,15 @@ Delaunay triangulated(std::span<const Border> borders) {
   return Delaunay(vertices, edges);
 }
 
-std::array<GridPoint, 3> corners_of(const Delaunay& net, std::uint32_t face) {
-  const auto& v = net.faces()[face].vertices;
-  return {net.vertices()[v[0]], net.vertices()[v[1]], net.vertices()[v[2]]};
-}
-
-// What lies on a face's side of its edge i, as the border says.
+// Returns the polygon on the face's side of its edge i.
 std::uint32_t surface_by(std::span<const Border> borders, const Delaunay& net, std::uint32_t face, int i) {
-  const auto c = corners_of(net, face);
-  const GridPoint from = c[(i + 1) % 3], to = c[(i + 2) % 3];
+  const auto [from, to] = edge_of(net, face, i);
   const Border key{std::min(from, to), std::max(from, to)};
   const auto border = std::lower_bound(borders.begin(), borders.end(), key, is_before);
   return from < to ? border->left : border->right;
 }
 
-// Fills a region from one of its faces.
+// Flood-fills a region from one of its faces.
 Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t start) {
   const auto number = static_cast<std::uint32_t>(all.regions.size());
   Region region;
@@ -62,8 +53,8 @@ Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t 
   while (!open.empty()) {
     const std::uint32_t f = open.back();
     open.pop_back();
-    const auto c = corners_of(all.net, f);
-    region.twice_area += turn(c[0], c[1], c[2]);
+    const auto [a, b] = edge_of(all.net, f, 0);
+    region.twice_area += turn(a, b, edge_of(all.net, f, 1).second);
     region.faces.push_back(f);
     const DelaunayFace& face = all.net.faces()[f];
     for (int i = 0; i < 3; ++i) {
@@ -79,39 +70,38 @@ Region region_from(Regions& all, std::span<const Border> borders, std::uint32_t 
   return region;
 }
 
-std::uint32_t merged_region_of(const Yielding& all, std::uint32_t region) {
+std::uint32_t merged_region_of(const MergingRegions& all, std::uint32_t region) {
   while (all.regions[region].merged_into != region) region = all.regions[region].merged_into;
   return region;
 }
 
-// Is edge i of a face a border of the region that the face is in now?
-bool is_border(const Yielding& all, const DelaunayFace& face, std::uint32_t region, int i) {
+// Returns whether edge i of a face bounds the region the face belongs to now.
+bool is_border(const MergingRegions& all, const DelaunayFace& face, std::uint32_t region, int i) {
   if (!face.is_constrained[i]) return false;
   return face.neighbours[i] == kNoFace || merged_region_of(all, all.of_face[face.neighbours[i]]) != region;
 }
 
 // A piece of a region's border, listed under each of its ends.
-struct Rim {
+struct BorderEnd {
   std::uint32_t vertex, other;
-  auto operator<=>(const Rim&) const = default;
+  auto operator<=>(const BorderEnd&) const = default;
 };
 
-// Sorted.
-std::vector<Rim> rim_of(const Yielding& all, std::uint32_t region) {
-  std::vector<Rim> rim;
+std::vector<BorderEnd> border_of(const MergingRegions& all, std::uint32_t region) {
+  std::vector<BorderEnd> border;
   for (const std::uint32_t f : all.regions[region].faces)
     for (int i = 0; i < 3; ++i) {
       const DelaunayFace& face = all.net.faces()[f];
       if (!is_border(all, face, region, i)) continue;
       const std::uint32_t u = face.vertices[(i + 1) % 3], v = face.vertices[(i + 2) % 3];
-      rim.push_back({u, v});
-      rim.push_back({v, u});
+      border.push_back({u, v});
+      border.push_back({v, u});
     }
-  std::ranges::sort(rim);
-  return rim;
+  std::ranges::sort(border);
+  return border;
 }
 
-// A straight piece of border in plane metres; a point if its ends are the same.
+// A straight piece of border in plane metres; its ends may be equal.
 struct Piece {
   Vec2 a, b;
 };
@@ -123,10 +113,11 @@ double distance_m(const Piece& piece, Vec2 p) {
   return distance(p, piece.a + along * share);
 }
 
-// No point of a triangle is farther from the nearest of some pieces. The distance to one piece is convex, so it is
-// largest at a corner; where that is too far, halves of the triangle may be near to different pieces.
-double reach_of_triangle(std::span<const Piece> pieces, const std::array<Vec2, 3>& corners, double enough_m,
-                         int halvings) {
+// Returns a bound for the largest distance of a triangle's points to the nearest of some pieces. The distance to one
+// piece is convex, so it is largest at a corner. Where that is too far, the triangle is halved: its halves may be near
+// different pieces.
+double distance_bound_m(std::span<const Piece> pieces, const std::array<Vec2, 3>& corners, double enough_m,
+                        int halvings) {
   double reach_m = std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces) {
     const double farthest_m =
@@ -138,13 +129,13 @@ double reach_of_triangle(std::span<const Piece> pieces, const std::array<Vec2, 3
   for (int i = 0; i < 3; ++i) opposite_m[i] = distance(corners[(i + 1) % 3], corners[(i + 2) % 3]);
   const auto i = std::ranges::max_element(opposite_m) - opposite_m.begin();
   const Vec2 tip = corners[i], u = corners[(i + 1) % 3], v = corners[(i + 2) % 3], middle = (u + v) * 0.5;
-  const double one_m = reach_of_triangle(pieces, {tip, u, middle}, enough_m, halvings - 1);
+  const double one_m = distance_bound_m(pieces, {tip, u, middle}, enough_m, halvings - 1);
   if (one_m > enough_m) return one_m;
-  return std::max(one_m, reach_of_triangle(pieces, {tip, middle, v}, enough_m, halvings - 1));
+  return std::max(one_m, distance_bound_m(pieces, {tip, middle, v}, enough_m, halvings - 1));
 }
 
-// A face and up to `count` in all of those about it, in one region.
-std::vector<std::uint32_t> faces_about(const Yielding& all, std::uint32_t region, std::uint32_t face,
+// Returns a face and up to `count` faces about it, breadth first, within one region.
+std::vector<std::uint32_t> faces_about(const MergingRegions& all, std::uint32_t region, std::uint32_t face,
                                        std::size_t count) {
   std::vector<std::uint32_t> about = {face};
   for (std::size_t next = 0; next < about.size() && about.size() < count; ++next) {
@@ -158,44 +149,46 @@ std::vector<std::uint32_t> faces_about(const Yielding& all, std::uint32_t region
   return about;
 }
 
-// The border's pieces at the corners of some faces: in a strip, of both of its sides.
-std::vector<Piece> pieces_at(const Yielding& all, std::span<const Rim> rim, std::span<const std::uint32_t> faces) {
+// Returns the border's pieces at the corners of some faces: in a strip, those of both sides.
+std::vector<Piece> pieces_at(const MergingRegions& all, std::span<const BorderEnd> border,
+                             std::span<const std::uint32_t> faces) {
   std::vector<Piece> pieces;
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
   for (const std::uint32_t f : faces)
     for (const std::uint32_t v : all.net.faces()[f].vertices) {
-      const auto first = std::ranges::lower_bound(rim, Rim{v, 0});
-      for (auto at = first; at != rim.end() && at->vertex == v; ++at) pieces.push_back({place(v), place(at->other)});
+      const auto first = std::ranges::lower_bound(border, BorderEnd{v, 0});
+      for (auto at = first; at != border.end() && at->vertex == v; ++at) pieces.push_back({place(v), place(at->other)});
     }
   return pieces;
 }
 
-// How hard a proof is sought that a triangle is thin: so often is it halved, so many faces about it are looked at.
+// Limits of the proof that a triangle is thin: how often it is halved, and how many faces about it are searched.
 constexpr int kHalvings = 12;
 constexpr std::size_t kFacesAbout = 24;
 
-double reach_of_face(const Yielding& all, std::span<const Rim> rim, std::uint32_t region, std::uint32_t face,
-                     double enough_m) {
+double face_bound_m(const MergingRegions& all, std::span<const BorderEnd> border, std::uint32_t region,
+                    std::uint32_t face, double enough_m) {
   const auto corner = [&](int i) { return plane_point(all.net.vertices()[all.net.faces()[face].vertices[i]]); };
   const std::array<Vec2, 3> corners = {corner(0), corner(1), corner(2)};
-  // nearly always what is at its corners will do
-  const double reach_m = reach_of_triangle(pieces_at(all, rim, std::array{face}), corners, enough_m, 0);
+  // nearly always the pieces at its own corners suffice
+  const double reach_m = distance_bound_m(pieces_at(all, border, std::array{face}), corners, enough_m, 0);
   if (reach_m <= enough_m) return reach_m;
-  return reach_of_triangle(pieces_at(all, rim, faces_about(all, region, face, kFacesAbout)), corners, enough_m,
-                           kHalvings);
+  return distance_bound_m(pieces_at(all, border, faces_about(all, region, face, kFacesAbout)), corners, enough_m,
+                          kHalvings);
 }
 
-// A bound: no point of a region is farther from its border. Beyond `enough_m` it is not sought closely.
-double reach_m_of(const Yielding& all, std::uint32_t region, double enough_m) {
-  const std::vector<Rim> rim = rim_of(all, region);
+// Returns a bound for the largest distance of a region's points to its border; any value above `enough_m` where it is
+// no sliver.
+double region_bound_m(const MergingRegions& all, std::uint32_t region, double enough_m) {
+  const std::vector<BorderEnd> border = border_of(all, region);
   double perimeter_m = 0;
   const auto place = [&](std::uint32_t v) { return plane_point(all.net.vertices()[v]); };
-  for (const Rim& piece : rim) perimeter_m += distance(place(piece.vertex), place(piece.other)) / 2;
-  // a band along the border covers no more than its width times its length
+  for (const BorderEnd& piece : border) perimeter_m += distance(place(piece.vertex), place(piece.other)) / 2;
+  // a band along the border covers at most its width times its length
   if (area_m2(all.regions[region].twice_area) > perimeter_m * enough_m) return std::numeric_limits<double>::infinity();
   double reach_m = 0;
   for (const std::uint32_t f : all.regions[region].faces) {
-    reach_m = std::max(reach_m, reach_of_face(all, rim, region, f, enough_m));
+    reach_m = std::max(reach_m, face_bound_m(all, border, region, f, enough_m));
     if (reach_m > enough_m) break;
   }
   return reach_m;
@@ -207,16 +200,16 @@ struct Shared {
   double length_m;
 };
 
-// The neighbour with whom a region shares the longest border; itself if there is none.
-std::uint32_t closest_neighbour(const Yielding& all, std::uint32_t region) {
+// Returns the neighbour with the longest common border; the region itself if there is none.
+std::uint32_t closest_neighbour(const MergingRegions& all, std::uint32_t region) {
   std::vector<Shared> shared;
   for (const std::uint32_t f : all.regions[region].faces)
     for (int i = 0; i < 3; ++i) {
       const DelaunayFace& face = all.net.faces()[f];
       if (!is_border(all, face, region, i)) continue;
-      const auto c = corners_of(all.net, f);
-      shared.push_back({merged_region_of(all, all.of_face[face.neighbours[i]]),
-                        distance(plane_point(c[(i + 1) % 3]), plane_point(c[(i + 2) % 3]))});
+      const auto [a, b] = edge_of(all.net, f, i);
+      shared.push_back(
+          {merged_region_of(all, all.of_face[face.neighbours[i]]), distance(plane_point(a), plane_point(b))});
     }
   std::ranges::stable_sort(shared, {}, &Shared::region);
   Shared longest{region, 0};
@@ -228,7 +221,7 @@ std::uint32_t closest_neighbour(const Yielding& all, std::uint32_t region) {
   return longest.region;
 }
 
-void merge_into(Yielding& all, std::uint32_t region, std::uint32_t neighbour) {
+void merge_into(MergingRegions& all, std::uint32_t region, std::uint32_t neighbour) {
   Region& from = all.regions[region];
   Region& to = all.regions[neighbour];
   from.merged_into = neighbour;
@@ -238,23 +231,22 @@ void merge_into(Yielding& all, std::uint32_t region, std::uint32_t neighbour) {
   from.faces.clear();
 }
 
-// One whose turn to yield comes by its area. Regions are numbered as the triangulation of sorted vertices is, so equals
-// are told apart alike whatever the order of the borders.
-struct Turn {
+// The queue's order: by area, then by number. Numbers follow the triangulation of sorted vertices, so they do not
+// depend on the order of the input.
+struct QueueEntry {
   std::int64_t twice_area;
   std::uint32_t region;
-  bool operator<(const Turn& o) const { return std::tie(twice_area, region) > std::tie(o.twice_area, o.region); }
+  bool operator<(const QueueEntry& o) const { return std::tie(twice_area, region) > std::tie(o.twice_area, o.region); }
 };
 
-// The borders that still lie between two surfaces.
-std::vector<Border> borders_left(const Yielding& all) {
+// Returns the borders that still lie between two polygons.
+std::vector<Border> borders_left(const MergingRegions& all) {
   std::vector<Border> left;
   const auto& faces = all.net.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (int i = 0; i < 3; ++i) {
       if (!faces[f].is_constrained[i]) continue;
-      const auto c = corners_of(all.net, f);
-      const GridPoint a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+      const auto [a, b] = edge_of(all.net, f, i);
       const std::uint32_t beyond = faces[f].neighbours[i];
       const std::uint32_t here = all.regions[merged_region_of(all, all.of_face[f])].surface;
       if (beyond == kNoFace) left.push_back({std::min(a, b), std::max(a, b), here, here, true});
@@ -285,30 +277,31 @@ MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,
 
 MergedSlivers merge_slivers(const Regions& between, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge) {
-  Yielding all{between.net, between.of_face, between.regions};
-  std::priority_queue<Turn> turns;
+  assert(thickness_m >= 0);
+  MergingRegions all{between.net, between.of_face, between.regions};
+  std::priority_queue<QueueEntry> turns;
   for (std::uint32_t r = 0; r < all.regions.size(); ++r) turns.push({all.regions[r].twice_area, r});
-  MergedSlivers yielded;
+  MergedSlivers merged;
   while (!turns.empty()) {
-    const Turn turn = turns.top();
+    const QueueEntry turn = turns.top();
     turns.pop();
     const Region& region = all.regions[turn.region];
     const bool is_stale = region.merged_into != turn.region || region.twice_area != turn.twice_area;
     if (is_stale || region.touches_cell_border || !may_merge(region.surface)) continue;
-    const double reach_m = reach_m_of(all, turn.region, thickness_m);
+    const double reach_m = region_bound_m(all, turn.region, thickness_m);
     if (reach_m > thickness_m) continue;
     const std::uint32_t neighbour = closest_neighbour(all, turn.region);
     if (neighbour == turn.region) continue;
-    ++yielded.faces;
-    yielded.error_m = std::max(yielded.error_m, reach_m);
+    ++merged.faces;
+    merged.error_m = std::max(merged.error_m, reach_m);
     merge_into(all, turn.region, neighbour);
     turns.push({all.regions[neighbour].twice_area, neighbour});
   }
-  yielded.borders = borders_left(all);
+  merged.borders = borders_left(all);
   for (std::uint32_t r = 0; r < all.regions.size(); ++r)
     if (all.regions[r].merged_into != r && all.regions[merged_region_of(all, r)].surface != all.regions[r].surface)
-      yielded.area_m2 += all.regions[r].own_m2;
-  return yielded;
+      merged.area_m2 += all.regions[r].own_m2;
+  return merged;
 }
 
 }  // namespace citykiln::ground

@@ -1,5 +1,5 @@
-// Faces too thin to be seen at a tolerance are given to a neighbour: kerbs, gaps between areas drawn twice, paths from
-// afar. What simplify_borders() keeps by promise goes here on purpose.
+// Merges faces that are too thin to see at a tolerance into a neighbour: kerbs, gaps between areas drawn twice, distant
+// paths. simplify_borders() never drops a face; this does.
 #pragma once
 
 #include <functional>
@@ -11,46 +11,46 @@
 
 namespace citykiln::ground {
 
-/// A connected piece between borders: its triangles are those of one region.
+/// A connected set of triangles between borders.
 struct Region {
   std::uint32_t surface = 0;
-  std::uint32_t merged_into = 0;     ///< Itself while it stays.
-  std::int64_t twice_area = 0;       ///< Grid steps.
-  double own_m2 = 0;                 ///< Without what it has taken.
-  std::vector<std::uint32_t> faces;  ///< Its own, and those it has taken.
+  std::uint32_t merged_into = 0;     ///< The region it was merged into; itself while it stays.
+  std::int64_t twice_area = 0;       ///< In grid steps.
+  double own_m2 = 0;                 ///< Without merged regions.
+  std::vector<std::uint32_t> faces;  ///< Its own and those merged into it.
   bool touches_cell_border = false;
 };
 
-/// The faces between borders, triangulated: the same for all tolerances.
+/// The triangulated faces between borders, the same for all tolerances.
 struct Regions {
   Delaunay net;
-  std::vector<std::uint32_t> of_face;  ///< One a face of the net.
+  std::vector<std::uint32_t> of_face;  ///< The region of each face of the net.
   std::vector<Region> regions;
 };
 
+/// Triangulates borders and finds their regions. The result depends on the set of borders, not on their order. O(n log
+/// n).
 /// @param borders  Meet only at their ends; the cell's own are among them.
-/// A function of the set of borders. O(n log n).
 Regions regions_between(std::span<const Border> borders);
 
 struct MergedSlivers {
-  std::vector<Border> borders;  ///< Sorted; a part of the old ones, some of new owners.
-  std::uint32_t faces = 0;      ///< That have yielded.
-  double area_m2 = 0;           ///< That has another surface now.
-  double error_m = 0;           ///< No place that yielded was farther from the border of the face it yielded with.
+  std::vector<Border> borders;  ///< Sorted; some of the given ones, some with new polygons beside them.
+  std::uint32_t faces = 0;      ///< How many were merged.
+  double area_m2 = 0;           ///< The area that belongs to another polygon now.
+  double error_m = 0;           ///< Largest distance of a merged place from the border of the face it was merged with.
 };
 
-/// Gives each thin face to the neighbour with whom it shares the longest border, the smallest face first. One that has
-/// taken others has its turn again, as one face with them: so rows of thin faces yield while they are thin together.
+/// Merges each thin face into the neighbour with which it shares the longest border, the smallest face first. A face
+/// that others were merged into is judged again, together with them, so rows of thin faces merge while they are thin
+/// together.
 ///
-/// @param thickness_m  >= 0. A face is thin if every point of it is proved to lie within this of its border: strips up
-/// to about this width are, strips of more than twice the width never: half a tolerance spares all that is wider than
-/// it.
-/// @param may_merge    Says of a surface that its faces may go.
-/// Guarantees: error_m <= thickness_m; faces on the cell's border stay, so cells meet as before; no vertex is new. A
-/// function of the set of borders. Total.
-/// Method: a constrained Delaunay triangulation of the borders; a triangle is thin if its corners are close to one
-/// piece of border that starts at them, or its halves are. Cost: O(n log n), times the neighbours that yield to one
-/// face.
+/// @param thickness_m  >= 0. A face is thin if every point of it is proved to lie within this of its border: true for
+///                     strips up to about this width, false for strips of more than twice the width.
+/// @param may_merge    Tells of a polygon whether its faces may be merged.
+/// Guarantees: error_m <= thickness_m; faces on the cell's border stay, so cells still meet; no vertex is new. Depends
+/// on the set of borders alone. Total. O(n log n), times the neighbours merged into one face.
+/// Method: in a constrained Delaunay triangulation of the borders a triangle is thin if its corners are close to one
+/// piece of border that starts at them, or if both of its halves are thin.
 MergedSlivers merge_slivers(const Regions& between, double thickness_m,
                             const std::function<bool(std::uint32_t)>& may_merge);
 MergedSlivers merge_slivers(std::span<const Border> borders, double thickness_m,

@@ -1,9 +1,10 @@
 #include "compiler/ground/cover/partition.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <optional>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/ground/cover/label_faces.h"
 #include "compiler/ground/cover/land_cover_index.h"
@@ -23,8 +24,7 @@ std::vector<OwnedSegment> segments_of(const NearbyCover& layers) {
 std::vector<WindingStep> windings_at(const NearbyCover& layers, Vec2 p) {
   std::vector<WindingStep> windings;
   for (std::uint32_t owner = 0; owner < layers.order.size(); ++owner) {
-    int winding = 0;
-    for (const Ring& ring : layers.surfaces[layers.order[owner]].rings) winding += winding_number(ring, p);
+    const int winding = winding_number(layers.surfaces[layers.order[owner]], p);
     if (winding != 0) windings.push_back({owner, winding});
   }
   return windings;
@@ -36,7 +36,8 @@ Delaunay triangulated(const Arrangement& arrangement) {
   return Delaunay(arrangement.vertices, edges);
 }
 
-// The face whose circle is widest, so that no rounding has moved a border across its centre. Owners as in the layers.
+// Returns the face with the largest inscribed circle: rounding has moved no border across its centre, so the original
+// rings give its winding numbers.
 LabelledFace known_face(const Delaunay& triangulation, const NearbyCover& layers) {
   const WidestFace widest = widest_face(triangulation);
   return {widest.face, windings_at(layers, {widest.x * kQuantum_m, widest.y * kQuantum_m})};
@@ -49,12 +50,11 @@ std::vector<std::uint32_t> ranks_of(std::size_t owners) {
   return ranks;
 }
 
-// What is seen, sorted: the owners of a partition's borders are their places in this list.
+// Returns the polygons beside the borders, sorted: their places in this list are the owners of the partition's edges.
 std::vector<std::uint32_t> surfaces_beside(std::span<const Border> borders) {
   std::vector<std::uint32_t> surfaces;
   for (const Border& border : borders) surfaces.insert(surfaces.end(), {border.left, border.right});
-  std::ranges::sort(surfaces);
-  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  sort_unique(surfaces);
   return surfaces;
 }
 
@@ -62,25 +62,25 @@ std::uint32_t place_in(const std::vector<std::uint32_t>& sorted, std::uint32_t v
   return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
-// The face at the cell's south-western corner that has its southern side: what covers it tells the border piece there.
-std::uint32_t corner_face(const Delaunay& triangulation, GridPoint corner) {
-  const auto& vertices = triangulation.vertices();
-  const auto& faces = triangulation.faces();
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
+// Returns the face with an outer edge (from, to) for which is_it is true; kNoFace without.
+template <typename IsIt>
+std::uint32_t outer_face(const Delaunay& net, IsIt is_it) {
+  for (std::uint32_t f = 0; f < net.faces().size(); ++f)
     for (int i = 0; i < 3; ++i) {
-      const GridPoint a = vertices[faces[f].vertices[(i + 1) % 3]], b = vertices[faces[f].vertices[(i + 2) % 3]];
-      if (faces[f].neighbours[i] == kNoFace && a == corner && b.y == corner.y) return f;
+      if (net.faces()[f].neighbours[i] != kNoFace) continue;
+      if (const auto [from, to] = edge_of(net, f, i); is_it(from, to)) return f;
     }
-  return 0;
+  return kNoFace;
 }
 
+// Returns the polygon at the southern side of the cell's south-west corner, from the border piece there.
 std::uint32_t corner_surface(std::span<const Border> borders, GridPoint corner) {
   const auto at_corner = [&](const Border& b) { return b.is_cell_border && b.a == corner && b.b.y == corner.y; };
   const auto found = std::ranges::find_if(borders, at_corner);
   return found == borders.end() ? kNoLandCover : found->left;
 }
 
-// Rounding may carry what meets the border so many grid steps along it.
+// Rounding may move where a ring meets the border by this many grid steps.
 constexpr std::int64_t kNearSteps = 4;
 
 bool is_near(std::span<const GridPoint> joints, GridPoint p) {
@@ -94,7 +94,7 @@ bool is_on_border(GridPoint p, const Box2& cell) {
   return p.x == min.x || p.x == max.x || p.y == min.y || p.y == max.y;
 }
 
-// Boxes that touch the border, or come within some grid steps of it.
+// Returns whether the segment's box touches the border or comes within kNearSteps of it.
 bool comes_near_border(GridPoint a, GridPoint b, const Box2& cell) {
   const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
   const auto [low_x, high_x] = std::minmax(a.x, b.x);
@@ -103,19 +103,12 @@ bool comes_near_border(GridPoint a, GridPoint b, const Box2& cell) {
          high_y > max.y - kNearSteps;
 }
 
-std::vector<GridPoint> ends_of(std::span<const Border> borders) {
-  std::vector<GridPoint> ends;
-  for (const Border& border : borders) ends.insert(ends.end(), {border.a, border.b});
-  std::ranges::sort(ends);
-  return ends;
-}
-
 bool is_on_rim(GridPoint a, GridPoint b, const Box2& cell) {
   const GridPoint min = grid_point(cell.min), max = grid_point(cell.max);
   return (a.x == b.x && (a.x == min.x || a.x == max.x)) || (a.y == b.y && (a.y == min.y || a.y == max.y));
 }
 
-// A strip beyond the cell's border, a metre wide, and farther than an edge there at both ends.
+// Returns a strip beyond the cell's border, a metre wide, that reaches past both ends of an edge there.
 Box2 beyond(GridPoint a, GridPoint b, const Box2& cell) {
   const Vec2 low = plane_point(a), high = plane_point(b);
   const Vec2 min{std::floor(low.x) - 1, std::floor(low.y) - 1}, max{std::ceil(high.x) + 1, std::ceil(high.y) + 1};
@@ -124,26 +117,13 @@ Box2 beyond(GridPoint a, GridPoint b, const Box2& cell) {
   return low.y == cell.min.y ? Box2{{min.x, low.y - 1}, {max.x, low.y}} : Box2{{min.x, low.y}, {max.x, low.y + 1}};
 }
 
-// What the face has that has an edge of the partition's rim.
-std::optional<std::uint32_t> surface_on_rim(const Partition& partition, GridPoint a, GridPoint b) {
-  const auto& vertices = partition.triangulation.vertices();
-  const auto& faces = partition.triangulation.faces();
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const GridPoint from = vertices[faces[f].vertices[(i + 1) % 3]], to = vertices[faces[f].vertices[(i + 2) % 3]];
-      if (faces[f].neighbours[i] == kNoFace && std::minmax(from, to) == std::minmax(a, b))
-        return partition.face_cover[f];
-    }
-  return std::nullopt;
-}
-
-// Pieces of the cell's border as one wherever nothing stays between them.
+// Joins pieces of the cell's border except where a vertex must stay between them.
 template <typename Stays>
-std::vector<Border> joined_rim(std::vector<Border> rim, Stays stays) {
+std::vector<Border> joined_cell_border(std::vector<Border> cell_border, Stays stays) {
   const auto line = [](const Border& b) { return b.a.x == b.b.x ? std::pair(0, b.a.x) : std::pair(1, b.a.y); };
-  std::ranges::sort(rim, {}, [&](const Border& b) { return std::pair(line(b), b.a); });
+  std::ranges::sort(cell_border, {}, [&](const Border& b) { return std::pair(line(b), b.a); });
   std::vector<Border> joined;
-  for (const Border& piece : rim) {
+  for (const Border& piece : cell_border) {
     const bool goes_on = !joined.empty() && line(joined.back()) == line(piece) && joined.back().b == piece.a &&
                          joined.back().left == piece.left && !stays(piece.a);
     if (goes_on)
@@ -158,7 +138,7 @@ std::vector<Border> joined_rim(std::vector<Border> rim, Stays stays) {
 
 NearbyCover land_cover_near(std::span<const LandCoverPolygon> surfaces, const Box2& cell) {
   NearbyCover layers{surfaces, {}};
-  // what ends a grid step outside may still round onto the border
+  // a ring that ends a grid step outside may still be rounded onto the border
   const Box2 reach = cell.widened(kQuantum_m);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     const auto& rings = surfaces[i].rings;
@@ -172,7 +152,7 @@ NearbyCover land_cover_near(std::span<const LandCoverPolygon> surfaces, const Bo
 Partition partition_all_rings(const NearbyCover& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
                               std::span<const GridPoint> points, const Box2& cell) {
   std::vector<OwnedSegment> segments = segments_of(layers);
-  // lines have an owner of their own, under all others, so that none of them is lost
+  // lines share an owner below all others, so that none of them is dropped
   const auto line_owner = static_cast<std::uint32_t>(layers.order.size());
   for (const auto& [a, b] : lines) segments.push_back({a, b, line_owner, 1});
   Arrangement arrangement = arrange(segments, points, cell);
@@ -184,6 +164,7 @@ Partition partition_all_rings(const NearbyCover& layers, std::span<const std::pa
 }
 
 std::vector<GridPoint> ring_joints(const NearbyCover& layers, const Arrangement& all, const Box2& cell) {
+  assert(!cell.is_empty());
   std::vector<OwnedSegment> segments = segments_of(layers);
   std::erase_if(segments, [&](const OwnedSegment& s) { return !comes_near_border(s.a, s.b, cell); });
   std::vector<GridPoint> joints = arrange(segments, {}, cell).vertices;
@@ -193,8 +174,7 @@ std::vector<GridPoint> ring_joints(const NearbyCover& layers, const Arrangement&
   for (const GridPoint p : all.vertices)
     if (is_on_border(p, cell) && is_passed(p)) joints.push_back(p);
   std::erase_if(joints, [&](GridPoint p) { return !is_on_border(p, cell); });
-  std::ranges::sort(joints);
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  sort_unique(joints);
   return joints;
 }
 
@@ -209,8 +189,10 @@ std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
     // lines have the last owner
     const auto is_of_ring = [&](const WindingStep& step) { return step.owner < layers.order.size(); };
     if (!is_on_rim(a, b, cell) || std::ranges::none_of(steps, is_of_ring)) continue;
-    if (const auto there = surface_on_rim(partition_all_rings(layers, lines, points, beyond(a, b, cell)), a, b))
-      pieces.push_back({a, b, *there});
+    const Partition strip = partition_all_rings(layers, lines, points, beyond(a, b, cell));
+    const std::uint32_t face = outer_face(
+        strip.triangulation, [&](GridPoint p, GridPoint q) { return std::minmax(p, q) == std::minmax(a, b); });
+    if (face != kNoFace) pieces.push_back({a, b, strip.face_cover[face]});
   }
   return pieces;
 }
@@ -222,28 +204,28 @@ std::vector<Border> empty_cell_borders(const Box2& cell) {
 }
 
 std::vector<Border> visible_borders(const Partition& all, std::span<const GridPoint> joints) {
-  std::vector<Border> borders, rim;
+  std::vector<Border> borders, cell_border;
   const auto& faces = all.triangulation.faces();
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t beyond = faces[f].neighbours[i];
       if (!faces[f].is_constrained[i]) continue;
-      const GridPoint a = all.triangulation.vertices()[faces[f].vertices[(i + 1) % 3]],
-                      b = all.triangulation.vertices()[faces[f].vertices[(i + 2) % 3]];
+      const auto [a, b] = edge_of(all.triangulation, f, i);
       const std::uint32_t left = all.face_cover[f];
-      if (beyond == kNoFace) rim.push_back({std::min(a, b), std::max(a, b), left, left, true});
-      // an inner edge is met from both sides; the one that sees it from its lower end counts
+      if (beyond == kNoFace) cell_border.push_back({std::min(a, b), std::max(a, b), left, left, true});
+      // an inner edge is seen from both sides; the side that sees it from its lower end counts
       else if (a < b && left != all.face_cover[beyond])
         borders.push_back({a, b, left, all.face_cover[beyond], false});
     }
   const std::vector<GridPoint> kept = ends_of(borders);
   const auto stays = [&](GridPoint p) { return std::ranges::binary_search(kept, p) || is_near(joints, p); };
-  const std::vector<Border> joined = joined_rim(std::move(rim), stays);
+  const std::vector<Border> joined = joined_cell_border(std::move(cell_border), stays);
   borders.insert(borders.end(), joined.begin(), joined.end());
   return borders;
 }
 
 Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell) {
+  assert(std::ranges::any_of(borders, &Border::is_cell_border));
   const std::vector<std::uint32_t> surfaces = surfaces_beside(borders);
   std::vector<OwnedSegment> segments;
   for (const Border& border : borders) {
@@ -254,8 +236,9 @@ Partition partition_of_borders(std::span<const Border> borders, std::span<const 
   Arrangement arrangement = arrange(segments, points, cell);
   Delaunay triangulation = triangulated(arrangement);
   const GridPoint corner = grid_point(cell.min);
-  const LabelledFace known{corner_face(triangulation, corner),
-                           {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
+  const std::uint32_t corner_face =
+      outer_face(triangulation, [&](GridPoint from, GridPoint to) { return from == corner && to.y == corner.y; });
+  const LabelledFace known{corner_face, {{place_in(surfaces, corner_surface(borders, corner)), 1}}};
   std::vector<std::uint32_t> top = label_faces(triangulation, arrangement, known, ranks_of(surfaces.size()));
   for (std::uint32_t& owner : top) owner = owner == kNoOwner ? kNoLandCover : surfaces[owner];
   return {std::move(arrangement), std::move(triangulation), std::move(top)};

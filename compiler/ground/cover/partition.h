@@ -1,4 +1,4 @@
-// What covers a cell: a planar partition of it into triangles, each of one surface.
+// Partitions a cell into triangles, each covered by one land cover polygon.
 #pragma once
 
 #include <cstdint>
@@ -14,47 +14,49 @@
 
 namespace citykiln::ground {
 
-/// The edges, the triangles, and what covers each of them (an index into the surfaces given, or kNoLandCover).
+/// The edges, the triangles, and the polygon of each triangle: an index into the polygons given, or kNoLandCover.
 struct Partition {
   Arrangement arrangement;
   Delaunay triangulation;
   std::vector<std::uint32_t> face_cover;
 };
 
-/// The surfaces whose rings come near a cell, from the top down.
+/// The polygons whose rings come near a cell, from the top down.
 struct NearbyCover {
   std::span<const LandCoverPolygon> surfaces;
   std::vector<std::uint32_t> order;
 };
 NearbyCover land_cover_near(std::span<const LandCoverPolygon> surfaces, const Box2& cell);
 
-/// Everything that is drawn, whether seen or hidden, with further lines as edges, and what lies on top in each face.
-/// @param lines   From the lower end to the upper; they bound nothing.
+/// Partitions the cell along all rings, visible or hidden, and along further lines.
+/// @param lines   From the lower end to the upper; they separate nothing.
 /// @param points  On the cell's border.
 Partition partition_all_rings(const NearbyCover& layers, std::span<const std::pair<GridPoint, GridPoint>> lines,
                               std::span<const GridPoint> points, const Box2& cell);
 
-/// Where rings meet the cell's border, sorted: hidden ones too, so that both cells of a border have the same.
-/// @param all  Of the same layers, with lines: a ring that is bent through one of their vertices on the border may
-///             leave the border there.
+/// Returns where rings meet the cell's border, sorted. Hidden rings count too, so both cells of a border find the same
+/// places.
+/// @param all  The arrangement of the same rings with lines: a ring that snapping bends through a vertex of a line on
+///             the border may leave the border there.
 std::vector<GridPoint> ring_joints(const NearbyCover& layers, const Arrangement& all, const Box2& cell);
 
-/// The edges between faces of different surfaces, and the cell's border from corner to corner and joint to joint:
-/// vertices that only lines have put there are left out. O(faces + joints times vertices on the border).
+/// Returns the edges between faces of different polygons, and the cell's border cut at its corners and at `joints`;
+/// other vertices, which only lines have made, are left out. O(faces + joints · vertices on the border).
 std::vector<Border> visible_borders(const Partition& partition, std::span<const GridPoint> joints);
 
-/// Where rings run along the cell's border, and what the cell beyond it has there: from the same borders, lines and
-/// points that make up this one's partition, as all that decides it lies within a grid step. O(layers) a piece.
+/// Returns where rings run along the cell's border and what the neighbouring cell has there. It is found by
+/// partitioning a strip beyond the border with the same rings, lines and points: all that decides it lies within a grid
+/// step. O(polygons) per piece.
 std::vector<CellBorderPiece> cell_border_pieces(const NearbyCover& layers,
                                                 std::span<const std::pair<GridPoint, GridPoint>> lines,
                                                 std::span<const GridPoint> points, const Arrangement& all,
                                                 const Box2& cell);
 
-/// The border of a cell in which nothing lies.
+/// Returns the border of a cell without land cover.
 std::vector<Border> empty_cell_borders(const Box2& cell);
 
-/// The same cell, of other borders: those given between surfaces, and the points given on the cell's border.
-/// @param borders  The cell's own border among them: what covers its south-western corner is told there.
+/// Partitions the cell along other borders: those given, and the points given on the cell's border.
+/// @param borders  Include the cell's own, from which the polygon at its south-west corner is read.
 Partition partition_of_borders(std::span<const Border> borders, std::span<const GridPoint> points, const Box2& cell);
 
 }  // namespace citykiln::ground

@@ -1,8 +1,10 @@
 #include "compiler/ground/cover/shared_borders.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/cover/inside_rings.h"
 
 namespace citykiln::ground {
@@ -75,12 +77,12 @@ std::vector<Pair> shared_borders(std::span<const LandCoverPolygon> surfaces, std
   std::vector<Pair> pairs;
   add_pairs_by_edge(edges_of(surfaces, members), pairs);
   add_pairs_by_overlap(surfaces, members, pairs);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_unique(pairs);
   return pairs;
 }
 
 std::vector<std::uint32_t> groups_of(std::size_t count, std::span<const Pair> pairs) {
+  assert(std::ranges::all_of(pairs, [&](const Pair& p) { return p.first < count && p.second < count; }));
   std::vector<std::uint32_t> group(count);
   for (std::uint32_t i = 0; i < count; ++i) group[i] = i;
   const auto root = [&](std::uint32_t i) {

@@ -1,4 +1,4 @@
-// Which surfaces share a border.
+// Finds polygons that share a border.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,20 @@ namespace citykiln::ground {
 /// Two points, the lower first.
 using Edge = std::pair<Vec2, Vec2>;
 
-/// The edges that have a member on either side, sorted; not those of two that lie on top of each other. O(n log n).
+/// Returns the edges with a member on either side, sorted; not edges of members that lie on top of each other. O(n log
+/// n).
 std::vector<Edge> edges_between(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members);
 
-/// Pairs of places in `members`, the lower first, sorted, each once: surfaces with an edge between the same two points,
-/// in whichever direction, and surfaces one of which has a vertex within the other.
+/// Returns pairs of members, the lower first, sorted, each once: polygons with a common edge in either direction, and
+/// polygons one of which has a vertex inside the other. The numbers are places in `members`.
 ///
-/// @param members  Indices of surfaces.
-/// Cost: sorts the edges; then, for pairs whose boxes touch, vertices times borders in their bands.
+/// @param members  Indices of polygons.
+/// O(n log n) in edges, plus vertices times edges in their bands for pairs whose boxes touch.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> shared_borders(std::span<const LandCoverPolygon> surfaces,
                                                                     std::span<const std::uint32_t> members);
 
-/// The lowest member of the group that each of `count` things is in, things of a pair being in one group.
+/// Returns for each of `count` things the lowest member of its group; the things of a pair are in one group.
+/// Union-find.
 std::vector<std::uint32_t> groups_of(std::size_t count, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
 
 }  // namespace citykiln::ground

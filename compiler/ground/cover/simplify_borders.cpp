@@ -1,14 +1,16 @@
-// Visvalingam and Whyatt 1993; Dyken, Daehlen and Sevaldrud 2009. Where we differ: the error of a vertex is the
-// distance of all that its going leaves out, not an area or the distance of the vertex alone, so the bound is exact;
-// and a vertex that is blocked by another waits for that one.
+// Visvalingam and Whyatt 1993; Dyken, Daehlen and Sevaldrud 2009. Differences: the error of a vertex is the distance of
+// everything that its removal leaves out, not an area or the vertex's own distance, so the bound is exact; a vertex
+// blocked by another waits for that one to be removed.
 #include "compiler/ground/cover/simplify_borders.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <queue>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/contract/tolerance.h"
 #include "compiler/geometry/point_buckets.h"
 
@@ -19,14 +21,15 @@ std::int64_t along(GridPoint a, GridPoint b, GridPoint p) {
   return (b.x - a.x) * (p.x - a.x) + (b.y - a.y) * (p.y - a.y);
 }
 
-// From p to the segment a b, in grid steps. Exact but for the last root and quotient; the same from b to a.
+// Returns the distance from p to the segment a b in grid steps; exact up to the last root and quotient; the same from b
+// to a.
 double distance_to_segment(GridPoint a, GridPoint b, GridPoint p) {
   if (along(a, b, p) <= 0) return std::sqrt(static_cast<double>(along(a, p, p)));
   if (along(b, a, p) <= 0) return std::sqrt(static_cast<double>(along(b, p, p)));
   return std::abs(static_cast<double>(turn(a, b, p))) / std::sqrt(static_cast<double>(along(a, b, b)));
 }
 
-// Would arrange() bend a b through p, or nearly?
+// Returns whether arrange() would bend a b through p, or nearly.
 bool passes_close(GridPoint a, GridPoint b, GridPoint p) {
   const auto [west, east] = std::minmax(a.x, b.x);
   const auto [south, north] = std::minmax(a.y, b.y);
@@ -44,10 +47,9 @@ bool is_in_closed_triangle(const std::array<GridPoint, 3>& corners, GridPoint p)
   return true;
 }
 
-// Andrew's monotone chain.
+// Andrew's monotone chain (1979).
 std::vector<GridPoint> convex_hull(std::vector<GridPoint> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   if (points.size() < 3) return points;
   std::vector<GridPoint> hull;
   const auto add = [&](GridPoint p, std::size_t least) {
@@ -61,14 +63,14 @@ std::vector<GridPoint> convex_hull(std::vector<GridPoint> points) {
   return hull;
 }
 
-// A border as it is now, and the hull of all it stands for.
+// A border in its current form, and the convex hull of all it replaces.
 struct Run {
   std::uint32_t from, to;  // vertices
   std::uint32_t left, right;
   bool is_cell_border;
   bool is_gone = false;
   double error = 0;             // grid steps
-  std::vector<GridPoint> hull;  // none while it stands for itself alone: then its ends are
+  std::vector<GridPoint> hull;  // empty while it replaces only itself: then its two ends are the hull
 
   std::uint32_t beyond(std::uint32_t end) const { return end == from ? to : from; }
   void turn_round() {
@@ -77,18 +79,19 @@ struct Run {
   }
 };
 
-// A blocked vertex, as it was when it was looked at.
+// A blocked vertex and the number of its look then.
 struct Waiting {
   std::uint32_t vertex, look;
 };
 
-// The net of borders, as vertices go. Vertices are sorted by place, so that numbers say nothing of the input's order.
+// The network of borders during simplification. Vertices are sorted by place, so their numbers do not depend on the
+// input's order.
 struct Net {
   std::vector<GridPoint> vertices;
   std::vector<Run> runs;
   std::vector<std::uint32_t> starts, incident;  // per vertex the runs that end there
   std::vector<bool> may_go, is_gone;
-  std::vector<std::uint32_t> looks;               // how often each has been looked at; older looks are stale
+  std::vector<std::uint32_t> looks;               // how often each vertex was looked at; earlier looks are stale
   std::vector<std::vector<Waiting>> waiting_for;  // per vertex those that it blocks
   PointBuckets buckets;
   double tolerance = 0;  // grid steps
@@ -98,23 +101,13 @@ struct Net {
   }
 };
 
-// One that may go, and the error that would make.
+// A vertex that may be removed, and the error that its removal would make.
 struct Candidate {
   double error;
   std::uint32_t vertex, look;
   bool operator<(const Candidate& o) const { return std::tie(error, vertex) > std::tie(o.error, o.vertex); }
 };
 using Queue = std::priority_queue<Candidate>;
-
-bool is_before(const Border& one, const Border& other) { return std::tie(one.a, one.b) < std::tie(other.a, other.b); }
-
-std::vector<GridPoint> ends_of(std::span<const Border> borders) {
-  std::vector<GridPoint> ends;
-  for (const Border& border : borders) ends.insert(ends.end(), {border.a, border.b});
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return ends;
-}
 
 void link_runs(Net& net) {
   net.starts.assign(net.vertices.size() + 1, 0);
@@ -126,7 +119,7 @@ void link_runs(Net& net) {
     for (const std::uint32_t end : {net.runs[r].from, net.runs[r].to}) net.incident[next[end]++] = r;
 }
 
-// Do two inner borders meet here, and nothing else, with the same on either side?
+// Returns whether exactly two inner borders meet here, with the same polygons on both sides.
 bool is_midway(Net& net, std::uint32_t v) {
   const auto at = net.runs_at(v);
   if (at.size() != 2) return false;
@@ -161,7 +154,7 @@ Net net_of(std::span<const Border> borders, double tolerance_m, const std::funct
   return net;
 }
 
-// The neighbours of a vertex where two borders meet.
+// Returns the other ends of the two borders at a vertex.
 std::array<std::uint32_t, 2> neighbours(Net& net, std::uint32_t v) {
   const auto at = net.runs_at(v);
   return {net.runs[at[0]].beyond(v), net.runs[at[1]].beyond(v)};
@@ -171,7 +164,7 @@ bool are_joined(Net& net, std::uint32_t a, std::uint32_t b) {
   return std::ranges::any_of(net.runs_at(a), [&](std::uint32_t r) { return net.runs[r].beyond(a) == b; });
 }
 
-// The corners of its hull.
+// Visits the corners of the run's hull.
 template <typename Visit>
 void for_each_corner(const Net& net, const Run& run, Visit visit) {
   if (run.hull.empty()) visit(net.vertices[run.from]), visit(net.vertices[run.to]);
@@ -187,30 +180,30 @@ double error_without(Net& net, std::uint32_t v) {
   return error;
 }
 
-constexpr std::uint32_t kNobody = 0xffffffffu;
+constexpr std::uint32_t kNoBlocker = 0xffffffffu;
 
-// A vertex in the way of the edge that would pass v by.
+// Returns a vertex in the way of the edge that would replace v's two borders.
 std::uint32_t blocker_of(Net& net, std::uint32_t v) {
   const auto ends = neighbours(net, v);
   const std::array<GridPoint, 3> corners = {net.vertices[ends[0]], net.vertices[v], net.vertices[ends[1]]};
-  std::uint32_t blocker = kNobody;
+  std::uint32_t blocker = kNoBlocker;
   any_near_triangle(net.buckets, corners, [&](std::uint32_t u) {
     if (u == v || u == ends[0] || u == ends[1]) return false;
     const GridPoint p = net.vertices[u];
     if (is_in_closed_triangle(corners, p) || passes_close(corners[0], corners[2], p)) blocker = u;
-    return blocker != kNobody;
+    return blocker != kNoBlocker;
   });
   return blocker;
 }
 
-// Finds out whether a vertex may go: then it queues, or waits for another that is in its way.
+// Queues a vertex that may be removed, or lets it wait for the vertex that blocks it.
 void look_at(Net& net, Queue& queue, std::uint32_t v) {
   if (!net.may_go[v] || net.is_gone[v]) return;
   const std::uint32_t look = ++net.looks[v];
   const double error = error_without(net, v);
   if (error > net.tolerance) return;
   const std::uint32_t blocker = blocker_of(net, v);
-  if (blocker == kNobody)
+  if (blocker == kNoBlocker)
     queue.push({error, v, look});
   else
     net.waiting_for[blocker].push_back({v, look});
@@ -251,6 +244,7 @@ SimplifiedBorders borders_of(const Net& net) {
 
 SimplifiedBorders simplify_borders(std::span<const Border> borders, double tolerance_m,
                                    const std::function<bool(GridPoint)>& is_pinned) {
+  assert(tolerance_m >= 0);
   if (borders.empty()) return {};
   Net net = net_of(borders, tolerance_m, is_pinned);
   Queue queue;
@@ -261,7 +255,7 @@ SimplifiedBorders simplify_borders(std::span<const Border> borders, double toler
     const std::uint32_t v = least.vertex;
     if (net.is_gone[v] || net.looks[v] != least.look) continue;
     const auto [a, b] = neighbours(net, v);
-    // a ring keeps three vertices, and two borders between the same ends stay two
+    // a ring keeps three vertices, and two borders with the same ends stay two
     if (are_joined(net, a, b)) continue;
     leave_out(net, v, least.error);
     look_at(net, queue, a);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -14,17 +15,18 @@ namespace {
 
 // Pieces farther from the cell cannot touch it.
 constexpr double kNear_m = 1;
-// What adds up over many pieces is seen at every one.
+// A joint counts as a bend from this share of the allowed error on: small bends add up over many pieces.
 constexpr double kBendShare = 1.0 / 8;
 
-// By how much the ground is carved out of the terrain: the terrain's own bends have lines of their own.
-Heights graded_at(GradedHeights& heights, Vec2 p) {
-  auto [carved, terrain_m] = heights.at(p);
-  for (double& height : carved) height -= terrain_m;
-  return carved;
+// The difference that grading makes to the terrain. The terrain's own bends have lines of their own.
+Heights grading_at(GradedHeights& heights, Vec2 p) {
+  auto [grading, terrain_m] = heights.at(p);
+  for (double& height : grading) height -= terrain_m;
+  return grading;
 }
 
-// How far it strays from what is straight between a and b at a share of the way, on the layer where most.
+// The largest distance, over the layers, of the heights here from the straight line from a to b at this share of its
+// length.
 double error_m(const Heights& a, const Heights& b, const Heights& here, double share) {
   double most_m = 0;
   for (std::size_t layer = 0; layer < here.size(); ++layer)
@@ -58,31 +60,31 @@ bool crosses_cells(Vec2 a, Vec2 b) {
 // A place on a line.
 struct Station {
   Vec2 at;
-  Heights carved;
+  Heights grading;
 };
 
-// Places in the middle of a piece where the ground bends, halving it.
+// Adds points by halving the line where its middle is off.
 void add_bends(GradedHeights& heights, const SplitLimits& limits, const Station& a, const Station& b,
                std::vector<Vec2>& bends) {
   if (distance(a.at, b.at) < limits.shortest_m) return;
   const Vec2 p = snapped((a.at + b.at) * 0.5);
-  const Station middle{p, graded_at(heights, p)};
-  if (error_m(a.carved, b.carved, middle.carved, 0.5) <= limits.error_m) return;
+  const Station middle{p, grading_at(heights, p)};
+  if (error_m(a.grading, b.grading, middle.grading, 0.5) <= limits.error_m) return;
   add_bends(heights, limits, a, middle, bends);
   bends.push_back(middle.at);
   add_bends(heights, limits, middle, b, bends);
 }
 
-// The joints of a line, each asked for at most once.
+// The joints between pieces, each sampled at most once.
 struct Joints {
   GradedHeights& heights;
   SplitLimits limits;
   Pieces pieces;
-  std::vector<std::optional<Heights>> carved;
+  std::vector<std::optional<Heights>> grading;
 
   const Heights& at(int i) {
-    auto& known = carved[static_cast<std::size_t>(i)];
-    if (!known) known = graded_at(heights, pieces.joint(i));
+    auto& known = grading[static_cast<std::size_t>(i)];
+    if (!known) known = grading_at(heights, pieces.joint(i));
     return *known;
   }
 
@@ -92,24 +94,24 @@ struct Joints {
   }
 };
 
-// What one piece of a line asks for: its ends, points between them.
-struct Asked {
+// What one piece needs as vertices: its ends, points between them.
+struct PieceBends {
   bool first = false, last = false;
   std::vector<Vec2> between;
 };
 
-// Where a piece crosses from cell to cell its ends are vertices whatever the ground does: so its crossing is the same
-// for both.
-Asked asked_of(Joints& joints, int i) {
-  Asked asked;
+// The ends of a piece that crosses from cell to cell are always vertices: so both cells cut the same short segment at
+// their common border.
+PieceBends bends_of_piece(Joints& joints, int i) {
+  PieceBends bends_here;
   const Pieces& pieces = joints.pieces;
   const Vec2 a = pieces.joint(i), b = pieces.joint(i + 1);
-  if (pieces.count > 1) asked.first = asked.last = crosses_cells(a, b);
-  if (!has_grading(joints.heights.graded(), pieces.box(i))) return asked;
-  add_bends(joints.heights, joints.limits, {a, joints.at(i)}, {b, joints.at(i + 1)}, asked.between);
-  asked.first |= !asked.between.empty() || joints.is_bent(i);
-  asked.last |= !asked.between.empty() || joints.is_bent(i + 1);
-  return asked;
+  if (pieces.count > 1) bends_here.first = bends_here.last = crosses_cells(a, b);
+  if (!has_grading(joints.heights.graded(), pieces.box(i))) return bends_here;
+  add_bends(joints.heights, joints.limits, {a, joints.at(i)}, {b, joints.at(i + 1)}, bends_here.between);
+  bends_here.first |= !bends_here.between.empty() || joints.is_bent(i);
+  bends_here.last |= !bends_here.between.empty() || joints.is_bent(i + 1);
+  return bends_here;
 }
 
 bool is_bent_already(const LandCoverPolygon& surface) {
@@ -127,10 +129,10 @@ Ring bent_ring(const Ring& ring, GradedHeights& heights, const Box2& cell) {
   return bent;
 }
 
-// Along a side of a cell, metre by metre, by how much the ground is carved out of the terrain.
+// The differences of graded terrain and terrain along a side of a cell, one per metre.
 struct Side {
   std::vector<Vec2> places;
-  std::vector<Heights> carved;
+  std::vector<Heights> grading;
 };
 
 Side side_from(GradedHeights& heights, Vec2 from, Vec2 to) {
@@ -138,7 +140,7 @@ Side side_from(GradedHeights& heights, Vec2 from, Vec2 to) {
   const auto count = static_cast<int>(distance(from, to));
   for (int i = 0; i <= count; ++i) {
     const Vec2 p = from + (to - from) * (static_cast<double>(i) / count);
-    side.places.push_back(p), side.carved.push_back(graded_at(heights, p));
+    side.places.push_back(p), side.grading.push_back(grading_at(heights, p));
   }
   return side;
 }
@@ -147,7 +149,7 @@ double bend_m(const Side& side, std::size_t first, std::size_t last) {
   double most_m = 0;
   for (std::size_t i = first + 1; i < last; ++i) {
     const double share = static_cast<double>(i - first) / static_cast<double>(last - first);
-    most_m = std::max(most_m, error_m(side.carved[first], side.carved[last], side.carved[i], share));
+    most_m = std::max(most_m, error_m(side.grading[first], side.grading[last], side.grading[i], share));
   }
   return most_m;
 }
@@ -164,21 +166,22 @@ void split_side(const Side& side, std::size_t first, std::size_t last, std::vect
 
 std::vector<Vec2> bend_points_along(GradedHeights& heights, Vec2 a, Vec2 b, const Box2& cell,
                                     const SplitLimits& limits) {
+  assert(limits.piece_m > 0 && limits.shortest_m > 0 && limits.error_m > 0);
   std::vector<Vec2> bends;
   const Box2 near = cell.widened(kNear_m);
   if (distance(a, b) < limits.shortest_m || !box_of(std::array{a, b}).touches(near)) return bends;
   const Pieces pieces = pieces_of(std::min(a, b), std::max(a, b), limits.piece_m);
   Joints joints{heights, limits, pieces, {}};
-  joints.carved.resize(static_cast<std::size_t>(pieces.count) + 1);
+  joints.grading.resize(static_cast<std::size_t>(pieces.count) + 1);
   const auto add = [&](Vec2 p) {
     if (p != a && p != b && (bends.empty() || bends.back() != p)) bends.push_back(p);
   };
   for (int i = 0; i < pieces.count; ++i) {
     if (!pieces.box(i).touches(near)) continue;
-    const Asked asked = asked_of(joints, i);
-    if (asked.first) add(pieces.joint(i));
-    for (const Vec2 p : asked.between) add(p);
-    if (asked.last) add(pieces.joint(i + 1));
+    const PieceBends bends_here = bends_of_piece(joints, i);
+    if (bends_here.first) add(pieces.joint(i));
+    for (const Vec2 p : bends_here.between) add(p);
+    if (bends_here.last) add(pieces.joint(i + 1));
   }
   if (b < a) std::ranges::reverse(bends);
   return bends;

@@ -1,32 +1,37 @@
-// Normals of the graded terrain, each made once: four places are asked for those of one, layers meet there, and levels
-// of a cell share most of their vertices.
+// A cache of normals of the graded terrain: a normal needs four height samples, faces of several layers share vertices,
+// and the levels of a cell share most of them.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <array>
 #include <unordered_map>
 
 #include "compiler/geometry/arrangement.h"
-#include "compiler/ground/grading/graded_terrain.h"
+#include "compiler/ground/grading/graded_heights.h"
 
 namespace citykiln::ground {
 
-/// Of one carving, which must outlive it. Grows with the places asked for.
+/// The cache refers to the graded terrain, which must outlive it. It grows with the number of different places.
 class GradedNormals {
  public:
   explicit GradedNormals(const GradedTerrain& graded) : graded_(graded) {}
 
-  /// To the bit what normals_at gives. O(1) where the place has been asked for before.
-  Vec3 at(GridPoint p, HeightLayer layer);
+  /// Returns the layer's normal of normals_at() at p, bit for bit. O(1) for places asked before.
+  Vec3 at(GridPoint p, HeightLayer layer) {
+    const auto [found, is_new] = normals_.try_emplace(p);
+    if (is_new) found->second = normals_at(graded_, plane_point(p));
+    return found->second[static_cast<std::size_t>(layer)];
+  }
 
   const GradedTerrain& graded() const { return graded_; }
 
  private:
   struct PlaceHash {
-    std::size_t operator()(GridPoint place) const;
+    std::size_t operator()(GridPoint p) const {
+      return hash_of_place(static_cast<std::uint64_t>(p.x), static_cast<std::uint64_t>(p.y));
+    }
   };
   const GradedTerrain& graded_;
-  std::unordered_map<GridPoint, std::array<Vec3, kHeightLayers>, PlaceHash> known_;
+  std::unordered_map<GridPoint, std::array<Vec3, kHeightLayers>, PlaceHash> normals_;
 };
 
 }  // namespace citykiln::ground

@@ -2,49 +2,53 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <memory_resource>
 #include <optional>
 
+#include "compiler/ground/cover/strip_cover.h"
+
 namespace citykiln::ground {
 namespace {
 
-// Rounded corners and turning circles reach no farther beyond the strips of their roads.
+// Rounded corners and turning circles extend at most this far beyond the strips of their roads.
 constexpr double kCorner_m = 12;
 
-// Of the grid that tells where there is water at all.
+// Buckets of the index that says where there is water near.
 constexpr double kBucket_m = 64;
 
-// Of the grids that tell how far off what is near by is: about its reach.
+// Buckets of the distance indices: about as wide as the distances asked for.
 constexpr double kNearBucket_m = 12;
 
-// Room for the strands of nearly all places.
+// Room for the influences of nearly all places.
 constexpr std::size_t kInfluenceBytes = 48 * sizeof(RoadInfluence);
 
-// How far apart the heights are that a normal is made of.
+// A normal is made of heights this far from the place.
 constexpr double kNormalStep_m = 1;
 
-// Walls and rock stand as steep as this between a higher road and what lies below it.
+// Steepest slope between a higher road and what lies below it: retaining walls and rock.
 constexpr double kWallSlope = 1.5;
 
-// What the land may be: from the least to the most, where earth lies; never above the wall.
+// The bounds of the land's height: at least and at most, by slopes of earth, and never above the wall.
 struct Bounds {
   static constexpr double kFar_m = std::numeric_limits<double>::infinity();
   double least_m = -kFar_m, most_m = kFar_m, wall_m = kFar_m;
 };
 
-// What the land at a distance from an edge may differ from it in height: enough to meet the terrain within kGrading_m.
+// The land at a distance from an edge may differ from it by this much: the slope, or steeper where that would not meet
+// the terrain within kGrading_m.
 double rise_m(double slope, double away_m, double to_terrain_m) {
   return std::max(slope * away_m, std::abs(to_terrain_m) * (away_m / kGrading_m));
 }
 
-// A bank is raised to carry what is above, but no steeper than a wall may stand over what is below.
+// A bank is raised to carry what lies above, but stands no steeper than a wall over what lies below.
 double within(const Bounds& bounds, double terrain_m) {
   return std::min(std::max(std::min(terrain_m, bounds.most_m), bounds.least_m), bounds.wall_m);
 }
 
-// By how much the place is nearer to what is paved than to the strips alone.
+// How much nearer the place is to paved polygons, with their rounded corners, than to the roads' strips.
 double corner_m(const GradedTerrain& graded, std::span<const RoadInfluence> influences, Vec2 p) {
   double nearest_m = kCorner_m;
   for (const RoadInfluence& s : influences)
@@ -53,51 +57,51 @@ double corner_m(const GradedTerrain& graded, std::span<const RoadInfluence> infl
   return nearest_m - clearance_m(graded.paved_index, p, 0, nearest_m);
 }
 
-// The land keeps between the slopes that start at a height, so far away.
-void keep_near(Bounds& bounds, double z_m, double away_m, double terrain_m) {
+// Keeps the land between the slopes that start at a height, `away_m` away.
+void bound_by_slopes(Bounds& bounds, double z_m, double away_m, double terrain_m) {
   const double earth_m = rise_m(kEarthSlope, away_m, terrain_m - z_m);
   bounds.least_m = std::max(bounds.least_m, z_m - earth_m);
   bounds.most_m = std::min(bounds.most_m, z_m + earth_m);
   bounds.wall_m = std::min(bounds.wall_m, z_m + rise_m(kWallSlope, away_m, terrain_m - z_m));
 }
 
-// A road that goes into a bore does not cut away the land over it.
+// The land over a bore is not cut down to the road that leads into it.
 double higher_m(const BoreCover& over, double road_m) {
   // roads that pass over the bore start above its roof
   constexpr double kShared_m = 2;
   return over.higher_m * std::clamp((over.roof_m - road_m) / kShared_m, 0.0, 1.0);
 }
 
-// Slopes start at the road's edge from what the roads agree on there, farther off from the height of the road alone.
-void keep_near_roads(Bounds& bounds, std::span<const RoadInfluence> influences, double nearer_m, double road_m,
-                     double terrain_m, const BoreCover& over) {
+// A slope starts at the road's edge from the blended height of all roads, and from kBlend_m on from its road's own.
+void bound_by_roads(Bounds& bounds, std::span<const RoadInfluence> influences, double nearer_m, double road_m,
+                    double terrain_m, const BoreCover& over) {
   for (const RoadInfluence& s : influences) {
     if (!s.is_graded) continue;
     const double away_m = std::max(0.0, s.beyond_m - nearer_m);
     Bounds here;
-    keep_near(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
+    bound_by_slopes(here, road_m + (s.z_m - road_m) * std::min(1.0, away_m / kBlend_m), away_m, terrain_m);
     bounds.least_m = std::max(bounds.least_m, here.least_m);
     bounds.most_m = std::min(bounds.most_m, here.most_m + higher_m(over, s.z_m));
     bounds.wall_m = std::min(bounds.wall_m, here.wall_m + higher_m(over, s.z_m));
   }
 }
 
-// All that may be felt at half of kGrading_m, nothing at kGrading_m.
+// 1 up to kGrading_m / 2, then falls linearly to 0 at kGrading_m.
 double share_of(double away_m) { return std::min(1.0, (kGrading_m - away_m) / (kGrading_m / 2)); }
 
-// How much of a road is felt: nothing where no road is in reach, all from half of it on.
+// The weight of roads against the land at a place.
 double road_share(std::span<const RoadInfluence> influences) {
   double nearest_m = kGrading_m;
   for (const RoadInfluence& s : influences) nearest_m = std::min(nearest_m, s.beyond_m);
   return share_of(nearest_m);
 }
 
-// Water near by: how high, and how far off.
+// The height of the nearest water and the distance to its shore.
 struct NearWater {
   double z_m, shore_m;
 };
 
-// Only what is near counts: farther off, what is known depends on who asks.
+// Water beyond kGrading_m is ignored: whether it is known depends on the tile.
 std::optional<NearWater> water_near(const GradedTerrain& graded, Vec2 p) {
   if (boxes_about(graded.shores, p).empty() || !graded.wet_index.box.contains(p)) return std::nullopt;
   const double shore_m = clearance_m(graded.wet_index, p, 0, kGrading_m);
@@ -111,11 +115,11 @@ Bounds bounds_at(const GradedTerrain& graded, std::span<const RoadInfluence> inf
                  const std::optional<NearWater>& water, Vec2 p, double terrain_m) {
   Bounds bounds;
   const BoreCover over = bore_cover_at(graded.bores, p);
-  keep_near_roads(bounds, influences, corner_m(graded, influences, p), road.z_m, terrain_m, over);
+  bound_by_roads(bounds, influences, corner_m(graded, influences, p), road.z_m, terrain_m, over);
   bounds.least_m = std::max(bounds.least_m, over.least_m);
-  // no bank reaches under a deck, not even the one that carries the road before it
+  // no bank extends under a deck, not even the one that carries the road before it
   bounds.wall_m = std::min(bounds.wall_m, max_land_under_decks_m(graded.decks, p));
-  if (water) keep_near(bounds, water->z_m, water->shore_m, terrain_m);
+  if (water) bound_by_slopes(bounds, water->z_m, water->shore_m, terrain_m);
   return bounds;
 }
 
@@ -123,11 +127,11 @@ bool is_near_span(const GradedTerrain& graded, Vec2 p) {
   return !boxes_about(graded.decks.field.grid, p).empty() || !boxes_about(graded.bores.field.grid, p).empty();
 }
 
-// Banks are carved as far from the shore as from roads.
+// Banks of watercourses are graded as far from the shore as those of roads, so their heights are needed there.
 std::vector<roads::Strip> with_grading_margin(std::span<const roads::Strip> streams) {
-  std::vector<roads::Strip> felt(streams.begin(), streams.end());
-  for (roads::Strip& stream : felt) stream.reach_m = reach_m(stream) + kGrading_m;
-  return felt;
+  std::vector<roads::Strip> wider(streams.begin(), streams.end());
+  for (roads::Strip& stream : wider) stream.reach_m = reach_m(stream) + kGrading_m;
+  return wider;
 }
 
 std::vector<Box2> reaches_of(std::span<const LandCoverPolygon> surfaces) {
@@ -137,12 +141,23 @@ std::vector<Box2> reaches_of(std::span<const LandCoverPolygon> surfaces) {
   return boxes;
 }
 
-std::vector<LandCoverPolygon> on_layers(std::span<const LandCoverPolygon> surfaces,
-                                        std::span<const HeightLayer> layers) {
-  std::vector<LandCoverPolygon> chosen;
+// Polygons of water: the strips of all watercourses, whether they are among the surfaces or not, and areas.
+std::vector<LandCoverPolygon> wet_of(const GradingInputs& parts) {
+  std::vector<LandCoverPolygon> wet;
+  for (const roads::Strip& stream : parts.streams) wet.push_back(surface_of(stream));
+  std::vector<ObjectId> strips;
+  for (const LandCoverPolygon& strip : wet) strips.push_back(strip.id);
+  std::ranges::sort(strips);
+  for (const LandCoverPolygon& s : parts.surfaces)
+    if (layer_of(s) == HeightLayer::kWater && !std::ranges::binary_search(strips, s.id)) wet.push_back(s);
+  return wet;
+}
+
+std::vector<LandCoverPolygon> paved_of(std::span<const LandCoverPolygon> surfaces) {
+  std::vector<LandCoverPolygon> paved;
   for (const LandCoverPolygon& s : surfaces)
-    if (std::ranges::find(layers, layer_of(s)) != layers.end()) chosen.push_back(s);
-  return chosen;
+    if (layer_of(s) == HeightLayer::kRoad || layer_of(s) == HeightLayer::kCarriageway) paved.push_back(s);
+  return paved;
 }
 
 }  // namespace
@@ -150,16 +165,16 @@ std::vector<LandCoverPolygon> on_layers(std::span<const LandCoverPolygon> surfac
 GradedTerrain::GradedTerrain(map::Heightfield&& field) : terrain(std::move(field)) {}
 
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts) {
-  constexpr HeightLayer kPaved[] = {HeightLayer::kRoad, HeightLayer::kCarriageway}, kWet[] = {HeightLayer::kWater};
+  assert(!parts.box.is_empty());
   GradedTerrain graded(std::move(terrain));
   graded.roads = index_road_influence(parts.roads, parts.has_kerbs);
   graded.decks = index_span_influence(parts.decks), graded.bores = index_span_influence(parts.bores);
-  // maps know no borders outside their box, and places at its sides feel what lies beyond
-  const Box2 felt = parts.box.widened(kGrading_m);
-  graded.waters = index_waters(parts.surfaces, with_grading_margin(parts.streams), felt);
-  graded.paved = on_layers(parts.surfaces, kPaved), graded.wet = on_layers(parts.surfaces, kWet);
-  graded.paved_index = index_land_cover(graded.paved, felt, kNearBucket_m);
-  graded.wet_index = index_land_cover(graded.wet, felt, kNearBucket_m);
+  // an index knows no borders outside its box, and places at its sides depend on what lies beyond
+  const Box2 influenced = parts.box.widened(kGrading_m);
+  graded.waters = index_waters(parts.surfaces, with_grading_margin(parts.streams), influenced);
+  graded.paved = paved_of(parts.surfaces), graded.wet = wet_of(parts);
+  graded.paved_index = index_land_cover(graded.paved, influenced, kNearBucket_m);
+  graded.wet_index = index_land_cover(graded.wet, influenced, kNearBucket_m);
   graded.shores = grid_of(reaches_of(graded.wet), kBucket_m);
   return graded;
 }

@@ -1,5 +1,4 @@
-// The graded terrain as functions of the place, one a layer: what the terrain becomes where roads and water cut into
-// it.
+// The graded terrain: heights as functions of the place, one per layer, where roads and water cut into the terrain.
 //
 //     terrain ─ ─ ─ ─ ─.                   the land is the terrain, clamped between two slopes that start at the edge
 //                   .    ╲ cut             of every road: it is never above the one nor below the other. They are as
@@ -7,12 +6,16 @@
 //      fill ╱                              within kGrading_m, or between a higher road and what lies below: up to
 //          ╱                               kWallSlope; what is left then is a step at the higher edge: a wall
 //
-// Under decks the land keeps away from them, over bores it covers them (span_field.h).
-// A pure function of roads, waters and terrain within kGrading_m and the roads' breadth, so tiles agree to the bit.
+// The land keeps below decks and covers bores (span_influence.h). Heights depend on recipes and terrain within
+// kGrading_m and the roads' widths, so tiles agree bit for bit.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <concepts>
+#include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "compiler/geometry/box.h"
@@ -26,10 +29,10 @@
 
 namespace citykiln::ground {
 
-/// Slopes of earth beside a road, one up for one and a half along: what stands without help.
+/// The slope of earth beside a road that stands without support: 1 up for 1.5 along.
 inline constexpr double kEarthSlope = 2.0 / 3;
 
-/// Moves, but is not copied: the map refers to what it covers.
+/// Can be moved but not copied: the indices refer to the polygons.
 struct GradedTerrain {
   explicit GradedTerrain(map::Heightfield&& terrain);
   GradedTerrain(GradedTerrain&&) = default;
@@ -40,41 +43,54 @@ struct GradedTerrain {
   SpanInfluenceIndex decks, bores;
   WaterIndex waters;
   std::vector<LandCoverPolygon> paved, wet;  ///< What roads and junctions cover; what water covers.
-  LandCoverIndex paved_index;                ///< Tells how far from a rounded corner a place is.
-  LandCoverIndex wet_index;                  ///< Tells how far from the shore a place is.
-  BoxGrid shores;                            ///< Where there is water within reach at all.
+  LandCoverIndex paved_index;                ///< For the distance to rounded corners of roads.
+  LandCoverIndex wet_index;                  ///< For the distance to the shore.
+  BoxGrid shores;                            ///< Of the boxes within kGrading_m of water.
 };
 
-/// What cuts into the terrain near a box.
+/// What grades the terrain in a box. One owner for maps and tiles: the polygons of `streams` are added to the water
+/// that `surfaces` hold, whether they are among them or not.
 struct GradingInputs {
-  std::span<const roads::Road> roads;          ///< All within kGrading_m of the box, breadth and all.
-  std::span<const roads::Strip> streams;       ///< All within kGrading_m and their reach.
-  std::span<const LandCoverPolygon> surfaces;  ///< All within kGrading_m; those neither paved nor wet do not matter.
-  Box2 box;                                    ///< Where heights will be asked for.
-  bool has_kerbs = true;                       ///< False where the tolerance sees none.
+  std::span<const roads::Road> roads;          ///< All within kGrading_m of the box, with their widths.
+  std::span<const roads::Strip> streams;       ///< All whose water lies within kGrading_m of it.
+  std::span<const LandCoverPolygon> surfaces;  ///< All within kGrading_m; only those on road and water layers count.
+  Box2 box;                                    ///< Where heights may be asked for.
+  bool has_kerbs = true;                       ///< False for tolerances that see no kerbs.
   std::span<const roads::Road> decks{};        ///< Bridges within kGrading_m of the box, whole.
   std::span<const roads::Road> bores{};        ///< Tunnels likewise.
 };
 GradedTerrain grade_terrain(map::Heightfield terrain, const GradingInputs& parts);
 
-/// Of all layers at a place. kGrading_m from roads all are the land's, kGrading_m from water the water's is the land's.
-/// O(roads near).
+/// Grades the terrain of a map or a tile from its recipes: every bridge is a deck, every tunnel with `is_bored` a bore.
+template <std::derived_from<roads::Road> Span>
+GradedTerrain grade_terrain(map::Heightfield terrain, GradingInputs parts, std::span<const Span> bridges,
+                            std::span<const Span> tunnels) {
+  const std::vector<roads::Road> decks(bridges.begin(), bridges.end());
+  std::vector<roads::Road> bores;
+  std::ranges::copy_if(tunnels, std::back_inserter(bores), &Span::is_bored);
+  parts.decks = decks, parts.bores = bores;
+  return grade_terrain(std::move(terrain), parts);
+}
+
+/// Returns the heights of all layers at p, which lies in the box. Farther than kGrading_m from roads and from water all
+/// layers are at the land's height. O(roads near).
 Heights heights_at(const GradedTerrain& graded, Vec2 p);
 
-/// The ground at a place, and the terrain that it is carved out of.
+/// Heights at a place, and the terrain before grading.
 struct HeightSample {
   Heights heights;
   double terrain_m = 0;
 };
 HeightSample sample_heights(const GradedTerrain& graded, Vec2 p);
 
-/// What stands on the ground stands at this height: the land's, on roads that of their kerbs' tops.
+/// Returns the height at which things on the ground stand: the land's, and on roads that of the tops of their kerbs.
 double land_m(const GradedTerrain& graded, Vec2 p);
 
-/// One a layer, smoothed over a metre or two; where nothing is carved, over the terrain's squares. Unit length.
+/// Returns one normal per layer, smoothed over 2 · kNormalStep_m; without grading, the terrain's own, smoothed over its
+/// grid squares. Unit length.
 std::array<Vec3, kHeightLayers> normals_at(const GradedTerrain& graded, Vec2 p);
 
-/// False where the graded terrain in the box is the terrain.
+/// Returns false where the graded terrain in the box is the terrain itself.
 bool has_grading(const GradedTerrain& graded, const Box2& box);
 
 }  // namespace citykiln::ground

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory_resource>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/grading/bend_points.h"
 
 namespace citykiln::ground {
@@ -13,22 +14,23 @@ namespace {
 
 using Line = std::pair<GridPoint, GridPoint>;
 
-// Closer to the terrain than this, a road has no bank.
+// A road closer to the terrain than this has no bank.
 constexpr double kNoBank_m = 0.03125;
 
-// Lower walls between roads are left to what the ground is followed by.
+// Lower walls between roads need no lines: refine_reference() adds points there.
 constexpr double kMinWall_m = 0.5;
 
-// A road whose tilt changes is no plane: where one diagonal of a piece is off its axis by more, the axis is a line too.
+// A road whose tilt changes is not flat: its axis is a line where a diagonal of the piece is off the axis by more than
+// this.
 constexpr double kMinTwist_m = 0x1p-9;
 
-// On roads no wider than this there is no room for the points that refine_reference puts in: where heights bend along
-// them, as they are mixed with those of the roads that they meet, a line goes across, so far beyond both edges.
+// Roads no wider than kNarrow_m leave no room for points of refine_reference(). Where blending with other roads bends
+// their heights, a line goes across, kAcross_m beyond both edges.
 constexpr double kNarrow_m = 3;
 constexpr double kAcross_m = 0.5;
 constexpr SplitLimits kAxisFineness{2, 1, kReferenceError_m / 4};
 
-// How often the foot of a bank is looked for, each time from where the terrain was found to be.
+// Steps of the search for the foot of a bank: each goes to where the terrain's last height would be met.
 constexpr int kFootSteps = 4;
 
 void add_line(Vec2 a, Vec2 b, std::vector<Line>& lines) {
@@ -45,13 +47,13 @@ void add_bent(GradedHeights& heights, const Line& line, const Box2& cell, std::v
   add_line(plane_point(from), plane_point(line.second), lines);
 }
 
-// A vertex of the terrain's grid, counted from its south-western one.
+// A vertex of the terrain's grid, counted from the south-west.
 struct Node {
   int i, j;
 };
 
-// The terrain bends on an edge of its grid unless the two triangles beside it are one level piece; u and v are their
-// corners off the edge. Beyond the rim it goes on as it ends.
+// Adds an edge of the terrain's grid unless both triangles beside it are one level piece. u and v are their corners off
+// the edge. Beyond its box the terrain continues as at its border.
 void add_terrain_line(const map::Heightfield& field, Node a, Node b, Node u, Node v, std::vector<Line>& lines) {
   const auto height = [&](Node n) {
     return field.height_m_at_vertex(std::clamp(n.i, 0, field.columns - 1), std::clamp(n.j, 0, field.rows - 1));
@@ -60,7 +62,7 @@ void add_terrain_line(const map::Heightfield& field, Node a, Node b, Node u, Nod
   add_line(field.vertex(a.i, a.j), field.vertex(b.i, b.j), lines);
 }
 
-// Rows, columns and diagonals, rectangle by rectangle, so that every crossing is an end.
+// Adds rows, columns and diagonals, rectangle by rectangle, so that lines end where they cross.
 void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vector<Line>& lines) {
   const auto column = [&](double x) { return static_cast<int>(std::floor((x - field.min.x) / field.step_m.x)); };
   const auto row = [&](double y) { return static_cast<int>(std::floor((y - field.min.y) / field.step_m.y)); };
@@ -75,19 +77,18 @@ void add_terrain_lines(const map::Heightfield& field, const Box2& cell, std::vec
     }
 }
 
-// Where the profile of a segment is felt: its ends, its knots, and whole multiples of kStation_m of the way.
+// Returns where lines across the road are needed: the segment's ends, knots, and multiples of kStation_m along the way.
 std::vector<double> stations_of(const GradedSegment& s, const Profile& profile) {
   std::vector<double> stations = {s.from_m, s.to_m};
   for (const Knot& knot : profile) stations.push_back(knot.at_m);
   for (double at_m = std::ceil(s.from_m / kStation_m) * kStation_m; at_m < s.to_m; at_m += kStation_m)
     stations.push_back(at_m);
   std::erase_if(stations, [&](double at_m) { return at_m < s.from_m || at_m > s.to_m; });
-  std::ranges::sort(stations);
-  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
+  sort_unique(stations);
   return stations;
 }
 
-// How far from the edge a bank from there ends, `out` a step of a metre.
+// Returns how far from the edge a bank ends; `out` is a step of one metre.
 double foot_m(const map::Heightfield& terrain, Vec2 edge, Vec2 out, double edge_m) {
   double away_m = 0;
   for (int i = 0; i < kFootSteps; ++i) {
@@ -101,7 +102,7 @@ Vec2 on_axis(const GradedSegment& s, double at_m) {
   return s.from + (s.to - s.from) * ((at_m - s.from_m) / (s.to_m - s.from_m));
 }
 
-// Where a line across the road leaves it; `out` of it is a metre.
+// Where a line across the road leaves it; `out` is a step of one metre.
 struct Edge {
   Vec2 at, out;
   double z_m = 0;
@@ -115,7 +116,7 @@ std::array<Edge, 2> edges_at(const GradedTerrain& graded, const GradedSegment& s
            {axis - left * s.right_m, left * -1.0, knot.z_m - knot.tilt * s.right_m}}};
 }
 
-// The feet of both banks there.
+// Returns the feet of both banks.
 std::array<Vec2, 2> feet_at(const GradedTerrain& graded, const GradedSegment& s, double at_m) {
   std::array<Vec2, 2> feet;
   const std::array<Edge, 2> edges = edges_at(graded, s, at_m);
@@ -126,18 +127,18 @@ std::array<Vec2, 2> feet_at(const GradedTerrain& graded, const GradedSegment& s,
   return feet;
 }
 
-// Whether a lower road is so near that a wall stands between them.
+// Returns whether a road lower than the edge by kMinWall_m is within kWallFoot_m.
 bool has_wall(const GradedTerrain& graded, const Edge& edge) {
   std::array<std::byte, 4096> room;
   std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
   const Vec2 foot = edge.at + edge.out * kWallFoot_m;
   const auto influences = road_influences_at(graded.roads, foot, map::height_m_at(graded.terrain, foot), &memory);
-  return std::ranges::any_of(influences, [&](const RoadInfluence& strand) {
-    return strand.beyond_m < kWallFoot_m && edge.z_m - strand.z_m > kMinWall_m;
+  return std::ranges::any_of(influences, [&](const RoadInfluence& influence) {
+    return influence.beyond_m < kWallFoot_m && edge.z_m - influence.z_m > kMinWall_m;
   });
 }
 
-// The top and the foot of walls towards lower roads beside this one.
+// Adds the top and the foot of walls towards lower roads.
 void add_wall_lines(const GradedTerrain& graded, const GradedSegment& s, double from_m, double to_m,
                     std::vector<Line>& lines) {
   const std::array<Edge, 2> from = edges_at(graded, s, from_m), to = edges_at(graded, s, to_m);
@@ -158,7 +159,7 @@ void add_axis_line(const GradedTerrain& graded, const GradedSegment& s, double f
 
 bool is_narrow(const GradedSegment& s) { return s.left_m + s.right_m <= kNarrow_m; }
 
-// Across a narrow road where its heights bend.
+// Adds lines across a narrow road where its heights bend.
 void add_bend_lines(GradedHeights& heights, const GradedSegment& s, double from_m, double to_m, const Box2& cell,
                     std::vector<Line>& lines) {
   const Vec2 out = left_of(unit(s.to - s.from));

@@ -1,6 +1,6 @@
-// Lines along which the graded terrain bends: the terrain's own grid but where it is level, lines across roads where
-// their profiles bend, their axes where they twist, and the feet of cuts and banks. A cell's reference triangulation
-// has them as edges.
+// Lines along which the graded terrain bends: the terrain's grid where it is not level, lines across roads at bends of
+// their profiles, axes of roads whose tilt changes, and the feet of cuts and banks. They become edges of a cell's
+// reference triangulation.
 #pragma once
 
 #include <utility>
@@ -11,16 +11,13 @@
 
 namespace citykiln::ground {
 
-/// Profiles are felt beside the road at every knot and at least this often.
-inline constexpr double kStation_m = 16;
-
-/// All that may touch the cell, each from its lower end; they may cross. Cut where the ground bends under
-/// them. They depend on the graded terrain near them, not on the cell.
-/// O(roads near the cell + squares of the terrain's grid in it).
+/// Returns all lines that may touch the cell, each from its lower end, split where the ground bends under them. They
+/// may cross. They depend on the graded terrain near them, not on the cell. O(roads near the cell + squares of the
+/// terrain's grid in it).
 std::vector<std::pair<GridPoint, GridPoint>> grading_lines(GradedHeights& heights, const Box2& cell);
 
-/// Of these, those that come near the cell's border: where nothing is carved the others may be left out, and the border
-/// is the same to the bit.
+/// Returns the lines that come near the cell's border. Without grading the others may be left out: the border stays the
+/// same bit for bit.
 std::vector<std::pair<GridPoint, GridPoint>> lines_near_border(std::vector<std::pair<GridPoint, GridPoint>> lines,
                                                                const Box2& cell);
 

@@ -2,23 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::ground {
 namespace {
 
-// About the reach of a road of two lanes: most places look into one bucket with few segments.
+// About the influence radius of a road of two lanes: few segments per bucket.
 constexpr double kBucket_m = 32;
-// Of those that each place looks into: small in a tile, where there are places without number.
+// Buckets of the index that each sample looks into: small for tiles, which are sampled densely.
 double near_bucket_m(const Box2& box) {
   constexpr double kTile_m = 4096, kNearBucket_m = 8;
   return std::max(box.width(), box.height()) <= kTile_m ? kNearBucket_m : kBucket_m;
 }
 
-// Roads whose heights differ by the first are mixed; by the second, the higher one keeps its height to its edge.
+// Roads whose heights differ by less than kAlike_m are blended; from kApart_m on the higher one keeps its height to its
+// edge.
 constexpr double kAlike_m = 0.0625, kApart_m = 0.5;
 
-// Beyond the edges of all roads the nearest one's height is felt by far the most; on a road none of this counts.
+// Beyond all edges the weight falls with the cube of the distance, so the nearest road dominates; on a road this term
+// is negligible.
 constexpr double kFarWeight = 0.002, kNearest_m = 0.25;
 
 bool is_graded(const roads::Road& road, double kerb_m) { return !road.profile.empty() || kerb_m > 0; }
@@ -33,7 +36,14 @@ void add_segments(const roads::Road& road, double kerb_m, RoadInfluenceIndex& fi
                right_m = roads::right_m(road) + roads::raised_right_m(road);
   const auto number = static_cast<std::uint32_t>(field.profiles.size());
   for (std::size_t i = 0; i + 1 < road.axis.size(); ++i)
-    field.segments.push_back({road.axis[i], road.axis[i + 1], along[i], along[i + 1], left_m, right_m, kerb_m, number});
+    field.segments.push_back({.from = road.axis[i],
+                              .to = road.axis[i + 1],
+                              .from_m = along[i],
+                              .to_m = along[i + 1],
+                              .left_m = left_m,
+                              .right_m = right_m,
+                              .kerb_m = kerb_m,
+                              .road = number});
   field.profiles.push_back(road.profile);
 }
 
@@ -41,7 +51,7 @@ double reach_m(const GradedSegment& s) { return std::max(s.left_m, s.right_m) + 
 
 Box2 reach_of(const GradedSegment& s) { return box_of(std::array{s.from, s.to}).widened(reach_m(s)); }
 
-// False only where no place of the box is in reach.
+// Returns false only where no place of the box is within the segment's influence.
 bool may_reach(const GradedSegment& s, const Box2& box) {
   const Vec2 along = s.to - s.from, centre = box.centre();
   const double t = std::clamp(dot(centre - s.from, along) / std::max(dot(along, along), 1e-300), 0.0, 1.0);
@@ -57,9 +67,8 @@ SegmentLine line_of(const GradedSegment& s, const Profile& profile) {
           static_cast<std::uint32_t>(knots.size())};
 }
 
-// Some segments, and where a place lies beside each of them. One value of all after the other, so that the processor
-// works out several at a time.
-struct Besides {
+// Segments near a place and where it lies beside each: structure of arrays, so that compilers vectorise the loop below.
+struct SegmentBatch {
   static constexpr std::size_t kMost = 32;
   template <typename T>
   using Of = std::array<T, kMost>;
@@ -79,8 +88,8 @@ struct Besides {
     ++count;
   }
 
-  // Of two values one is chosen, nowhere a branch taken: only of that do compilers make steps of several at a time.
-  void work_out(Vec2 p) {
+  // Uses selections instead of branches: only those are vectorised.
+  void compute(Vec2 p) {
     const auto larger = [](double a, double b) { return a > b ? a : b; };
     const auto smaller = [](double a, double b) { return a < b ? a : b; };
     for (std::size_t i = 0; i < count; ++i) {
@@ -97,44 +106,44 @@ struct Besides {
   }
 };
 
-// Filled where it stays: copies of what has just been written wait for it.
-void fill(RoadInfluence& strand, const RoadInfluenceIndex& field, const Besides& besides, std::size_t i,
+// Fills a result in place: copying would wait for what was just written.
+void fill(RoadInfluence& influence, const RoadInfluenceIndex& field, const SegmentBatch& batch, std::size_t i,
           double terrain_m) {
-  const std::uint32_t number = besides.numbers[i];
+  const std::uint32_t number = batch.numbers[i];
   const GradedSegment& s = field.segments[number];
-  strand.kerb_m = s.kerb_m, strand.beyond_m = besides.beyond_m[i], strand.weight = besides.weight[i];
-  strand.is_graded = field.lines[number].knot_count > 0;
-  if (!strand.is_graded) return void(strand.z_m = terrain_m);
-  const Knot knot = knot_on(field, number, besides.share[i]);
-  strand.z_m = knot.z_m + knot.tilt * std::clamp(besides.aside_m[i], -s.right_m, s.left_m);
+  influence.kerb_m = s.kerb_m, influence.beyond_m = batch.beyond_m[i], influence.weight = batch.weight[i];
+  influence.is_graded = field.lines[number].knot_count > 0;
+  if (!influence.is_graded) return void(influence.z_m = terrain_m);
+  const Knot knot = knot_on(field, number, batch.share[i]);
+  influence.z_m = knot.z_m + knot.tilt * std::clamp(batch.aside_m[i], -s.right_m, s.left_m);
 }
 
-void take(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, Besides& besides, Vec2 p,
+void take(std::pmr::vector<RoadInfluence>& influences, const RoadInfluenceIndex& field, SegmentBatch& batch, Vec2 p,
           double terrain_m) {
-  besides.work_out(p);
-  for (std::size_t i = 0; i < besides.count; ++i)
-    if (besides.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), field, besides, i, terrain_m);
-  besides.count = 0;
+  batch.compute(p);
+  for (std::size_t i = 0; i < batch.count; ++i)
+    if (batch.beyond_m[i] < kGrading_m) fill(influences.emplace_back(), field, batch, i, terrain_m);
+  batch.count = 0;
 }
 
-// By their weights times a share.
+// The weighted mean; weights are multiplied by `share`.
 template <typename Share>
 RoadHeight mean_of(std::span<const RoadInfluence> influences, Share share) {
   double sum = 0;
   RoadHeight mean;
-  for (const RoadInfluence& strand : influences) {
-    const double weight = strand.weight * share(strand);
+  for (const RoadInfluence& influence : influences) {
+    const double weight = influence.weight * share(influence);
     sum += weight;
-    mean.z_m += weight * strand.z_m, mean.kerb_m += weight * strand.kerb_m;
+    mean.z_m += weight * influence.z_m, mean.kerb_m += weight * influence.kerb_m;
   }
   return {mean.z_m / sum, mean.kerb_m / sum};
 }
 
-// How far the strands' heights lie from their mean, by their weights.
+// The weighted mean distance of the influences' heights from their mean.
 double spread_m(std::span<const RoadInfluence> influences, double mean_m) {
   double sum = 0, weight = 0;
-  for (const RoadInfluence& strand : influences)
-    sum += strand.weight * std::abs(strand.z_m - mean_m), weight += strand.weight;
+  for (const RoadInfluence& influence : influences)
+    sum += influence.weight * std::abs(influence.z_m - mean_m), weight += influence.weight;
   return sum / weight;
 }
 
@@ -142,11 +151,11 @@ double share_between(double none, double all, double value) {
   return std::clamp((value - none) / (all - none), 0.0, 1.0);
 }
 
-// 1 on a road and to the top of the wall beside it, 0 from its foot on.
-double inside(const RoadInfluence& strand) { return share_between(kWallFoot_m, kWallTop_m, strand.beyond_m); }
+// 1 on a road and up to the top of the wall beside it, 0 from the wall's foot on.
+double inside(const RoadInfluence& influence) { return share_between(kWallFoot_m, kWallTop_m, influence.beyond_m); }
 
-// What a higher road takes of the place leaves the rest to the lower ones. Most are beyond their walls' feet: they take
-// nothing.
+// The share of a road among roads of different heights: what higher roads leave, by how far each covers the place.
+// Beyond a wall's foot a road covers nothing.
 double share_where_parted(std::span<const RoadInfluence> influences, const RoadInfluence& own) {
   double left = inside(own);
   if (left == 0) return kFarWeight;
@@ -175,6 +184,7 @@ RoadInfluenceIndex index_road_influence(std::span<const roads::Road> roads, bool
 }
 
 Knot knot_on(const RoadInfluenceIndex& field, std::uint32_t segment, double share) {
+  assert(field.lines[segment].knot_count > 0 && share >= 0 && share <= 1);
   const GradedSegment& s = field.segments[segment];
   const SegmentLine& line = field.lines[segment];
   const auto knots = std::span(field.profiles[s.road]).subspan(line.first_knot, line.knot_count);
@@ -186,17 +196,18 @@ std::pmr::vector<RoadInfluence> road_influences_at(const RoadInfluenceIndex& fie
   std::pmr::vector<RoadInfluence> influences(memory);
   const std::span<const std::uint32_t> near = boxes_about(field.near, p);
   influences.reserve(near.size());
-  Besides besides;
+  SegmentBatch batch;
   for (const std::uint32_t i : near) {
     if (!field.reaches[i].contains(p)) continue;
-    besides.add(field, i);
-    if (besides.count == Besides::kMost) take(influences, field, besides, p, terrain_m);
+    batch.add(field, i);
+    if (batch.count == SegmentBatch::kMost) take(influences, field, batch, p, terrain_m);
   }
-  take(influences, field, besides, p, terrain_m);
+  take(influences, field, batch, p, terrain_m);
   return influences;
 }
 
 RoadHeight blend(std::span<const RoadInfluence> influences) {
+  assert(!influences.empty());
   const RoadHeight all = mean_of(influences, [](const RoadInfluence&) { return 1.0; });
   const double parted = share_between(kAlike_m, kApart_m, spread_m(influences, all.z_m));
   if (parted == 0) return all;

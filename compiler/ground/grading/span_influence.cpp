@@ -10,25 +10,25 @@ namespace citykiln::ground {
 namespace {
 
 constexpr double kInfinity_m = std::numeric_limits<double>::infinity();
-// Of clearances by what passes: cars and lorries, trains, people.
+// Clear heights for cars and lorries, trains, people.
 constexpr double kRoadBore_m = 5, kRailBore_m = 6, kPathBore_m = 2.75;
 
-// A span's segment as a place within reach sees it.
-struct Sight {
+// A place as seen from a span's segment.
+struct SpanView {
   double z_m = 0;       ///< Of the road.
   double beside_m = 0;  ///< Beyond its edges, square to it.
   double before_m = 0;  ///< Beyond the way's ends, along it.
-  double inside_m = 0;  ///< To the nearer of the way's ends.
+  double inside_m = 0;  ///< To the nearer end of the way.
 };
 
-// Most are: told without dividing, so with some slack.
+// True for most segments; decided without division, hence with some slack.
 bool is_out_of_reach(const GradedSegment& s, const SegmentLine& line, double run, double aside) {
   constexpr double kSlack_m = 0x1p-10;
   const double far = (std::max(s.left_m, s.right_m) + kGrading_m + kSlack_m) * line.length_m;
   return std::abs(aside) > far || run < -far || run > line.length2_m2 + far;
 }
 
-std::optional<Sight> sight_of(const SpanInfluenceIndex& spans, std::uint32_t number, Vec2 p) {
+std::optional<SpanView> view_of(const SpanInfluenceIndex& spans, std::uint32_t number, Vec2 p) {
   const GradedSegment& s = spans.field.segments[number];
   const SegmentLine& line = spans.field.lines[number];
   const double run = dot(p - s.from, line.along), aside = cross(line.along, p - s.from), long_m = line.length_m;
@@ -37,14 +37,14 @@ std::optional<Sight> sight_of(const SpanInfluenceIndex& spans, std::uint32_t num
   const double half_m = aside_m >= 0 ? s.left_m : s.right_m;
   const double outside_m = std::max({0.0, -at_m, at_m - long_m});
   const bool is_end = (at_m < 0 && s.from_m == 0) || (at_m > long_m && s.to_m == spans.long_m[s.road]);
-  // beyond a bend of the axis the next segment is nearer; what lies between them is beside both
+  // beyond a bend of the axis the next segment is nearer; places between the two count as beside both
   const double from_bend_m = is_end ? std::abs(aside_m) : length(Vec2{aside_m, outside_m});
   const double beside_m = std::max(0.0, from_bend_m - half_m), before_m = is_end ? outside_m : 0;
   if (beside_m >= kGrading_m || before_m >= kGrading_m) return std::nullopt;
   const double share = std::clamp(at_m / long_m, 0.0, 1.0), way_m = s.from_m + (s.to_m - s.from_m) * share;
   const Knot knot = knot_on(spans.field, number, share);
-  return Sight{knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m), beside_m, before_m,
-               std::min(way_m, spans.long_m[s.road] - way_m)};
+  return SpanView{knot.z_m + knot.tilt * std::clamp(aside_m, -s.right_m, s.left_m), beside_m, before_m,
+                  std::min(way_m, spans.long_m[s.road] - way_m)};
 }
 
 }  // namespace
@@ -70,11 +70,11 @@ SpanInfluenceIndex index_span_influence(std::span<const roads::Road> spans) {
 double max_land_under_decks_m(const SpanInfluenceIndex& decks, Vec2 p) {
   double most_m = kInfinity_m;
   for (const std::uint32_t i : boxes_about(decks.field.grid, p)) {
-    const std::optional<Sight> sight = sight_of(decks, i, p);
-    if (!sight) continue;
-    const double away_m = sight->beside_m + sight->before_m;
-    const double room_m = std::min(kDeckClearance_m, kDeckClearanceSlope * sight->inside_m);
-    most_m = std::min(most_m, sight->z_m - room_m + kDeckClearanceSlope * away_m);
+    const std::optional<SpanView> view = view_of(decks, i, p);
+    if (!view) continue;
+    const double away_m = view->beside_m + view->before_m;
+    const double room_m = std::min(kDeckClearance_m, kDeckClearanceSlope * view->inside_m);
+    most_m = std::min(most_m, view->z_m - room_m + kDeckClearanceSlope * away_m);
   }
   return most_m;
 }
@@ -82,12 +82,12 @@ double max_land_under_decks_m(const SpanInfluenceIndex& decks, Vec2 p) {
 BoreCover bore_cover_at(const SpanInfluenceIndex& bores, Vec2 p) {
   BoreCover over{-kInfinity_m};
   for (const std::uint32_t i : boxes_about(bores.field.grid, p)) {
-    const std::optional<Sight> sight = sight_of(bores, i, p);
-    if (!sight) continue;
-    const double roof_m = sight->z_m + bores.height_m[bores.field.segments[i].road] + kBoreCover_m;
+    const std::optional<SpanView> view = view_of(bores, i, p);
+    if (!view) continue;
+    const double roof_m = view->z_m + bores.height_m[bores.field.segments[i].road] + kBoreCover_m;
     over.least_m =
-        std::max(over.least_m, roof_m - kPortalSlope * sight->before_m - kDeckClearanceSlope * sight->beside_m);
-    const double higher_m = kPortal_m - kPortalSlope * sight->before_m - kPortalSideSlope * sight->beside_m;
+        std::max(over.least_m, roof_m - kPortalSlope * view->before_m - kDeckClearanceSlope * view->beside_m);
+    const double higher_m = kPortal_m - kPortalSlope * view->before_m - kPortalSideSlope * view->beside_m;
     if (higher_m > over.higher_m) over.higher_m = higher_m, over.roof_m = roof_m;
   }
   return over;

@@ -1,6 +1,7 @@
 #include "compiler/ground/mesh/height_error.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
@@ -8,7 +9,7 @@
 namespace citykiln::ground {
 namespace {
 
-// Numbers of the whole steps strictly between two values, measured from `start`.
+// The whole steps strictly between two values, counted from `start`.
 struct Lines {
   int first, last;
 };
@@ -21,13 +22,13 @@ void consider(WorstPoint& worst, double error_m, Vec2 at) {
   if (error_m > worst.error_m) worst = {error_m, at};
 }
 
-// A family of parallel lines, on which a function of the place takes the values start + k · step.
+// A family of parallel lines on which a linear function has the values start + k · step.
 struct Family {
   double start, step;
   Lines inside;
 };
 
-// The crossings with one family; value_a and value_b are its function's at the ends.
+// Evaluates crossings with one family; value_a and value_b are the function's at the ends.
 void consider_crossings(WorstPoint& worst, const map::Heightfield& field, Vec3 a, Vec3 b, double value_a,
                         double value_b, const Family& family) {
   if (value_a == value_b) return;
@@ -47,7 +48,7 @@ WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
   const Vec2 min = field.min, step = field.step_m;
   consider_crossings(worst, field, a, b, a.x, b.x, {min.x, step.x, {0, field.columns - 1}});
   consider_crossings(worst, field, a, b, a.y, b.y, {min.y, step.y, {0, field.rows - 1}});
-  // a cross product with the diagonal is constant on each: of whole numbers, so exact
+  // the cross product with the diagonal is constant on each; exact, as its operands are whole multiples of the grid
   const auto beside = [&](Vec2 p) { return cross(p, step); };
   consider_crossings(worst, field, a, b, beside(in_plan(a)), beside(in_plan(b)),
                      {beside(min), step.x * step.y, {1 - field.rows, field.columns - 1}});
@@ -55,6 +56,7 @@ WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
 }
 
 WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b) {
+  assert((a.x == b.x) != (a.y == b.y));
   if (in_plan(b) < in_plan(a)) std::swap(a, b);
   const bool by_x = a.x != b.x;
   const auto along_axis = [&](auto v) { return by_x ? v.x : v.y; };
@@ -62,7 +64,7 @@ WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b)
   const double low = along_axis(a), high = along_axis(b), start = along_axis(field.min);
   const double step = along_axis(field.step_m), other_step = across_axis(field.step_m);
   const double across = across_axis(a) - across_axis(field.min);
-  // how far beyond a line of the grid the nearest diagonal crosses
+  // distance from a grid line to the nearest crossing of a diagonal beyond it
   const double beyond = snapped((across - std::floor(across / other_step) * other_step) * step / other_step);
   WorstPoint worst;
   const auto look_at = [&](double along) {
@@ -80,6 +82,7 @@ WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b)
 }
 
 WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners) {
+  assert(cross(in_plan(corners[1] - corners[0]), in_plan(corners[2] - corners[0])) > 0);
   WorstPoint worst;
   const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});

@@ -1,5 +1,5 @@
-// How far a linear piece is off the heightfield, vertically, and where most. Both are piecewise linear, so the largest
-// distance lies at a vertex of their overlay: a vertex of either, or a crossing of an edge with a line of the field.
+// The vertical error of a linear piece against the terrain, and where it is largest. Both are piecewise linear, so the
+// largest error lies at a vertex of their overlay: a vertex of either, or a crossing of an edge with a grid line.
 #pragma once
 
 #include <array>
@@ -14,16 +14,17 @@ struct WorstPoint {
   Vec2 at;
 };
 
-/// Along an edge from a to b, ends left out. O(field lines crossed).
+/// Returns the largest error along an edge from a to b, without its ends. O(grid lines crossed).
 WorstPoint worst_on_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
-/// The same along an edge that is parallel to an axis, in a line of whole metres, ends on the 2^-10 m grid, but that
-/// diagonals are looked at where a triangulation with the field's lines as edges has them: at the point of the grid
-/// nearest to where they cross. To the bit what that finds (reference.h). The same from b to a.
+/// Returns the largest error along an edge of the cell border (parallel to an axis, on whole metres, ends on the 2^-10
+/// m grid), without its ends. Diagonals are evaluated at the grid point nearest to their crossing, where a
+/// triangulation with grid lines as edges has a vertex: so reference.h finds the same bits for a neighbour that is
+/// graded. The same from b to a.
 WorstPoint worst_on_straight_edge(const map::Heightfield& field, Vec3 a, Vec3 b);
 
-/// At the field's vertices inside a triangle (in plan, counter-clockwise), its edges left out. O(field vertices in its
-/// box).
+/// Returns the largest error at grid vertices inside a triangle (in plan, counter-clockwise), without its edges.
+/// O(vertices in its box).
 WorstPoint worst_inside(const map::Heightfield& field, const std::array<Vec3, 3>& corners);
 
 }  // namespace citykiln::ground

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace citykiln::ground {
 namespace {
 
-// What is higher is no kerb of the surface above it but a wall.
+// A higher vertical face is a wall, not a kerb of the polygon above it.
 constexpr double kHighestKerb_m = 0.3;
 
 constexpr std::uint32_t kNoVertex = 0xffffffffu;
@@ -53,8 +54,8 @@ struct Builder {
     ground.face_cover.push_back(refined.face_cover[f]);
   }
 
-  // An vertical quad from the lower edge a → b to the upper one, the upper face to the left of it; one triangle where
-  // the edges meet at an end.
+  // Adds a vertical quad from the lower edge a → b to the upper one, with the upper face on the left; one triangle
+  // where the edges meet at an end.
   void add_vertical_face(Vec3 a, Vec3 b, double upper_a, double upper_b, std::uint32_t upper_surface) {
     const bool is_wall = std::max(upper_a - a.z, upper_b - b.z) > kHighestKerb_m;
     const std::uint32_t surface = is_wall ? kNoLandCover : upper_surface;
@@ -71,14 +72,14 @@ struct Builder {
     if (ua != va) push(va, ub, ua);
   }
 
-  // A step across the mouth of a bore begins at its ceiling.
+  // A vertical face across the mouth of a bore begins at its ceiling.
   Vec3 over_mouth(Vec3 a, Vec3 b, double upper_m) const {
     constexpr double kWithin_m = 0.25;
     const double ceiling_m = ceiling_in_mouth_m(normals.graded().bores, in_plan(a), in_plan(b), kWithin_m);
     return {a.x, a.y, std::clamp(ceiling_m, a.z, std::max(a.z, upper_m))};
   }
 
-  // A face's edge, the face to the left of a → b.
+  // An edge of a face, which lies to the left of a → b.
   struct Ledge {
     Vec3 a, b;
     std::uint32_t surface;
@@ -97,7 +98,7 @@ struct Builder {
                       upper.b.z, upper.surface);
   }
 
-  // The step between a face and its neighbour beyond edge i, seen once.
+  // Closes the step between a face and its neighbour beyond edge i; done from the face with the lower number.
   void add_step(std::uint32_t f, int i) {
     const std::uint32_t beyond = refined.triangulation.faces()[f].neighbours[i];
     if (beyond == kNoFace) return add_cell_border_step(f, i);
@@ -111,7 +112,7 @@ struct Builder {
       add_below({other.b, other.a, other.surface}, {own.b, own.a, own.surface});
   }
 
-  // Of two cells the higher one has the step between them.
+  // Closes the step on the cell's border: the higher of both cells has the vertical face.
   void add_cell_border_step(std::uint32_t f, int i) {
     const CellBorderPiece* piece = piece_with(f, i);
     if (piece == nullptr || piece->beyond == refined.face_cover[f]) return;
@@ -139,6 +140,7 @@ struct Builder {
 
 GroundMesh layered_mesh(const Refined& refined, GradedNormals& normals, std::span<const FaceHeight> surfaces,
                         std::span<const CellBorderPiece> cell_border) {
+  assert(refined.heights.size() == refined.triangulation.vertices().size());
   VertexByLayer none;
   none.fill(kNoVertex);
   Builder builder{refined, normals, surfaces, cell_border};

@@ -1,20 +1,35 @@
-// From a triangulation whose vertices have a height a layer to a mesh: faces at their layers' heights, and vertical
-// faces where two layers part.
+// Builds a mesh from a triangulation with one height per layer and vertex: faces at their layers' heights, and vertical
+// faces where two layers differ.
 //
-//      pavement ───┐ ← vertical, of the upper face's surface; higher than a kerb, a wall of none
+//      pavement ───┐ ← vertical, of the upper face's polygon; higher than a kerb: a wall, of none
 //                  └─── carriageway
 #pragma once
 
-#include "compiler/ground/generate.h"
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compiler/geometry/mesh.h"
 #include "compiler/ground/grading/graded_normals.h"
 #include "compiler/ground/mesh/refine.h"
 
 namespace citykiln::ground {
 
-/// @param surfaces  Heights of the surfaces.
-/// @param rim       Where the neighbour is lower the step stands on the cell's border.
-/// Vertices are shared within a layer, and between layers that touch; vertical faces have their own, with level
-/// normals. O(faces).
+struct GroundMesh {
+  Mesh
+      mesh;  ///< First faces upwards, then vertical ones; positions on the 2^-10 m grid; normals of the graded terrain.
+  std::vector<std::uint32_t> face_cover;  ///< One per triangle: index into the polygons given, or kNoLandCover.
+  std::uint32_t first_vertical = 0;       ///< Triangles from here on are vertical: kerbs, quays, walls.
+  double border_error_m = 0;  ///< Largest distance in plan between borders and what they replace, both ways.
+  double error_m =
+      0;  ///< Largest vertical distance between mesh and graded terrain, layer by layer; exact (ground.md).
+};
+
+/// Builds the mesh.
+/// @param surfaces     Heights of the polygons.
+/// @param cell_border  Where the neighbouring cell is lower, the vertical face stands on the common border.
+/// Vertices are shared within a layer, and between layers of equal height; vertical faces have their own, with
+/// horizontal normals. O(faces).
 GroundMesh layered_mesh(const Refined& refined, GradedNormals& normals, std::span<const FaceHeight> surfaces,
                         std::span<const CellBorderPiece> cell_border);
 

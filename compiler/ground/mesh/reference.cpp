@@ -1,6 +1,7 @@
 #include "compiler/ground/mesh/reference.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -17,7 +18,7 @@ double height_of(const Reference& reference, std::uint32_t vertex, HeightLayer l
   return reference.heights[vertex][static_cast<std::size_t>(layer)];
 }
 
-// The centre of a bucket, in the cell.
+// Returns the centre of a bucket, moved into the cell.
 FinePoint centre_of(const Reference& reference, std::int64_t column, std::int64_t row) {
   const GridPoint min = reference.buckets.min, max = grid_point(reference.cell.max);
   const std::int64_t side = reference.buckets.side;
@@ -47,7 +48,7 @@ std::vector<std::uint32_t> faces_at_centres(const Reference& reference) {
   return faces;
 }
 
-// The face that holds p, found on the straight line from its bucket's centre. `near`: p on the grid.
+// Returns the face at p by walking straight from its bucket's centre. `near`: p on the grid.
 std::uint32_t face_at(const Reference& reference, FinePoint p, GridPoint near) {
   const std::int64_t column = reference.buckets.column(near.x), row = reference.buckets.row(near.y);
   const std::uint32_t start =
@@ -55,7 +56,7 @@ std::uint32_t face_at(const Reference& reference, FinePoint p, GridPoint near) {
   return end_of(walk_from_face(walk_ground(reference), start, centre_of(reference, column, row), p));
 }
 
-// How far along from a to b a point on the line between them is, 0 to 1; differences are whole and exact.
+// Returns how far along from a to b a point between them is, 0 to 1; the differences are whole, hence exact.
 double share_along(FinePoint a, FinePoint b, FinePoint p) {
   const bool by_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
   return by_x ? static_cast<double>(p.x - a.x) / static_cast<double>(b.x - a.x)
@@ -66,7 +67,7 @@ double between(double from, double to, double share) { return from + (to - from)
 
 double height_on_edge(const Reference& reference, std::uint32_t u, std::uint32_t v, FinePoint p, HeightLayer layer) {
   const auto& vertices = reference.triangulation.vertices();
-  // from the lower end, so that all who ask get the same bits
+  // from the lower end, so that both directions give the same bits
   if (vertices[v] < vertices[u]) std::swap(u, v);
   const double share = share_along(fine_point(vertices[u]), fine_point(vertices[v]), p);
   return between(height_of(reference, u, layer), height_of(reference, v, layer), share);
@@ -89,7 +90,7 @@ void consider(WorstPoint& worst, double error_m, Vec2 at) {
   if (error_m > worst.error_m) worst = {error_m, at};
 }
 
-// An edge of a mesh, and its ends on the grid.
+// An edge of a mesh with its ends on the grid.
 struct MeshEdge {
   Vec3 a, b;
   GridPoint from, to;
@@ -105,7 +106,7 @@ void consider_vertex(WorstPoint& worst, const Reference& reference, const MeshEd
 void consider_crossing(WorstPoint& worst, const Reference& reference, const MeshEdge& edge, WalkStep met,
                        HeightLayer layer) {
   const GridPoint p = reference.triangulation.vertices()[met.p], q = reference.triangulation.vertices()[met.q];
-  // whole numbers below 2^62: their sum is exact too
+  // whole numbers below 2^62: their difference is exact
   const std::int64_t from_a = turn(p, q, edge.from), from_b = turn(p, q, edge.to);
   const std::int64_t from_p = turn(edge.from, edge.to, p), from_q = turn(edge.from, edge.to, q);
   const double along_edge = static_cast<double>(from_a) / static_cast<double>(from_a - from_b);
@@ -120,7 +121,7 @@ bool is_on_border(const Box2& cell, Vec3 a, Vec3 b) {
          (a.y == b.y && (a.y == cell.min.y || a.y == cell.max.y));
 }
 
-// How a place lies in its face: on the corner `first`, on the edge from `first` on, or inside.
+// How a place lies in its face: on corner `first`, on the edge that starts there, or inside.
 struct InFace {
   enum class Where { kCorner, kEdge, kInside } where;
   int first = 0;
@@ -142,27 +143,27 @@ double height_in_face(const Reference& reference, const DelaunayFace& face, InFa
   return height_inside(reference, face, p, layer);
 }
 
-// How a point lies in a triangle, in areas: opposite to each corner.
+// Doubled areas opposite to each corner: barycentric coordinates before division.
 using Areas = std::array<std::int64_t, 3>;
 
-// A triangle in plan, with the plane through its corners.
+// A triangle in plan with the plane through its corners.
 struct Plane {
   std::array<GridPoint, 3> corners;
   std::array<Vec3, 3> heights;
 
-  // All exact.
+  // Exact.
   Areas areas_at(GridPoint p) const {
     return {turn(corners[1], corners[2], p), turn(corners[2], corners[0], p), turn(corners[0], corners[1], p)};
   }
   double height_m_at(const Areas& areas) const {
-    // whole numbers below 2^62, and the point is inside: their sum is exact too
+    // whole numbers below 2^62, and the point is inside: their sum is exact
     const auto area = static_cast<double>(areas[0] + areas[1] + areas[2]);
     const double s = static_cast<double>(areas[1]) / area, t = static_cast<double>(areas[2]) / area;
     return heights[0].z + s * (heights[1].z - heights[0].z) + t * (heights[2].z - heights[0].z);
   }
 };
 
-// Nobody can foretell on which side of an edge a point lies, so all are looked at before anything is decided.
+// Evaluates all three without branches, which could not be predicted.
 bool is_strictly_inside(const Areas& areas) {
   return static_cast<int>(areas[0] > 0) + static_cast<int>(areas[1] > 0) + static_cast<int>(areas[2] > 0) == 3;
 }
@@ -170,6 +171,7 @@ bool is_strictly_inside(const Areas& areas) {
 }  // namespace
 
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell) {
+  assert(heights.size() == triangulation.vertices().size());
   PointBuckets buckets = bucket_points(triangulation.vertices(), grid_point(cell.min), grid_point(cell.max));
   std::vector<std::uint32_t> first = first_faces(triangulation);
   Reference reference{
@@ -192,10 +194,12 @@ double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer) {
 }
 
 Place place_at(const Reference& reference, Vec2 p) {
+  assert(reference.cell.contains(p));
   return {p, reference.terrain != nullptr ? kNoFace : face_at(reference, fine_point(p), grid_point(p))};
 }
 
 Heights heights_at(const Reference& reference, const Place& place) {
+  assert((place.face == kNoFace) == (reference.terrain != nullptr));
   Heights heights;
   if (reference.terrain != nullptr) {
     heights.fill(map::height_m_at(*reference.terrain, place.at));
@@ -216,7 +220,7 @@ WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer
 
 WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer) {
   if (reference.terrain != nullptr) return worst_on_edge(*reference.terrain, a.at, b.at);
-  // from the lower end, so that both faces of an edge find the same
+  // from the lower end, so that both faces of an edge find the same bits
   if (in_plan(b.at) < in_plan(a.at)) std::swap(a, b);
   const MeshEdge edge{a.at, b.at, grid_point(in_plan(a.at)), grid_point(in_plan(b.at))};
   WorstPoint worst;

@@ -1,6 +1,6 @@
-// The graded terrain of one cell, as exact as it gets: heights that are linear on every face of one triangulation, a
-// height a layer. Coarser meshes are measured against it as against the raw field (height_error.h): the largest
-// vertical distance lies at a vertex of the overlay, so looking at those is exact.
+// The reference: the graded terrain of one cell at full detail, linear on every face of one triangulation, one height
+// per layer. Coarser meshes are measured against it as against the terrain (height_error.h): the largest vertical
+// distance lies at a vertex of the overlay, so evaluating those is exact.
 #pragma once
 
 #include <array>
@@ -15,67 +15,68 @@
 
 namespace citykiln::ground {
 
-/// Where nothing is carved that is the terrain, on all layers alike: then it is asked itself, and the rest is empty.
+/// Without grading the reference is the terrain, the same on all layers: then `terrain` is set and the rest is empty.
 struct Reference {
   Delaunay triangulation;
-  std::vector<Heights> heights;               ///< One a vertex.
-  Box2 cell;                                  ///< What the triangulation covers.
+  std::vector<Heights> heights;               ///< One per vertex.
+  Box2 cell;                                  ///< The area of the triangulation.
   PointBuckets buckets;                       ///< Of the vertices.
-  std::vector<std::uint32_t> first_faces;     ///< One a vertex (geometry/straight_walk.h).
-  std::vector<std::uint32_t> centre_faces;    ///< One a bucket: what holds its centre. Walks to a place start there.
+  std::vector<std::uint32_t> first_faces;     ///< One per vertex (geometry/straight_walk.h).
+  std::vector<std::uint32_t> centre_faces;    ///< One per bucket: the face at its centre, where walks to a place start.
   const map::Heightfield* terrain = nullptr;  ///< Not owned.
 };
 
-/// @param triangulation  Covers the cell exactly. Only its faces count: a face may be Delaunay or not.
-/// @param heights        One a vertex.
+/// Makes a reference of a triangulation.
+/// @param triangulation  Covers the cell exactly. It need not be Delaunay.
+/// @param heights        One per vertex.
 /// O(n).
 Reference reference_of(Delaunay&& triangulation, std::vector<Heights>&& heights, const Box2& cell);
 
+/// Makes a reference of terrain without grading.
 /// @param terrain  Must outlive the reference. O(1).
 Reference reference_of(const map::Heightfield& terrain, const Box2& cell);
 
-/// At a point of the closed cell; those outside are moved to its border. At a vertex exactly its height, on an edge a
-/// function of the edge alone, so the same from both sides and in both cells of a border. O(1) expected.
+/// Returns the height at p, moved into the closed cell first. At a vertex exactly its height; on an edge a function of
+/// the edge alone, hence the same from both sides and in both cells of a border. O(1) expected.
 double height_m_at(const Reference& reference, Vec2 p, HeightLayer layer);
 
-/// A place of a mesh: its point, and the reference's face that holds it. Where many edges start from one place, that
-/// face is looked for once.
+/// A place of a mesh and the reference's face that holds it, found once for all edges that start there.
 struct Place {
   Vec2 at;
   std::uint32_t face = kNoFace;  ///< kNoFace where the reference is the terrain.
 };
 
-/// @param p  In the closed cell. O(1) expected.
+/// Finds the face at p, in the closed cell. O(1) expected.
 Place place_at(const Reference& reference, Vec2 p);
 
-/// To the bit what height_m_at gives for each layer. O(1).
+/// Returns height_m_at() for all layers, bit for bit. O(1).
 Heights heights_at(const Reference& reference, const Place& place);
 
-/// Along an edge from a to b (on the 2^-10 m grid, in the closed cell), ends left out: at its crossings with edges of
-/// the reference, and at vertices it passes. The same from b to a. O(faces crossed).
+/// Returns the largest error along an edge from a to b (on the 2^-10 m grid, in the closed cell), without its ends: at
+/// its crossings with edges of the reference and at vertices on it. The same from b to a. O(faces crossed).
 WorstPoint worst_on_edge(const Reference& reference, Vec3 a, Vec3 b, HeightLayer layer);
 
-/// The same, with what is known of the ends.
+/// An end of an edge with known face.
 struct EdgeEnd {
   Vec3 at;
   std::uint32_t face;  ///< As in Place.
 };
 WorstPoint worst_on_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
-/// The same, but for an edge on the cell's border: of that both cells find the same to the bit, whichever is carved. A
-/// triangulation has the border's vertices there; the terrain itself is looked at where those are. Its diagonals cross
-/// up to half a grid step off, so this is to cut by, and worst_on_edge to certify by.
+/// Returns the largest error along an edge; for edges on the cell's border bit for bit the same in both cells, whether
+/// graded or not: the terrain is evaluated where a triangulation would have vertices, up to half a grid step off its
+/// diagonals. Borders are split by this function; errors are measured by worst_on_edge().
 WorstPoint worst_on_shared_edge(const Reference& reference, EdgeEnd a, EdgeEnd b, HeightLayer layer);
 
-/// At the reference's vertices inside a triangle (in plan, counter-clockwise, corners on the 2^-10 m grid), its edges
-/// left out. O(vertices in the buckets it touches).
+/// Returns the largest error at vertices of the reference inside a triangle (in plan, counter-clockwise, corners on the
+/// 2^-10 m grid), without its edges. O(vertices in the buckets it touches).
 WorstPoint worst_inside(const Reference& reference, const std::array<Vec3, 3>& corners, HeightLayer layer);
 
-/// The corners of the piece that holds a point: the terrain's rectangle, or a face (its last corner twice). O(1)
-/// expected.
+/// Returns the corners of the piece that holds p: a rectangle of the terrain, or a face with its last corner twice.
+/// O(1) expected.
 std::array<Vec2, 4> corners_about(const Reference& reference, Vec2 p);
 
-/// The place of the reference's vertex nearest to a point; of equals the first by place. O(1) expected.
+/// Returns the place of the reference's vertex nearest to p; of equals the first by place. O(1) expected.
 Vec2 nearest_vertex(const Reference& reference, Vec2 p);
 
 }  // namespace citykiln::ground

@@ -1,9 +1,10 @@
 // Garland and Heckbert, "Fast polygonal approximation of terrains and height fields", CMU-CS-95-181, 1995 (greedy
-// insertion). Where we differ: the triangulation is constrained by class borders; the error is taken at every vertex of
-// the overlay of mesh and reference, not at samples alone; and an edge that is off is turned round where that mends it.
+// insertion). Differences: the triangulation is constrained by borders; the error is evaluated at every vertex of the
+// overlay of mesh and reference, not at samples alone; an edge that is off is flipped where that suffices.
 #include "compiler/ground/mesh/refine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <queue>
 #include <tuple>
@@ -13,29 +14,29 @@
 namespace citykiln::ground {
 namespace {
 
-// Errors of so many tolerances are mended first, at the reference's vertices alone: edges of faces that will be split
-// are not worth looking at. (A fifth of the time, and no triangle more; with less than two, edges come too late.)
+// First, errors above this many tolerances are reduced by vertices of the reference alone: edges of faces that will be
+// split need not be measured. (Saves a fifth of the time and adds no triangle; below 2, edges come too late.)
 constexpr double kFirst = 2;
 
-// Another corner is put in rather than the nearest one if it is off by so much of the tolerance more.
+// Another corner replaces the nearest one if its error is larger by this share of the tolerance.
 constexpr double kFartherOff = 0.25;
 
-// The errors of one face: the worst of all, and the worst that a further vertex can mend.
+// The errors of one face: the largest, and the largest that a further vertex can reduce.
 struct FaceError {
   double error_m = 0;
-  WorstPoint mendable;
-  WorstPoint inside;                  // at the reference's vertices
+  WorstPoint reducible;
+  WorstPoint inside;                  // at vertices of the reference
   std::array<WorstPoint, 3> edges{};  // opposite to each corner
   bool is_inside_known = false, are_edges_known = false;
 };
 
-// A triangulation that grows: heights of its vertices, surfaces, layers and errors of its faces.
+// The growing triangulation: heights of vertices, polygons, layers and errors of faces.
 struct Growing {
   const Reference& reference;
   Refined& refined;
   std::vector<FaceError> errors;
   bool looks_at_edges = false;
-  std::vector<std::uint32_t> standing{};  // one a vertex: the reference's face that holds it
+  std::vector<std::uint32_t> standing{};  // one per vertex: the reference's face that holds it
 
   void add_vertex(Vec2 p) {
     const Place place = place_at(reference, p);
@@ -59,7 +60,7 @@ struct Growing {
     return places_of(refined.triangulation.faces()[f].vertices, layer_of(f));
   }
 
-  // An edge within a region is the neighbour's too, who may have measured it.
+  // An edge within a region was perhaps measured from the neighbour.
   WorstPoint worst_on(std::uint32_t f, int i) const {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::uint32_t beyond = face.neighbours[i];
@@ -70,7 +71,7 @@ struct Growing {
                          end_at(face.vertices[(i + 2) % 3], layer), layer);
   }
 
-  // Which edge of a face its neighbour shares.
+  // Returns which edge of a face its neighbour shares.
   int side_towards(std::uint32_t f, std::uint32_t neighbour) const {
     const auto& neighbours = refined.triangulation.faces()[f].neighbours;
     return neighbours[0] == neighbour ? 0 : neighbours[1] == neighbour ? 1 : 2;
@@ -81,8 +82,8 @@ struct Growing {
     if (refined.face_height[f].level_m) return void(error = {0, {}, {}, {}, true, true});
     if (!error.is_inside_known) error.inside = worst_inside(reference, corners_of(f), layer_of(f));
     error.is_inside_known = true;
-    // corners are rounded to the grid's heights, half a step to either side
-    error.mendable = error.inside, error.error_m = std::max(kQuantum_m / 2, error.inside.error_m);
+    // corners are rounded to the grid by up to half a step
+    error.reducible = error.inside, error.error_m = std::max(kQuantum_m / 2, error.inside.error_m);
     if (looks_at_edges) measure_edges(f);
   }
 
@@ -91,13 +92,13 @@ struct Growing {
     for (int i = 0; i < 3; ++i) {
       const WorstPoint worst = error.edges[i] = worst_on(f, i);
       error.error_m = std::max(error.error_m, worst.error_m);
-      if (!refined.triangulation.faces()[f].is_constrained[i] && worst.error_m > error.mendable.error_m)
-        error.mendable = worst;
+      if (!refined.triangulation.faces()[f].is_constrained[i] && worst.error_m > error.reducible.error_m)
+        error.reducible = worst;
     }
     error.are_edges_known = true;
   }
 
-  // How far a face is off the reference at a point in it.
+  // Returns the face's error at a point inside it.
   double error_at(std::uint32_t f, Vec2 p) const {
     const std::array<Vec3, 3> corners = corners_of(f);
     const Vec3 a = corners[0], u = corners[1] - a, v = corners[2] - a;
@@ -106,23 +107,23 @@ struct Growing {
     return std::abs(a.z + s * u.z + t * v.z - height_m_at(reference, p, layer_of(f)));
   }
 
-  // A point to put in, and the face it splits: kNoFace where it is a vertex already, or on a border.
+  // A point to insert and the face it splits; kNoFace where it is a vertex already, or on a border.
   struct Insertion {
     Vec2 point;
     std::uint32_t face;
   };
 
-  // Rounding, or the search for a better point, may have carried it out of the face `near`, and out of its region.
+  // The face is searched from `near`: rounding, or choosing a better point, may have moved the point out of it.
   Insertion insertion_at(Vec2 at, std::uint32_t near) const {
     const Vec2 point = snapped(at);
     return {point, refined.triangulation.face_to_split(grid_point(point), near)};
   }
 
-  // Where a face is off most, or a corner of the reference's piece there: that mends all edges about it, a point
-  // between two of them only one. So it goes in even where it is off by little itself. (A twentieth fewer triangles
-  // where the tolerance is small.)
+  // Returns the worst place, or rather a corner of the reference's piece there: a corner improves all edges about it, a
+  // point between corners only one. So corners are preferred even where their own error is small. (A twentieth fewer
+  // triangles at small tolerances.)
   Insertion best_insertion(std::uint32_t f, double tolerance_m) const {
-    const Vec2 worst = errors[f].mendable.at;
+    const Vec2 worst = errors[f].reducible.at;
     Insertion best = insertion_at(nearest_vertex(reference, worst), f);
     if (best.point == worst) return best;
     double best_m = best.face == kNoFace ? 0 : error_at(best.face, best.point) + kFartherOff * tolerance_m;
@@ -134,31 +135,31 @@ struct Growing {
     return best.face == kNoFace ? insertion_at(worst, f) : best;
   }
 
-  // The edge of a face that is off most; 3 where the worst lies inside.
+  // Returns the edge with the largest error; 3 where it lies inside.
   int worst_edge(std::uint32_t f) const {
     int i = errors[f].are_edges_known ? 0 : 3;
-    while (i < 3 && errors[f].edges[i].at != errors[f].mendable.at) ++i;
+    while (i < 3 && errors[f].edges[i].at != errors[f].reducible.at) ++i;
     return i;
   }
 
-  // Where an edge is off because it passes close by a vertex beyond it: a point this side of the edge makes Delaunay
-  // turn the edge round, so that the vertex is a corner on this side too.
+  // An edge may be off because it passes close by a vertex beyond it. A point on this side of the edge makes Delaunay
+  // flip it, so that the vertex becomes a corner on this side.
   Insertion insertion_beside(std::uint32_t f) const {
     constexpr double kInwards = 0.125;
-    const Vec2 worst = errors[f].mendable.at;
+    const Vec2 worst = errors[f].reducible.at;
     const int i = worst_edge(f);
     if (i == 3) return {worst, kNoFace};
     const Vec2 apex = plane_point(refined.triangulation.vertices()[refined.triangulation.faces()[f].vertices[i]]);
     return insertion_at(worst + (apex - worst) * kInwards, f);
   }
 
-  // Whether a face would lie on the reference within the tolerance, its edges left out.
+  // Returns whether a face would be within the tolerance, its edges left out.
   bool fits(const std::array<std::uint32_t, 3>& v, HeightLayer layer, double tolerance_m) const {
     return worst_inside(reference, places_of(v, layer), layer).error_m <= tolerance_m;
   }
 
-  // Whether an edge, turned round, would leave nothing between the four corners off by more than the tolerance.
-  bool mends_turned(std::uint32_t f, int i, double tolerance_m) const {
+  // Returns whether flipping an edge would leave nothing between the four corners off by more than the tolerance.
+  bool flip_suffices(std::uint32_t f, int i, double tolerance_m) const {
     const DelaunayFace& face = refined.triangulation.faces()[f];
     const std::uint32_t beyond = face.neighbours[i];
     if (face.is_constrained[i] || beyond == kNoFace) return false;
@@ -177,12 +178,12 @@ struct Growing {
     return changed;
   }
 
-  // Turns an edge round or puts a point in that mends the face's worst error, or one nearby; the faces that changed.
-  // None where nothing can. Turned edges leave fewer edges and faces off than there were, and points are new ones, so
-  // this ends.
+  // Flips an edge or inserts a point to reduce the face's largest error, or one nearby. Returns the changed faces; none
+  // where nothing helps. Terminates: flips reduce the number of edges and faces that are off, and points are new
+  // vertices of a finite grid.
   std::span<const std::uint32_t> mend(std::uint32_t f, double tolerance_m) {
     const int edge = worst_edge(f);
-    if (edge < 3 && mends_turned(f, edge, tolerance_m)) return turn_round(f, edge);
+    if (edge < 3 && flip_suffices(f, edge, tolerance_m)) return turn_round(f, edge);
     Insertion insertion = best_insertion(f, tolerance_m);
     if (insertion.face == kNoFace) insertion = insertion_beside(f);
     const auto [p, split] = insertion;
@@ -191,8 +192,7 @@ struct Growing {
     const FaceHeight height = refined.face_height[split];
     const auto changed = refined.triangulation.insert(grid_point(p), split);
     add_vertex(p);
-    // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it are of that
-    // region
+    // the new vertex lies inside a region, or on an edge between two faces of one, so all faces about it belong to it
     const std::size_t count = refined.triangulation.faces().size();
     refined.face_cover.resize(count, surface), refined.face_height.resize(count, height), errors.resize(count);
     for (const std::uint32_t c : changed)
@@ -208,22 +208,22 @@ struct Waiting {
   bool operator<(const Waiting& o) const { return std::tie(error_m, face) < std::tie(o.error_m, o.face); }
 };
 
-// The worst face first, until none is off by more than the tolerance or no point can mend it.
+// Handles the worst face first, until none is off by more than the tolerance or nothing helps.
 void grow(Growing& growing, double tolerance_m) {
   std::priority_queue<Waiting> waiting;
   const auto measure = [&](std::uint32_t f) {
     growing.measure(f);
-    if (growing.errors[f].mendable.error_m > tolerance_m) waiting.push({growing.errors[f].mendable.error_m, f});
+    if (growing.errors[f].reducible.error_m > tolerance_m) waiting.push({growing.errors[f].reducible.error_m, f});
   };
   for (std::uint32_t f = 0; f < growing.errors.size(); ++f) measure(f);
   while (!waiting.empty()) {
     const Waiting worst = waiting.top();
     waiting.pop();
-    // stale: the face has been measured again since
-    if (growing.errors[worst.face].mendable.error_m != worst.error_m) continue;
+    // stale: measured again since
+    if (growing.errors[worst.face].reducible.error_m != worst.error_m) continue;
     const auto changed = growing.mend(worst.face, tolerance_m);
     for (const std::uint32_t f : changed) measure(f);
-    // mended beside it: its own turn comes again
+    // a neighbour changed: this face is handled again
     if (!changed.empty() && std::ranges::find(changed, worst.face) == changed.end()) waiting.push(worst);
   }
 }
@@ -238,6 +238,7 @@ Heights snapped_heights(const Reference& reference, const Place& place) {
 
 Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m) {
+  assert(face_height.size() == partition.face_cover.size() && tolerance_m > 0);
   Refined refined{std::move(partition.triangulation), std::move(partition.face_cover), std::move(face_height), {}, 0};
   Growing growing{reference, refined, std::vector<FaceError>(refined.face_cover.size())};
   for (const GridPoint p : refined.triangulation.vertices()) growing.add_vertex(plane_point(p));

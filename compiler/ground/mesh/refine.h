@@ -1,4 +1,5 @@
-// A triangulation takes points of the graded terrain, the worst first, until no face is off by more than the tolerance.
+// Refines a triangulation with points of the reference, at the worst face first, until no face is off by more than the
+// tolerance.
 #pragma once
 
 #include <vector>
@@ -8,21 +9,21 @@
 
 namespace citykiln::ground {
 
-/// A partition with the heights of its vertices.
+/// A refined partition with the heights of its vertices.
 struct Refined {
   Delaunay triangulation;
   std::vector<std::uint32_t> face_cover;
   std::vector<FaceHeight> face_height;
-  std::vector<Heights> heights;  ///< One a vertex: the reference's, rounded to 2^-10 m.
-  double error_m = 0;            ///< Largest vertical distance of a face to its layer of the reference: exact. Standing
-                                 ///< water is level, and off by nothing.
+  std::vector<Heights> heights;  ///< One per vertex: the reference's, rounded to 2^-10 m.
+  double error_m =
+      0;  ///< Largest vertical distance of a face to its layer of the reference; exact. Standing water is level: 0.
 };
 
-/// The reference's heights at a place, rounded to 2^-10 m.
+/// Returns the reference's heights at a place, rounded to 2^-10 m.
 Heights snapped_heights(const Reference& reference, const Place& place);
 
-/// Guarantees: no point on a constrained edge, nor on the cell's border; error_m <= tolerance_m, or what no further
-/// point could mend. Cost: n log n in points, times the reference's faces about each.
+/// Refines. Guarantees: no point on a constrained edge or the cell's border; error_m <= tolerance_m, or no further
+/// point could help. O(n log n) in points, times the reference's faces about each.
 Refined refine(Partition&& partition, std::vector<FaceHeight>&& face_height, const Reference& reference,
                double tolerance_m);
 

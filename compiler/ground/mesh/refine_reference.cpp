@@ -11,28 +11,28 @@
 namespace citykiln::ground {
 namespace {
 
-// Shorter edges are not cut: they cannot stray far, and steps of the ground itself would be cut for ever.
+// Shorter edges are not split: they cannot be far off, and vertical steps would be split for ever.
 constexpr double kShortest_m = 1;
 
-// How near the ground is followed, and how near points come to vertices and to edges that may not be cut. Roads are
-// looked at most, and so smooth that it costs next to nothing; paths are narrow.
-struct Closeness {
-  double follow_m, nearest_m;
+// Allowed error, and least distance of new points from vertices and fixed edges. Roads are seen most, and so smooth
+// that accuracy costs little; paths are narrow.
+struct Accuracy {
+  double error_m, nearest_m;
 };
 
-Closeness closeness_of(HeightLayer layer) {
+Accuracy accuracy_of(HeightLayer layer) {
   const bool is_road = layer == HeightLayer::kRoad || layer == HeightLayer::kCarriageway;
-  return is_road ? Closeness{kQuantum_m, 0.25} : Closeness{kReferenceError_m, 0.5};
+  return is_road ? Accuracy{kQuantum_m, 0.25} : Accuracy{kReferenceError_m, 0.5};
 }
 
-struct Following {
+struct RefiningReference {
   Delaunay triangulation;
   std::vector<std::uint32_t> face_cover;
   std::vector<Heights> heights;
   std::span<const FaceHeight> face_heights;
   const GradedTerrain& graded;
-  std::vector<bool> is_seen{};      // its edges need not be looked at again
-  std::vector<bool> is_followed{};  // nor its centre: a face may have been asked to wait more than once
+  std::vector<bool> is_seen{};         // its edges need not be sampled again
+  std::vector<bool> is_centre_good{};  // nor its centre
 
   Vec2 place(std::uint32_t v) const { return plane_point(triangulation.vertices()[v]); }
 
@@ -45,7 +45,7 @@ struct Following {
     return face_cover[f] == kNoLandCover ? FaceHeight{} : face_heights[face_cover[f]];
   }
 
-  // What is straight between some vertices, in the middle of them.
+  // The linear interpolation at the centroid of some vertices.
   double mean_m(std::initializer_list<std::uint32_t> vertices, HeightLayer layer) const {
     double sum_m = 0;
     for (const std::uint32_t v : vertices) sum_m += of(heights[v], layer);
@@ -59,29 +59,29 @@ double longest_m(const std::array<Vec2, 3>& c) {
   return std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
 }
 
-// A place to look at, and how far the ground strays from the face there.
-struct Stray {
+// A sample with its error.
+struct FaceSample {
   double off_m = 0;
   Vec2 at;
   Heights heights{};
 };
 
-void keep_worse(Stray& worst, const GradedTerrain& graded, Vec2 at, double straight_m, HeightLayer layer) {
+void keep_worse(FaceSample& worst, const GradedTerrain& graded, Vec2 at, double straight_m, HeightLayer layer) {
   const Heights heights = heights_at(graded, at);
   const double off_m = std::abs(straight_m - of(heights, layer));
   if (off_m > worst.off_m) worst = {off_m, at, heights};
 }
 
-// At the centre, where it is not known to follow, and in the middle of edges that may be cut.
-Stray stray_of(Following& all, std::uint32_t f, HeightLayer layer, double follow_m) {
+// Samples the centre, unless known to be good, and the middles of edges that may be split; returns the worst.
+FaceSample worst_sample(RefiningReference& all, std::uint32_t f, HeightLayer layer, double error_m) {
   const DelaunayFace& face = all.triangulation.faces()[f];
   const auto& v = face.vertices;
   const std::array<Vec2, 3> c = all.corners_of(f);
-  Stray worst;
-  if (!all.is_followed[f]) {
+  FaceSample worst;
+  if (!all.is_centre_good[f]) {
     const Vec2 centre = snapped((c[0] + c[1] + c[2]) * (1.0 / 3));
     keep_worse(worst, all.graded, centre, all.mean_m({v[0], v[1], v[2]}, layer), layer);
-    all.is_followed[f] = worst.off_m <= follow_m;
+    all.is_centre_good[f] = worst.off_m <= error_m;
   }
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
@@ -92,8 +92,8 @@ Stray stray_of(Following& all, std::uint32_t f, HeightLayer layer, double follow
   return worst;
 }
 
-// Too near to a corner, or to an edge that may not be cut.
-bool is_crowded(const Following& all, std::uint32_t f, Vec2 p, double nearest_m) {
+// Returns whether p is too near to a corner or to a fixed edge.
+bool is_crowded(const RefiningReference& all, std::uint32_t f, Vec2 p, double nearest_m) {
   const std::array<Vec2, 3> c = all.corners_of(f);
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
@@ -104,30 +104,31 @@ bool is_crowded(const Following& all, std::uint32_t f, Vec2 p, double nearest_m)
   return false;
 }
 
-// Faces of standing water are level whatever lies under them.
-bool may_stray(const Following& all, std::uint32_t f, double nearest_m) {
+// Faces of standing water are level whatever lies under them, and small faces cannot be split.
+bool may_be_off(const RefiningReference& all, std::uint32_t f, double nearest_m) {
   if (all.height_of(f).level_m) return false;
   const std::array<Vec2, 3> c = all.corners_of(f);
   const double longest = longest_m(c);
   return longest >= 2 * kShortest_m && twice_area_m2(c) >= nearest_m * longest;
 }
 
-// The faces that changed; none where the face follows, or no point may go in.
-std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
+// Returns the changed faces; none where the face is good or no point may be inserted.
+std::span<const std::uint32_t> mend(RefiningReference& all, std::uint32_t f) {
   const HeightLayer layer = all.height_of(f).layer;
-  const auto [follow_m, nearest_m] = closeness_of(layer);
-  if (!may_stray(all, f, nearest_m)) return {};
-  const Stray worst = stray_of(all, f, layer, follow_m);
+  const auto [error_m, nearest_m] = accuracy_of(layer);
+  if (!may_be_off(all, f, nearest_m)) return {};
+  const FaceSample worst = worst_sample(all, f, layer, error_m);
   all.is_seen[f] = true;
-  if (worst.off_m <= follow_m) return {};
+  if (worst.off_m <= error_m) return {};
   const std::uint32_t split = all.triangulation.face_to_split(grid_point(worst.at), f);
   if (split == kNoFace || is_crowded(all, split, worst.at, nearest_m)) return {};
   const std::uint32_t surface = all.face_cover[split];
   const auto changed = all.triangulation.insert(grid_point(worst.at), split);
   all.heights.push_back(worst.heights);
   const std::size_t count = all.triangulation.faces().size();
-  all.face_cover.resize(count), all.is_seen.resize(count), all.is_followed.resize(count);
-  for (const std::uint32_t c : changed) all.face_cover[c] = surface, all.is_seen[c] = false, all.is_followed[c] = false;
+  all.face_cover.resize(count), all.is_seen.resize(count), all.is_centre_good.resize(count);
+  for (const std::uint32_t c : changed)
+    all.face_cover[c] = surface, all.is_seen[c] = false, all.is_centre_good[c] = false;
   return changed;
 }
 
@@ -135,9 +136,9 @@ std::span<const std::uint32_t> mend(Following& all, std::uint32_t f) {
 
 RefinedReference refine_reference(Partition&& partition, std::span<const FaceHeight> face_heights,
                                   const GradedHeights& heights) {
-  Following all{
+  RefiningReference all{
       std::move(partition.triangulation), std::move(partition.face_cover), {}, face_heights, heights.graded()};
-  all.is_seen.resize(all.face_cover.size()), all.is_followed.resize(all.face_cover.size());
+  all.is_seen.resize(all.face_cover.size()), all.is_centre_good.resize(all.face_cover.size());
   for (const GridPoint p : all.triangulation.vertices()) all.heights.push_back(heights.uncached_at(plane_point(p)));
   std::deque<std::uint32_t> waiting;
   for (std::uint32_t f = 0; f < all.face_cover.size(); ++f) waiting.push_back(f);

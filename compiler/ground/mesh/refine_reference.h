@@ -1,5 +1,5 @@
-// Borders and carve lines foretell most bends of the graded terrain, but not all: feet of banks at corners, shores,
-// what is curved. A triangulation takes points there, until it follows the ground wherever it is looked at.
+// Refines the reference where grading lines did not foresee how the graded terrain bends: feet of banks at corners,
+// shores, curves.
 #pragma once
 
 #include <span>
@@ -12,16 +12,16 @@ namespace citykiln::ground {
 
 struct RefinedReference {
   Delaunay triangulation;
-  std::vector<Heights> heights;  ///< One a vertex: of the graded terrain, not rounded.
+  std::vector<Heights> heights;  ///< One per vertex: of the graded terrain, not rounded.
 };
 
-/// Looks at the centres of faces and at the middles of edges that are no borders, each face on its own layer, and puts
-/// points in where a face strays by more than kReferenceError_m, on roads by more than kQuantum_m.
-/// @param face_heights  Of each surface of the partition; kNoLandCover lies on the land.
-/// Guarantees: nothing on borders, lines or the cell's border changes; no point goes in within half a metre, on roads a
-/// quarter, of a corner of the face it splits, so beside steps of the ground a face may stay off. Depends on the order
-/// of faces, which the partition alone decides. O(n log n) in vertices, each asked for once.
-/// @param heights  Those that are known already need not be made.
+/// Samples the centres of faces and the middles of edges that are no borders, each face on its own layer, and inserts
+/// points where a face is off by more than kReferenceError_m, on roads by more than kQuantum_m.
+/// @param face_heights  One per polygon of the partition; kNoLandCover lies on the land.
+/// @param heights       Heights sampled before are reused.
+/// Guarantees: borders, lines and the cell's border stay; no point is inserted within 0.5 m (on roads 0.25 m) of a
+/// corner of the face it splits, so beside steps of the ground a face may stay off. The order of faces is that of the
+/// partition. O(n log n) in vertices.
 RefinedReference refine_reference(Partition&& partition, std::span<const FaceHeight> face_heights,
                                   const GradedHeights& heights);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/land_cover_index.h"
@@ -37,8 +38,8 @@ WorstPoint worst_of(const Reference& reference, const Point& a, const Point& b, 
   return worst;
 }
 
-// Cuts an edge until the straight line between its points is nowhere off by more than the tolerance. Depends on the
-// edge and the heights alone.
+// Splits an edge at its worst place until no piece is off by more than the tolerance. Depends on the edge and the
+// heights alone.
 void split_edge(const Reference& reference, const Point& a, const Point& b, std::span<const HeightLayer> layers,
                 double tolerance_m, std::vector<GridPoint>& points) {
   const WorstPoint worst = worst_of(reference, a, b, layers);
@@ -50,7 +51,7 @@ void split_edge(const Reference& reference, const Point& a, const Point& b, std:
   split_edge(reference, middle, b, layers, tolerance_m, points);
 }
 
-// From the lower end to the upper.
+// Returns the border's points from the lower end to the upper.
 std::vector<GridPoint> path_of(const Reference& reference, const Border& border, std::span<const HeightLayer> layers,
                                double tolerance_m) {
   std::vector<GridPoint> path = {border.a, border.b};
@@ -65,7 +66,7 @@ std::vector<GridPoint> path_of(const Reference& reference, const Border& border,
 constexpr std::array kAllLayers = {HeightLayer::kLand, HeightLayer::kRoad, HeightLayer::kCarriageway,
                                    HeightLayer::kWater};
 
-// The layers that a border must follow: those of its sides but for what is level.
+// Returns the layers that a border must follow: those of its sides, except level ones.
 std::vector<HeightLayer> layers_beside(const Border& border, std::span<const FaceHeight> heights) {
   std::vector<HeightLayer> layers;
   for (const std::uint32_t surface : {border.left, border.right}) {
@@ -77,18 +78,13 @@ std::vector<HeightLayer> layers_beside(const Border& border, std::span<const Fac
 
 }  // namespace
 
-double tolerance_m_of(const SideTolerances& sides, const Border& border, const Box2& cell) {
-  const GridPoint min = grid_point(cell.min);
-  if (border.a.x == border.b.x) return border.a.x == min.x ? sides.west_m : sides.east_m;
-  return border.a.y == min.y ? sides.south_m : sides.north_m;
-}
-
-SplitBorders split_at_bends(const Reference& reference, std::span<const Border> borders,
-                            std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
+SplitBorders split_borders(const Reference& reference, std::span<const Border> borders,
+                           std::span<const FaceHeight> heights, const SideTolerances& sides_m, double inner_m) {
+  assert(inner_m >= 0);
   SplitBorders bent;
   for (const Border& border : borders) {
     if (border.is_cell_border) {
-      // the neighbour's surfaces may lie on other layers
+      // the neighbour's polygons may lie on other layers
       const auto path = path_of(reference, border, kAllLayers, tolerance_m_of(sides_m, border, reference.cell));
       bent.points.insert(bent.points.end(), path.begin(), path.end());
       bent.borders.push_back(border);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/grade_rules.h"
@@ -22,11 +23,11 @@ bool may_merge(const Track& track) {
          length_m(track.axis) <= kLongestApproach_m;
 }
 
-// Nodes of the map on paths, and how far along paths they are from what leaves the ground.
+// Map nodes on paths, and their distance along paths from the nearest end of a bridge or tunnel.
 struct Nodes {
   std::vector<std::int64_t> ids;  // sorted
   std::vector<double> run_m;
-  // Pieces of paths from node to node, sorted by the first.
+  // A piece of path between two nodes; sorted by the first.
   struct Piece {
     std::size_t from, to;
     double length_m;
@@ -43,8 +44,7 @@ Nodes nodes_of(const std::vector<Track>& tracks) {
   Nodes nodes;
   for (const Track& track : tracks)
     if (may_merge(track)) nodes.ids.insert(nodes.ids.end(), track.node_ids.begin(), track.node_ids.end());
-  std::ranges::sort(nodes.ids);
-  nodes.ids.erase(std::unique(nodes.ids.begin(), nodes.ids.end()), nodes.ids.end());
+  sort_unique(nodes.ids);
   nodes.run_m.assign(nodes.ids.size(), kFar_m);
   for (const Track& track : tracks) {
     for (std::size_t i = 0; may_merge(track) && i + 1 < track.axis.size(); ++i) {
@@ -57,13 +57,13 @@ Nodes nodes_of(const std::vector<Track>& tracks) {
   return nodes;
 }
 
-// Nodes of bridges and tunnels: those at which one ends and no other goes on, and the rest. Sorted.
+// Nodes of bridges and tunnels, sorted: ends where no other continues, and all others.
 struct OffGround {
   std::vector<std::int64_t> ends, inner;
 };
 
 OffGround off_ground_of(const std::vector<Track>& tracks) {
-  std::vector<std::int64_t> off;  // a way's inner nodes twice, as it goes on there
+  std::vector<std::int64_t> off;  // inner nodes of a way occur twice, as it continues there
   for (const Track& track : tracks) {
     if (track.passage == map::Passage::kGround) continue;
     off.insert(off.end(), track.node_ids.begin(), track.node_ids.end());
@@ -78,7 +78,7 @@ OffGround off_ground_of(const std::vector<Track>& tracks) {
   return nodes;
 }
 
-// Dijkstra (1959), from all at once.
+// Dijkstra (1959) from all ends at once.
 void measure_from(std::span<const std::int64_t> ends, Nodes& nodes) {
   std::vector<std::pair<double, std::size_t>> queue;
   const auto reach = [&](std::size_t node, double run_m) {
@@ -99,7 +99,7 @@ void measure_from(std::span<const std::int64_t> ends, Nodes& nodes) {
   }
 }
 
-// Pieces of bridges' axes.
+// Pieces of the axes of bridges.
 struct Decks {
   std::vector<std::pair<Vec2, Vec2>> pieces;
   BoxGrid grid;
@@ -120,7 +120,7 @@ Decks decks_of(const std::vector<Track>& tracks) {
   return decks;
 }
 
-// Ends count, so that nothing hangs on which of two pieces has a vertex.
+// Touching counts, so it does not matter which of two pieces has a vertex there.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto are_apart = [](double one, double two) { return (one > 0 && two > 0) || (one < 0 && two < 0); };
   return !are_apart(cross(b - a, c - a), cross(b - a, d - a)) && !are_apart(cross(d - c, a - c), cross(d - c, b - c));

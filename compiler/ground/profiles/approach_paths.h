@@ -1,6 +1,6 @@
-// Paths that lead up to what leaves the ground (steps, ramps, pavements), or pass below it. They follow the ground as
-// it is, but where a bridge needs room below it, or an underpass above it, they climb and go down. Steps up to the
-// middle of a bridge do not: there would be a hill below it.
+// Finds approach paths: paths that lead up to a bridge or down to a tunnel (steps, ramps, pavements), or pass below a
+// bridge. Paths follow the ground, but these may be raised or lowered where a clearance needs it. Steps up to the
+// middle of a bridge are not: the ground below would become a hill.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,16 @@
 
 namespace citykiln::ground {
 
-/// Paths that begin within this of a bridge's or tunnel's end, along paths, lead up to it: a storey, 5.5 m, at three
-/// eighths, twice.
+/// A path is an approach if it begins within this distance, along paths, of the end of a bridge or tunnel: a storey of
+/// 5.5 m at 3/8, twice.
 inline constexpr double kApproach_m = 32;
-/// Longer paths lead elsewhere, and stay on the ground as it is.
+/// Longer paths lead elsewhere and stay on the ground.
 inline constexpr double kLongestApproach_m = 1024;
 
-/// By track: on the ground, of a class without heights of its own; joined by nodes of the map to where a bridge
-/// or tunnel ends and no other goes on, or crossed by a bridge; never joined to where one goes on. Does not depend on
-/// the order of tracks. Reach: both of the above. O(n log n) in vertices.
+/// Returns per track whether it is an approach: on the ground, of a class without profiles, connected by map nodes to
+/// the end of a bridge or tunnel (where no other continues) or crossed by a bridge; never connected to where one
+/// continues. Does not depend on the order of tracks. Depends on tracks within both constants above. O(n log n) in
+/// vertices.
 std::vector<bool> approach_paths(const map::Features& features);
 
 }  // namespace citykiln::ground

@@ -22,9 +22,9 @@ struct WrittenHeights {
 
   double height_m(std::uint32_t w, double at_m) const {
     const GraphWay& way = graph.ways[w];
-    const Profile& profile = way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+    const Profile& profile = profile_of(profiles, way);
     if (!profile.empty()) return knot_at(profile, at_m).z_m;
-    // roads without lie at zero, paths on the ground
+    // roads without profile lie at 0, paths without on the ground
     return is_graded(way.track->surface) || way.road == kNone ? 0 : below.ground_m(place_along(graph, way, at_m));
   }
 
@@ -41,7 +41,7 @@ std::vector<ClearanceShortfall> find_shortfalls(const map::Features& features, c
                                                 const BelowBridges& below) {
   const ProfileGraph graph = graph_of(features, profiles.roads, {}, Lines::kAll);
   std::vector<Crossing> crossings = find_crossings(graph, features, below);
-  // what has no profile is told apart by its height
+  // lines without profile are told apart by their height
   const auto pair = [](const Crossing& c) {
     return std::tuple(c.upper, c.lower, c.lower == kNone ? c.lower_z_m : 0, c.upper == kNone ? c.upper_z_m : 0);
   };

@@ -1,4 +1,4 @@
-// What profiles lack of the clearances that they should have, measured on the knots as they are written.
+// Measures clearance shortfalls of the profiles as they are stored.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace citykiln::ground {
 
-/// One for each pair, sorted by the upper's id, those that are none last.
+/// Returns one shortfall per pair of lines, sorted by the upper line's id; upper lines without an id last.
 std::vector<ClearanceShortfall> find_shortfalls(const map::Features& features, const Profiles& profiles,
                                                 const BelowBridges& below);
 

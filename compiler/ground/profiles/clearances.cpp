@@ -1,49 +1,44 @@
 #include "compiler/ground/profiles/clearances.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
 #include "compiler/ground/profiles/initial_heights.h"
-#include "compiler/ground/profiles/pinned_caps.h"
 
 namespace citykiln::ground {
 namespace {
 
 using map::Passage;
 
-/// Crossings that lack less than this are left alone.
-constexpr double kMet_m = 0.01;
-/// What neighbours take from a crossing that was met is given back once, if it is no more than this.
-constexpr double kRest_m = 2;
-/// Where a ramp meets the road it is rounded over this height.
+/// Smaller shortfalls are ignored.
+constexpr double kMinShortfall_m = 0.01;
+/// A crossing that was cleared and lost up to this to a neighbour is cleared once more.
+constexpr double kMaxSecondLift_m = 2;
+/// The foot of a ramp is rounded over this height.
 constexpr double kFoot_m = 0.5;
 constexpr double kFar_m = std::numeric_limits<double>::infinity();
 
-// How far a ramp is down where one at its grade from the beginning would be down by `cost_m`.
+// Returns how far a ramp with a round crest has dropped where one without would have dropped by `cost_m`.
 double drop_m(double cost_m) {
   if (cost_m <= 0) return 0;
   return cost_m < kCrest_m ? cost_m * cost_m / (2 * kCrest_m) : cost_m - kCrest_m / 2;
 }
 
-// The greater of two, rounded where they are nearly equal; never steeper than the steeper one.
+// Returns the greater of two, rounded where they are nearly equal; the result is never steeper than the steeper one.
 double soft_max(double a, double b) {
   const double h = std::max(kFoot_m - std::abs(a - b), 0.0) / kFoot_m;
   return std::max(a, b) + h * h * kFoot_m / 4;
 }
 
-std::vector<double> negated(std::span<const double> values) {
-  std::vector<double> turned;
-  for (const double v : values) turned.push_back(-v);
-  return turned;
-}
-
-// Who makes room: tunnels under what is no bridge, then bridges, then what lies under bridges that could not rise.
+// What moves, in this order: tunnels under what is no bridge, bridges, tunnels below bridges that could not rise,
+// paths.
 enum class Mover { kTunnels, kBridges, kTunnelsUnderBridges, kPaths };
 
-// A place of a way that has to go up.
+// A place of a way that must rise.
 struct Push {
   std::uint32_t way = 0;
   double at_m = 0, shortfall_m = 0, half_width_m = 0;
@@ -54,9 +49,9 @@ struct Clearer {
   std::span<const Crossing> crossings;
   std::vector<double> z_m, start_m;
   GraphWalk walk;
-  std::vector<bool> is_above = {};  // by way: whether it is the upper one anywhere
+  std::vector<bool> is_above = {};  // by way: whether it is the upper one of some crossing
 
-  // What is not in the graph stays where it is, like the ground.
+  // What is not in the graph stays, like the ground.
   Passage passage_of(std::uint32_t way) const {
     return way == kNone ? Passage::kGround : graph.ways[way].track->passage;
   }
@@ -74,7 +69,7 @@ struct Clearer {
   void keep_near_start();
 };
 
-// From each mouth of a tunnel down at the ramps' grade.
+// Returns the lowest heights that tunnels can reach from their mouths at the ramps' grade.
 std::vector<double> Clearer::floors() {
   std::vector<double> floor_m(graph.nodes.size(), -kFar_m);
   const auto in_tunnel = [&](const Leg& leg) { return is_tunnel(leg); };
@@ -82,9 +77,8 @@ std::vector<double> Clearer::floors() {
     const std::span<const Leg> legs = graph.legs_of(n);
     if (std::ranges::none_of(legs, in_tunnel)) continue;
     if (!graph.nodes[n].is_pinned && std::ranges::all_of(legs, in_tunnel)) continue;
-    const GraphWalk::Start start{0, n};
     walk.from(
-        std::span(&start, 1), kMaxTotalLift_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
+        n, kMaxTotalLift_m, [&](const Leg& leg) { return is_tunnel(leg) ? ramp_m(leg) : kFar_m; },
         [&](std::uint32_t node, double cost_m) {
           floor_m[node] = std::max(floor_m[node], z_m[n] - drop_m(cost_m));
           return true;
@@ -93,16 +87,16 @@ std::vector<double> Clearer::floors() {
   return floor_m;
 }
 
-// How high tunnels may be under the ground.
+// Returns the greatest heights at which tunnels are covered by the ground.
 std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
   std::vector<double> cover_m(graph.nodes.size(), kFar_m);
   for (const GraphWay& way : graph.ways) {
     const map::Track& track = *way.track;
     const bool is_path = map::values_of(track.surface).group == map::LandCoverGroup::kPath;
-    // what is told to lie above the ground is none below it
+    // a tunnel tagged to lie above the ground needs no cover
     if (track.passage != Passage::kTunnel || (is_path ? track.layer >= 0 : track.layer > 0)) continue;
     for (const Station& station : graph.stations_of(way)) {
-      const double ground_m = height_without_spikes_m(heights, graph.nodes[station.node].at);
+      const double ground_m = filtered_height_m(heights, graph.nodes[station.node].at);
       cover_m[station.node] =
           std::min(cover_m[station.node], ground_m - (is_path ? kPathTunnelCover_m : kTunnelCover_m));
     }
@@ -110,7 +104,7 @@ std::vector<double> Clearer::covers(const map::Heightfield& heights) const {
   return cover_m;
 }
 
-// Within tunnels, no lower than their floors.
+// Lowers tunnels between their mouths, not below their floors.
 void Clearer::sink(std::span<const double> floor_m, std::span<const double> cover_m) {
   std::vector<double> down_m(z_m.size(), kFar_m);
   const auto press = [&](std::span<const GraphWalk::Start> starts, double at_m) {
@@ -124,7 +118,7 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
   for (const Crossing& c : crossings) {
     if (passage_of(c.lower) != Passage::kTunnel) continue;
     const double shortfall_m = std::min(clearance_shortfall_m(graph, c, z_m), kMaxLift_m);
-    if (shortfall_m > kMet_m)
+    if (shortfall_m > kMinShortfall_m)
       press(starts_about(graph, c.lower, c.lower_at_m),
             height_along(graph, graph.ways[c.lower], z_m, c.lower_at_m) - shortfall_m);
   }
@@ -137,8 +131,8 @@ void Clearer::sink(std::span<const double> floor_m, std::span<const double> cove
     if (down_m[n] < z_m[n] + kFoot_m) z_m[n] = std::max(-soft_max(-z_m[n], -down_m[n]), std::min(floor_m[n], z_m[n]));
 }
 
-// Along all that is joined. On a slope a ramp is as steep as it may be, and ends where what it adds is used up, at half
-// its grade.
+// Raises everything connected to the places by ramps. On a slope a ramp is as steep as allowed, or, where it has risen
+// less than the slope, falls towards it at half its grade, so that it ends.
 void Clearer::push_up(std::span<const Push> pushes) {
   std::vector<double> up_m(z_m.size(), -kFar_m);
   for (const Push& push : pushes) {
@@ -163,7 +157,7 @@ void Clearer::push_up(std::span<const Push> pushes) {
     if (up_m[n] > z_m[n] - kFoot_m) z_m[n] = std::min(soft_max(z_m[n], up_m[n]), std::max(z_m[n], cap_m[n]));
 }
 
-// Tunnels go down with their approaches; of paths of the ground those that pass over nothing.
+// Tunnels move with their approaches; paths on the ground move unless they pass over something.
 bool Clearer::moves(const Crossing& c, Mover mover) const {
   if (mover == Mover::kBridges) return passage_of(c.upper) == Passage::kBridge;
   if (c.lower == kNone) return false;
@@ -171,11 +165,11 @@ bool Clearer::moves(const Crossing& c, Mover mover) const {
     return graph.lines == Lines::kPaths && passage_of(c.lower) == Passage::kGround && !is_above[c.lower];
   if (passage_of(c.lower) != Passage::kTunnel) return false;
   if ((mover == Mover::kTunnelsUnderBridges) != (passage_of(c.upper) == Passage::kBridge)) return false;
-  // no street goes down with an underpass that ends on it
+  // no street is lowered with an underpass that ends on it
   return graph.lines == Lines::kPaths || is_graded(graph.ways[c.lower].track->surface);
 }
 
-// By crossing: how many lie one above the other below it (above it, for tunnels), itself among them.
+// Returns per crossing its storey: how many moving crossings are stacked below it (above it, for tunnels), with itself.
 std::vector<int> Clearer::storeys(Mover mover) const {
   std::vector<int> of_way(graph.ways.size(), 0), of_crossing(crossings.size(), 0);
   for (int round = 0; round < kLiftRounds; ++round) {
@@ -194,7 +188,7 @@ std::vector<int> Clearer::storeys(Mover mover) const {
   return of_crossing;
 }
 
-// Storey by storey, each crossing once: what is joined so that both rise does not rise for ever.
+// Clears storey by storey, each crossing once: two connected lines that raise each other would rise for ever.
 void Clearer::make_room(Mover mover) {
   const std::vector<int> storey = storeys(mover);
   const bool lifts = mover == Mover::kBridges;
@@ -207,7 +201,7 @@ void Clearer::make_room(Mover mover) {
       const double most_m =
           mover == Mover::kPaths ? kMaxPathLowering_m : kMaxLift_m + (storey[i] - 1) * kClearanceOverRail_m;
       const double shortfall_m = std::min(clearance_shortfall_m(graph, c, z_m), most_m);
-      if (shortfall_m <= kMet_m || (is_last && shortfall_m > kRest_m)) continue;
+      if (shortfall_m <= kMinShortfall_m || (is_last && shortfall_m > kMaxSecondLift_m)) continue;
       pushes.push_back(lifts ? Push{c.upper, c.upper_at_m, shortfall_m, c.half_width_m}
                              : Push{c.lower, c.lower_at_m, shortfall_m, c.half_width_m});
     }
@@ -227,6 +221,7 @@ void Clearer::keep_near_start() {
 
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                     const map::Heightfield* heights, std::span<const double> z_m) {
+  assert(z_m.size() == graph.nodes.size());
   Clearer clearer{graph, crossings, {z_m.begin(), z_m.end()}, {z_m.begin(), z_m.end()}, GraphWalk(graph)};
   clearer.is_above.resize(graph.ways.size());
   for (const Crossing& c : crossings)
@@ -236,7 +231,7 @@ std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const C
   for (int round = 1; round < kLiftRounds; ++round) clearer.sink(floor_m, {});
   for (const Mover mover : {Mover::kTunnels, Mover::kBridges, Mover::kTunnelsUnderBridges, Mover::kPaths})
     clearer.make_room(mover);
-  // foot bridges may have gone down with a path
+  // foot bridges may have been lowered with a path
   if (graph.lines == Lines::kPaths) clearer.make_room(Mover::kBridges);
   clearer.keep_near_start();
   return std::move(clearer.z_m);

@@ -1,12 +1,11 @@
-// Bridges rise, tunnels go down, until what crosses clears.
+// Raises bridges and lowers tunnels until crossings have their clearance.
 //
 //               ____                 the height wanted, level over what is crossed, round, then a ramp at three
 //         .--''      ''--.           quarters of the limit: over the bridge and its approaches on the ground
 //     __.'       o        '.__
 //
-// First tunnels go down as far as there is room between their mouths; what they still lack their approaches go down
-// with them, in cuttings; then bridges rise, approaches and all; what those still lack tunnels and paths below them go
-// down.
+// In this order: tunnels are lowered between their mouths; then together with their approaches, in cuttings; then
+// bridges are raised with their approaches; then tunnels and paths below bridges that could not rise are lowered.
 #pragma once
 
 #include <span>
@@ -16,27 +15,27 @@
 
 namespace citykiln::ground {
 
-/// Stacks of more layers than this are not solved to the top.
+/// Rounds of lifting: stacks of more layers are not solved to the top.
 inline constexpr int kLiftRounds = 4;
-/// No crossing lifts or lowers by more than this, and kClearanceOverRail_m for each storey below its own, whatever the
-/// heightmap says: a clear height, and as much again for a cutting that the heightmap does not show.
+/// Largest lift for one crossing, plus kClearanceOverRail_m for each storey below it, whatever the heightmap says: a
+/// clear height, and as much for a cutting that the heightmap does not show.
 inline constexpr double kMaxLift_m = 12;
-/// A path of the ground goes down by no more than this under a bridge: there may be water beside it.
+/// A path on the ground is lowered by at most this under a bridge: there may be water beside it.
 inline constexpr double kMaxPathLowering_m = 2.5;
-/// Nothing ends up farther than this from where it was.
+/// Largest distance of any node from where it was.
 inline constexpr double kMaxTotalLift_m = 24;
-/// Ramps are built at this share of the grade limit.
+/// Ramps use this share of the grade limit.
 inline constexpr double kRampShare = 0.75;
-/// Height over which a ramp's crest is round.
+/// Height over which the crest of a ramp is rounded.
 inline constexpr double kCrest_m = 1;
 
-/// By node.
+/// Returns new heights by node.
 ///
-/// @param heights  What tunnels should be covered by; nullptr: only what crosses moves anything.
+/// @param heights  Tunnels are lowered until they are covered by this terrain; nullptr: only crossings move anything.
 ///
-/// Guarantees: nothing moves without a crossing, but for tunnels under less than their cover; pinned nodes stay; where
-/// `z_m` keeps its limits and is level, what comes out keeps them; on slopes ramps may be steeper than the limit
-/// by three eighths of it, so that they end (limit_grades() comes after). Total. Reach: as many ramps as storeys.
+/// Guarantees: nothing moves without a crossing, except tunnels with too little cover; pinned nodes stay; level ground
+/// within its limits stays within them; on slopes ramps may be 3/8 steeper than the limit, so that they end
+/// (limit_grades() follows). Total. Influence: as many ramps as storeys.
 std::vector<double> clear_crossings(const ProfileGraph& graph, std::span<const Crossing> crossings,
                                     const map::Heightfield* heights, std::span<const double> z_m);
 

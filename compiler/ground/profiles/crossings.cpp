@@ -1,11 +1,13 @@
 #include "compiler/ground/profiles/crossings.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <tuple>
 
+#include "compiler/geometry/box_grid.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/profiles/grade_rules.h"
 #include "compiler/ground/profiles/graph_walk.h"
@@ -17,9 +19,9 @@ using map::LandCoverGroup;
 using map::Passage;
 using map::Track;
 
-// No line is wider than this to one side.
+// Largest width of a line to one side.
 constexpr double kWidest_m = 16;
-// Along a line, what lies beside it is looked at this often.
+// Sampling distance along a line for what lies beside it.
 constexpr double kEvery_m = 4;
 
 LandCoverGroup group_of(const Track& track) { return map::values_of(track.surface).group; }
@@ -39,71 +41,25 @@ bool is_corridor(const Track& track) {
   return track.passage == Passage::kTunnel && group_of(track) == LandCoverGroup::kPath && track.layer >= 0;
 }
 
-// A piece of a line that something may pass over: of a way of the graph, of a path on the ground, or of a stream.
+// A piece of a line that may be crossed: of a way of the graph, a path on the ground, or a stream.
 struct Segment {
   Vec2 a, b;
   double at_m = 0;  // of a, along its line
   std::uint32_t way = kNone, path = kNone, stream = kNone;
-  auto key() const { return std::tuple(way, path, stream, at_m); }
 };
 
-// Cells of the plane near what leaves the ground; the rest of the map is not looked at.
-struct Grid {
-  static constexpr double kCell_m = 32;
-  Box2 box;
-  int columns = 0, rows = 0;
-  std::vector<bool> is_near;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries;  // cell and segment, sorted
+constexpr double kBucket_m = 32;
 
-  explicit Grid(const ProfileGraph& graph) {
-    for (const GraphWay& way : graph.ways)
-      if (way.road == kNone)
-        for (const Vec2 p : way.track->axis) box.grow(p);
-    if (box.is_empty()) return;
-    box = box.widened(2 * kWidest_m);
-    columns = static_cast<int>(box.width() / kCell_m) + 1, rows = static_cast<int>(box.height() / kCell_m) + 1;
-    is_near.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
-    for (const GraphWay& way : graph.ways) {
-      if (way.road != kNone) continue;
-      const Polyline& axis = way.track->axis;
-      for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-        for_each_cell(box_of(std::span(axis).subspan(i, 2)).widened(2 * kWidest_m),
-                      [&](std::uint32_t cell) { is_near[cell] = true; });
-    }
-  }
+// Boxes about lines off the ground: the rest of the map has no crossings.
+BoxGrid grid_of_off_ground(const ProfileGraph& graph) {
+  std::vector<Box2> boxes;
+  for (const GraphWay& way : graph.ways)
+    for (std::size_t i = 0; way.road == kNone && i + 1 < way.track->axis.size(); ++i)
+      boxes.push_back(box_of(std::span(way.track->axis).subspan(i, 2)).widened(2 * kWidest_m));
+  return grid_of(boxes, kBucket_m);
+}
 
-  template <typename Visit>
-  void for_each_cell(const Box2& of, Visit visit) const {
-    if (is_near.empty() || !of.touches(box)) return;
-    const auto column = [&](double x) {
-      return std::clamp(static_cast<int>((x - box.min.x) / kCell_m), 0, columns - 1);
-    };
-    const auto row = [&](double y) { return std::clamp(static_cast<int>((y - box.min.y) / kCell_m), 0, rows - 1); };
-    for (int j = row(of.min.y); j <= row(of.max.y); ++j)
-      for (int i = column(of.min.x); i <= column(of.max.x); ++i)
-        visit(static_cast<std::uint32_t>(j) * static_cast<std::uint32_t>(columns) + static_cast<std::uint32_t>(i));
-  }
-
-  void add(const Segment& segment, std::uint32_t index) {
-    const Vec2 ends[2] = {segment.a, segment.b};
-    for_each_cell(box_of(ends), [&](std::uint32_t cell) {
-      if (is_near[cell]) entries.emplace_back(cell, index);
-    });
-  }
-
-  /// Segments near the box, sorted, once each.
-  void near(const Box2& of, std::vector<std::uint32_t>& found) const {
-    found.clear();
-    for_each_cell(of, [&](std::uint32_t cell) {
-      auto entry = std::ranges::lower_bound(entries, std::pair(cell, 0u));
-      for (; entry != entries.end() && entry->first == cell; ++entry) found.push_back(entry->second);
-    });
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-  }
-};
-
-// How far along ab the line crosses cd, if it does.
+// Returns the shares along ab and cd at which they cross, if they do.
 std::optional<std::pair<double, double>> intersection(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double area = cross(b - a, d - c);
   if (area == 0) return std::nullopt;
@@ -133,11 +89,12 @@ struct Finder {
   const ProfileGraph& graph;
   const map::Features& features;
   const BelowBridges& below;
-  Grid grid;
+  BoxGrid off_ground;
   GraphWalk walk;
   std::vector<Segment> segments = {};
+  std::vector<Box2> boxes = {};  // of the segments
+  BoxGrid grid = {};             // of the boxes
   std::vector<Crossing> found = {};
-  std::vector<std::uint32_t> near = {};  // what is looked at now
 
   template <typename Name>
   void add_line(const Polyline& axis, Name name) {
@@ -147,10 +104,8 @@ struct Finder {
       name(segment);
       at_m += snapped(distance(axis[i], axis[i + 1]));
       const Box2 box = box_of(std::span(axis).subspan(i, 2));
-      if (!box.touches(grid.box)) continue;
-      const std::size_t before = grid.entries.size();
-      grid.add(segment, static_cast<std::uint32_t>(segments.size()));
-      if (grid.entries.size() > before) segments.push_back(segment);
+      if (!is_any_about(off_ground, box)) continue;
+      segments.push_back(segment), boxes.push_back(box);
     }
   }
 
@@ -169,7 +124,7 @@ struct Finder {
     }
     for (std::uint32_t i = 0; i < below.streams.size(); ++i)
       add_line(below.streams[i].axis, [&](Segment& s) { s.stream = i; });
-    std::ranges::sort(grid.entries);
+    grid = grid_of(boxes, kBucket_m);
   }
 
   double joining_m(const Leg& leg) const {
@@ -180,7 +135,7 @@ struct Finder {
            leg.length_m;
   }
 
-  // Where a way off the ground comes down to it, close by.
+  // Returns where a way off the ground comes down within kJoined_m.
   std::vector<Vec2> landings_of(std::uint32_t way, double at_m) {
     std::vector<Vec2> landings;
     if (graph.ways[way].road != kNone) return landings;
@@ -195,14 +150,14 @@ struct Finder {
     return landings;
   }
 
-  // Whether one of them is beside another way.
+  // Returns whether one of the landings lies on another way.
   bool are_beside(std::span<const Vec2> landings, std::uint32_t way, std::uint32_t other) const {
     const Track& beside = *graph.ways[other].track;
     const double reach_m = half_width_m(*graph.ways[way].track) + half_width_m(beside);
     return std::ranges::any_of(landings, [&](Vec2 at) { return distance_to(beside.axis, at) < reach_m; });
   }
 
-  // Lines that meet close by are not apart yet.
+  // Returns whether the lines are connected within kJoined_m along the network.
   bool are_joined(std::uint32_t a, double a_m, std::uint32_t b, double b_m) {
     const std::uint32_t i = station_before(graph, graph.ways[a], a_m), j = station_before(graph, graph.ways[b], b_m);
     const Station* from = &graph.stations[graph.ways[a].first + i];
@@ -231,15 +186,24 @@ struct Finder {
     if (rank_of(one) == rank_of(two) || is_corridor(one) || is_corridor(two)) return;
     if (rank_of(one) < rank_of(two)) return add_ways(b, b_m, a, a_m);
     if (are_joined(a, a_m, b, b_m) || passes_a_mouth(one, b, b_m)) return;
-    found.push_back({a, b, a_m, b_m, 0, 0, wanted_clearance_m(one.surface, two.surface), half_width_m(two)});
+    found.push_back({.upper = a,
+                     .lower = b,
+                     .upper_at_m = a_m,
+                     .lower_at_m = b_m,
+                     .wanted_m = wanted_clearance_m(one.surface, two.surface),
+                     .half_width_m = half_width_m(two)});
   }
 
   void add_path_above(std::uint32_t way, double at_m, const Segment& other, double ground_m) {
     if (other.path == kNone) return;
     const Track &tunnel = *graph.ways[way].track, &path = features.tracks[other.path];
     if (share_a_node(tunnel, path) || is_corridor(tunnel) || passes_a_mouth(path, way, at_m)) return;
-    found.push_back(
-        {kNone, way, 0, at_m, 0, ground_m, wanted_clearance_m(path.surface, tunnel.surface), half_width_m(tunnel)});
+    found.push_back({.upper = kNone,
+                     .lower = way,
+                     .lower_at_m = at_m,
+                     .upper_z_m = ground_m,
+                     .wanted_m = wanted_clearance_m(path.surface, tunnel.surface),
+                     .half_width_m = half_width_m(tunnel)});
   }
 
   void add(std::uint32_t way, double at_m, const Segment& other, double along) {
@@ -252,14 +216,20 @@ struct Finder {
     if (other.path != kNone) {
       const Track& path = features.tracks[other.path];
       if (share_a_node(track, path)) return;
-      found.push_back(
-          {way, kNone, at_m, 0, ground_m, 0, wanted_clearance_m(track.surface, path.surface), half_width_m(path)});
+      found.push_back({.upper = way,
+                       .upper_at_m = at_m,
+                       .lower_z_m = ground_m,
+                       .wanted_m = wanted_clearance_m(track.surface, path.surface),
+                       .half_width_m = half_width_m(path)});
     } else {
       const roads::Strip& stream = below.streams[other.stream];
       const double z_m =
           stream.profile.empty() ? ground_m : knot_at(stream.profile, stream.start_along_m + other_m).z_m;
-      found.push_back({way, kNone, at_m, 0, z_m, 0, wanted_clearance_over_water_m(stream.left_m + stream.right_m),
-                       std::max(stream.left_m, stream.right_m)});
+      found.push_back({.upper = way,
+                       .upper_at_m = at_m,
+                       .lower_z_m = z_m,
+                       .wanted_m = wanted_clearance_over_water_m(stream.left_m + stream.right_m),
+                       .half_width_m = std::max(stream.left_m, stream.right_m)});
     }
   }
 
@@ -268,11 +238,10 @@ struct Finder {
     double at_m = 0;
     for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
       const double length_m = snapped(distance(axis[i], axis[i + 1]));
-      grid.near(box_of(std::span(axis).subspan(i, 2)), near);
-      for (const std::uint32_t s : near) {
+      for (const std::uint32_t s : boxes_about(grid, box_of(std::span(axis).subspan(i, 2)))) {
         const Segment& other = segments[s];
         if (other.way == w) continue;
-        // of two off the ground once
+        // two ways off the ground are compared once
         if (other.way != kNone && graph.ways[other.way].road == kNone && other.way < w) continue;
         if (const auto hit = intersection(axis[i], axis[i + 1], other.a, other.b))
           add(w, at_m + hit->first * length_m, other, hit->second);
@@ -281,7 +250,7 @@ struct Finder {
     }
   }
 
-  // Where it lies over another way: nobody crosses who runs along.
+  // Finds lines below or above this one along its length.
   void find_overlaps(std::uint32_t w) {
     const std::span<const Station> stations = graph.stations_of(graph.ways[w]);
     for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
@@ -297,11 +266,8 @@ struct Finder {
 
   void find_overlaps(std::uint32_t w, double at_m, Vec2 at) {
     const double half_m = half_width_m(*graph.ways[w].track);
-    Box2 box;
-    box.grow(at);
-    grid.near(box.widened(half_m + kWidest_m), near);
-    std::optional<std::vector<Vec2>> landings;  // the same for all that is near
-    for (const std::uint32_t s : near) {
+    std::optional<std::vector<Vec2>> landings;  // the same for all segments near
+    for (const std::uint32_t s : boxes_about(grid, Box2{at, at}.widened(half_m + kWidest_m))) {
       const Segment& other = segments[s];
       if (other.way == kNone || other.way == w) continue;
       const double along = nearest_along(other.a, other.b, at);
@@ -318,15 +284,12 @@ struct Finder {
     if (graph.ways[w].track->passage != Passage::kBridge) return;
     for (const LandCoverPolygon& water : below.waters) {
       if (!water.level_m) continue;
-      Box2 box;
-      for (const Ring& ring : water.rings)
-        for (const Vec2 p : ring) box.grow(p);
+      const Box2 box = box_of(water);
       for (const Station& station : graph.stations_of(graph.ways[w])) {
         const Vec2 at = graph.nodes[station.node].at;
-        if (!box.contains(at)) continue;
-        int winding = 0;
-        for (const Ring& ring : water.rings) winding += winding_number(ring, at);
-        if (winding > 0) found.push_back({w, kNone, station.at_m, 0, *water.level_m, 0, kClearanceOverWater_m, 0});
+        if (box.contains(at) && winding_number(water, at) > 0)
+          found.push_back(
+              {.upper = w, .upper_at_m = station.at_m, .lower_z_m = *water.level_m, .wanted_m = kClearanceOverWater_m});
       }
     }
   }
@@ -343,13 +306,13 @@ double wanted_clearance_m(map::LandCoverClass upper, map::LandCoverClass lower) 
 }
 
 double wanted_clearance_over_water_m(double width_m) {
+  assert(width_m >= 0);
   return std::max(kClearanceOverDitch_m, kClearanceOverWater_m * std::min(1.0, width_m / kRiver_m));
 }
 
 std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Features& features,
                                      const BelowBridges& below) {
-  Finder finder{graph, features, below, Grid(graph), GraphWalk(graph)};
-  if (finder.grid.is_near.empty()) return {};
+  Finder finder{graph, features, below, grid_of_off_ground(graph), GraphWalk(graph)};
   finder.add_lines();
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     if (graph.ways[w].road != kNone) continue;
@@ -364,6 +327,7 @@ std::vector<Crossing> find_crossings(const ProfileGraph& graph, const map::Featu
 }
 
 double clearance_shortfall_m(const ProfileGraph& graph, const Crossing& crossing, std::span<const double> z_m) {
+  assert(z_m.size() == graph.nodes.size());
   const double upper_m = crossing.upper == kNone
                              ? crossing.upper_z_m
                              : height_along(graph, graph.ways[crossing.upper], z_m, crossing.upper_at_m);

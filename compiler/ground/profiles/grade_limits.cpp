@@ -1,20 +1,20 @@
 #include "compiler/ground/profiles/grade_limits.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "compiler/ground/profiles/graph_walk.h"
-#include "compiler/ground/profiles/pinned_caps.h"
 
 namespace citykiln::ground {
 namespace {
 
-// Nodes that move together: a plate's, or one alone.
+// Nodes that move together: those of a junction plane, or a single one.
 struct Units {
-  std::vector<std::uint32_t> of;     // each node
-  std::vector<std::uint32_t> first;  // of each unit, and one beyond, into nodes
+  std::vector<std::uint32_t> of;     // of each node
+  std::vector<std::uint32_t> first;  // of each unit, and the end, into nodes
   std::vector<std::uint32_t> nodes;
 
   explicit Units(const ProfileGraph& graph) : of(graph.nodes.size()) {
@@ -40,7 +40,8 @@ struct Units {
   }
 };
 
-// How far units come down. What is walked with is how far below its height a unit has to be.
+// Finds how far units must be lowered: a walk from each foot of a too steep leg carries the excess of heights over the
+// limits outwards.
 class Lowering {
  public:
   Lowering(const ProfileGraph& graph, const Units& units, std::span<const double> z_m, GradeInfluence reach,
@@ -54,7 +55,8 @@ class Lowering {
         low_m_(units.count(), 0),
         times_(units.count(), 0) {}
 
-  /// By unit, none above zero. Each foot of a steep leg acts for itself: their order is nothing.
+  /// Returns the change per unit, <= 0. Every foot acts on its own and the largest effect wins, so their order does not
+  /// matter.
   std::vector<double> run() {
     for (std::uint32_t u = 0; u < units_.count(); ++u)
       if (is_foot(u)) spread(u);
@@ -69,7 +71,7 @@ class Lowering {
     return std::max(steepness_[node], steepness_[leg.to]);
   }
 
-  // How far below its height the end of a leg is for one that rises from its beginning as it may.
+  // Returns the height of a line that rises along the leg at its limit, less the height at the leg's end.
   double excess_beyond_m(std::uint32_t node, const Leg& leg) const {
     return steepness_of(node, leg) * limit_of(graph_, leg) * leg.length_m - (z_m_[leg.to] - z_m_[node]);
   }
@@ -100,7 +102,7 @@ class Lowering {
 
   void go_on(std::uint32_t unit) {
     constexpr double kLess_m = 1e-9;
-    // two plates side by side that tilt apart pull each other down without end
+    // two junction planes side by side that tilt apart would lower each other for ever
     constexpr int kTimes = 3;
     for (const std::uint32_t n : units_.members(unit)) {
       for (const Leg& leg : graph_.legs_of(n)) {
@@ -127,13 +129,7 @@ class Lowering {
   std::vector<Key> queue_;
 };
 
-std::vector<double> negated(std::span<const double> z_m) {
-  std::vector<double> turned;
-  for (const double z : z_m) turned.push_back(-z);
-  return turned;
-}
-
-// How far each unit may rise for pinned nodes.
+// Returns how far each unit may rise below the caps of pinned nodes.
 std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::span<const double> z_m) {
   GraphWalk walk(graph);
   const std::vector<double> cap_m = caps_near_pinned(graph, walk, z_m);
@@ -145,6 +141,7 @@ std::vector<double> room_of(const ProfileGraph& graph, const Units& units, std::
 }  // namespace
 
 std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach) {
+  assert(z_m.size() == graph.nodes.size() && reach.reach_m > 0);
   const Units units(graph);
   const std::vector<double> low_m = Lowering(graph, units, z_m, reach).run();
   std::vector<double> lowered;
@@ -154,6 +151,8 @@ std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const
 
 std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
                                  std::span<const double> steepness) {
+  assert(z_m.size() == graph.nodes.size());
+  assert(steepness.empty() || steepness.size() == z_m.size());
   const Units units(graph);
   const std::vector<double> turned_m = negated(z_m);
   const std::vector<double> down_m = Lowering(graph, units, z_m, {}, steepness).run();

@@ -1,10 +1,10 @@
-// Grade limits, exactly and locally: between the highest heights below and the lowest above that keep them.
+// Limits grades, exactly and locally, by the mean of the highest admissible heights below and the lowest above.
 //
 //          ╱╲        S          U(x) = min over y of S(y) + cost(y, x)     L(x) = max over y of S(y) - cost(y, x)
 //        ╱----╲     (U+L)/2     cost: the sum of limit · length on the way from y to x. Both keep the limits, and so
 //     __╱      ╲__              does what lies half-way between.
 //
-// JunctionPlanes of junctions move up or down as one: between their nodes the cost is the difference of their heights.
+// The nodes of a junction plane move together: between them the cost is the difference of their heights.
 #pragma once
 
 #include <span>
@@ -14,28 +14,28 @@
 
 namespace citykiln::ground {
 
-/// A place that is too steep is felt this far, in plan: 50 m of height at 10 %.
+/// Influence radius in plan of a place that is too steep: 50 m of height at 10 %.
 inline constexpr double kGradeInfluence_m = 512;
-/// Nothing is cut or filled by more than half of this for a grade's sake.
+/// No grade is limited by more than half of this of cut or fill.
 inline constexpr double kMaxEarthwork_m = 24;
 
-/// How far a place that is too steep is felt, in plan, and by how much at most; that fades towards the reach, so that
-/// nothing breaks off there.
+/// The influence of a place that is too steep: its radius in plan and its largest effect, which falls linearly to 0 at
+/// the radius, so heights stay continuous.
 struct GradeInfluence {
   double reach_m = kGradeInfluence_m, most_m = kMaxEarthwork_m;
 };
 
-/// U of the figure, by node: the highest heights not above those given that keep the limits, as far as the reach lets
-/// them.
+/// Returns U of the figure by node: the greatest heights not above those given that keep the limits within the
+/// influence.
 std::vector<double> lowered_to_limits(const ProfileGraph& graph, std::span<const double> z_m, GradeInfluence reach);
 
-/// By node. Pinned nodes stay, and hold what is near.
+/// Returns heights by node with grades limited. Pinned nodes stay and limit what is near.
 ///
-/// @param steepness  By node, beside the graph's own scale: legs to it may be so many times as steep; empty: none more.
+/// @param steepness  By node: factor on the limit of legs to it, beside the graph's own scale; empty: 1.
 ///
-/// Guarantees: legs keep their limits, plates stay as plane as they are, unless a place asks for more than
-/// GradeInfluence leaves it; heights that keep the limits stay. Total. Cost: the legs within reach of those that are
-/// too steep.
+/// Guarantees: legs keep their limits and junction planes stay planes, except where a place needs more than
+/// GradeInfluence; heights within the limits stay. Total. Cost: the legs within the influence of those that are too
+/// steep.
 std::vector<double> limit_grades(const ProfileGraph& graph, std::span<const double> z_m,
                                  std::span<const double> steepness = {});
 

@@ -1,4 +1,4 @@
-// From a place of the graph outwards, nearest first (Dijkstra 1959).
+// Walks a graph from some nodes outwards, nearest first (Dijkstra 1959).
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,17 @@
 
 namespace citykiln::ground {
 
-/// Memory for many walks over one graph.
+/// Working memory for many walks over one graph.
 class GraphWalk {
  public:
   explicit GraphWalk(const ProfileGraph& graph)
       : graph_(graph), cost_(graph.nodes.size(), std::numeric_limits<double>::infinity()) {}
 
-  /// A node to start from, and what being there costs.
+  /// A start node and its initial cost.
   using Start = std::pair<double, std::uint32_t>;
 
-  /// Calls reached(node, cost) for each node that costs at most `most`, once, in the order of costs, then of nodes;
-  /// goes on from where it returns true. `cost_of(leg)` >= 0. O(s log s) in the legs seen.
+  /// Calls reached(node, cost) once for each node that costs at most `most`, in the order of costs, then of nodes;
+  /// continues beyond nodes for which it returns true. cost_of(leg) >= 0. O(s log s) in the legs seen.
   template <typename CostOf, typename Reached>
   void from(std::span<const Start> starts, double most, CostOf cost_of, Reached reached) {
     for (const auto& [cost, node] : starts) improve(node, cost, most);
@@ -36,6 +36,13 @@ class GraphWalk {
     }
     for (const std::uint32_t node : touched_) cost_[node] = std::numeric_limits<double>::infinity();
     touched_.clear();
+  }
+
+  /// Walks from one node at no cost.
+  template <typename CostOf, typename Reached>
+  void from(std::uint32_t node, double most, CostOf cost_of, Reached reached) {
+    const Start start{0, node};
+    from(std::span(&start, 1), most, cost_of, reached);
   }
 
  private:
@@ -53,14 +60,19 @@ class GraphWalk {
   std::vector<Start> queue_;
 };
 
-/// The stations before and after a place along a way, to start from at no cost.
+/// Returns the stations before and after a place along a way, as starts at no cost.
 std::vector<GraphWalk::Start> starts_about(const ProfileGraph& graph, std::uint32_t way, double at_m);
 
-/// How steep a leg may be.
+/// Returns the grade limit of a leg.
 double limit_of(const ProfileGraph& graph, const Leg& leg);
 
-/// Whether a way may be steeper than its limit for the sake of a clearance: streets and paths, not what runs on rails,
-/// nor motorways.
+/// Returns whether a way may exceed its limit for a clearance: streets and paths, not rails, motorways and runways.
 bool may_be_steeper(const ProfileGraph& graph, std::uint32_t way);
+
+/// A pinned node caps heights up to this far above its own.
+inline constexpr double kPinRadius_m = 64;
+
+/// Returns by node the greatest height that the grade limits allow above pinned nodes; infinity where none is near.
+std::vector<double> caps_near_pinned(const ProfileGraph& graph, GraphWalk& walk, std::span<const double> z_m);
 
 }  // namespace citykiln::ground

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/ground/profiles/grade_limits.h"
@@ -10,7 +11,7 @@
 namespace citykiln::ground {
 namespace {
 
-double vertex_without_spike_m(const map::Heightfield& field, int i, int j) {
+double filtered_vertex_m(const map::Heightfield& field, int i, int j) {
   std::array<double, 24> about{};
   std::size_t n = 0;
   for (int dj = -2; dj <= 2; ++dj)
@@ -20,7 +21,8 @@ double vertex_without_spike_m(const map::Heightfield& field, int i, int j) {
             field.height_m_at_vertex(std::clamp(i + di, 0, field.columns - 1), std::clamp(j + dj, 0, field.rows - 1));
   std::ranges::nth_element(about, about.begin() + 12);
   const double own_m = field.height_m_at_vertex(i, j), median_m = about[12];
-  return std::abs(own_m - median_m) > std::max(kLeastSpike_m, kSpike * field.longer_step_m()) ? median_m : own_m;
+  return std::abs(own_m - median_m) > std::max(kMinSummit_m, kMaxSummitSlope * field.longer_step_m()) ? median_m
+                                                                                                      : own_m;
 }
 
 bool is_ground(const ProfileGraph& graph, std::uint32_t node) {
@@ -32,8 +34,8 @@ bool is_in_tunnel(const ProfileGraph& graph, std::uint32_t node) {
       graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].track->passage == map::Passage::kTunnel; });
 }
 
-// Tunnels that come out nowhere stay under the ground at their grade.
-void draw_endless(const ProfileGraph& graph, std::span<const double> weight, std::vector<double>& z_m) {
+// Tunnels without a mouth stay under the ground, within their grade limits.
+void place_endless_tunnels(const ProfileGraph& graph, std::span<const double> weight, std::vector<double>& z_m) {
   std::vector<double> under_m(z_m.size());
   const auto is_endless = [&](std::uint32_t n) {
     return weight[n] == 0 && !is_ground(graph, n) && is_in_tunnel(graph, n);
@@ -47,28 +49,27 @@ void draw_endless(const ProfileGraph& graph, std::span<const double> weight, std
 
 }  // namespace
 
-double height_without_spikes_m(const map::Heightfield& field, Vec2 p) {
+double filtered_height_m(const map::Heightfield& field, Vec2 p) {
   const auto [i, j, u, v] = map::cell_at(field, p);
   std::array<double, 4> z = {field.height_m_at_vertex(i, j), field.height_m_at_vertex(i + 1, j),
                              field.height_m_at_vertex(i, j + 1), field.height_m_at_vertex(i + 1, j + 1)};
-  // a spike stands out from its rectangle, or all of it does
+  // only a rectangle with a great difference of heights can have one such vertex
   constexpr double kSteep = 0.4;
   const auto [low, high] = std::ranges::minmax(z);
-  if (high - low > kSteep * std::max(field.longer_step_m(), kLeastSpike_m))
-    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = vertex_without_spike_m(field, i + c % 2, j + c / 2);
+  if (high - low > kSteep * std::max(field.longer_step_m(), kMinSummit_m))
+    for (int c = 0; c < 4; ++c) z[static_cast<std::size_t>(c)] = filtered_vertex_m(field, i + c % 2, j + c / 2);
   return u >= v ? z[0] + (z[1] - z[0]) * u + (z[3] - z[1]) * v : z[0] + (z[2] - z[0]) * v + (z[3] - z[2]) * u;
 }
 
 void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m) {
+  assert(z_m.size() == graph.nodes.size());
   std::vector<double> weighted_m(z_m.size()), weight(z_m.size());
   GraphWalk walk(graph);
   for (std::uint32_t n = 0; n < z_m.size(); ++n) {
     const auto goes_off = [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; };
     if (!is_ground(graph, n) || !std::ranges::any_of(graph.legs_of(n), goes_off)) continue;
-    const GraphWalk::Start start{0, n};
     walk.from(
-        std::span(&start, 1), kSpanEndRadius_m,
-        [&](const Leg& leg) { return goes_off(leg) ? leg.length_m : 2 * kSpanEndRadius_m; },
+        n, kSpanEndRadius_m, [&](const Leg& leg) { return goes_off(leg) ? leg.length_m : 2 * kSpanEndRadius_m; },
         [&](std::uint32_t node, double run_m) {
           if (node == n) return true;
           if (is_ground(graph, node)) return false;
@@ -79,13 +80,13 @@ void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m) {
   }
   for (std::uint32_t n = 0; n < z_m.size(); ++n)
     if (weight[n] > 0) z_m[n] = weighted_m[n] / weight[n];
-  draw_endless(graph, weight, z_m);
+  place_endless_tunnels(graph, weight, z_m);
 }
 
 std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights) {
   std::vector<double> z_m;
   z_m.reserve(graph.nodes.size());
-  for (const GraphNode& node : graph.nodes) z_m.push_back(height_without_spikes_m(heights, node.at));
+  for (const GraphNode& node : graph.nodes) z_m.push_back(filtered_height_m(heights, node.at));
   interpolate_spans(graph, z_m);
   return z_m;
 }

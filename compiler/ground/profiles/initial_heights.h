@@ -1,5 +1,4 @@
-// What the heightmap says of each station: the ground without its spikes, and for what leaves the ground the line
-// between the places where it comes down.
+// Initial heights of stations: the filtered terrain on the ground; on bridges and in tunnels a line between their ends.
 #pragma once
 
 #include <vector>
@@ -8,27 +7,28 @@
 
 namespace citykiln::ground {
 
-/// A vertex of the heightmap that lies farther than this times the grid's step from the median of the 24 about it is a
-/// spike, and that median is used: no road runs over a summit as steep as that.
-inline constexpr double kSpike = 0.75;
-/// On fine grids trees and houses are no spikes.
-inline constexpr double kLeastSpike_m = 16;
+/// Roads do not run over summits steeper than this: a vertex of the terrain that is farther from the median of the 24
+/// about it than this times the grid step is replaced by that median. Broken samples ("spikes") are gone before:
+/// source/spikes_to_voids owns those.
+inline constexpr double kMaxSummitSlope = 0.75;
+/// Smaller differences are never filtered: on fine grids they are trees and houses.
+inline constexpr double kMinSummit_m = 16;
 
-/// How far along bridges or tunnels their ends are looked for.
+/// How far along bridges or tunnels their ends are searched.
 inline constexpr double kSpanEndRadius_m = 4096;
 
-/// From the ground to a tunnel's road: soil, vault and clear height.
+/// Least height of the ground above a tunnel's road: soil, vault and clear height.
 inline constexpr double kTunnelCover_m = 7, kPathTunnelCover_m = 4.5;
 
-/// The heightmap's height without spikes. Reach: three of its steps. O(1).
-double height_without_spikes_m(const map::Heightfield& heights, Vec2 p);
+/// Returns the terrain's height at p with steep summits replaced. Depends on vertices within three grid steps. O(1).
+double filtered_height_m(const map::Heightfield& heights, Vec2 p);
 
-/// By node. Off the ground: heights of the nodes on the ground within kSpanEndRadius_m along what is off it, weighted
-/// by the inverse of the distance (between two ends: the straight line). Where there is none a bridge lies on the
-/// ground, and a tunnel stays kTunnelCover_m under it, no steeper than its limit.
+/// Returns heights by node. Off the ground: the heights of ground nodes within kSpanEndRadius_m along bridges or
+/// tunnels, weighted by inverse distance (between two ends: the straight line). Without such nodes a bridge lies on the
+/// ground and a tunnel kTunnelCover_m below it, no steeper than its limit.
 std::vector<double> initial_heights(const ProfileGraph& graph, const map::Heightfield& heights);
 
-/// Gives nodes off the ground the heights between those on it, of heights by node.
+/// Sets the heights of nodes off the ground from those on it, as above.
 void interpolate_spans(const ProfileGraph& graph, std::vector<double>& z_m);
 
 }  // namespace citykiln::ground

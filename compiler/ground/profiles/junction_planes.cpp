@@ -1,6 +1,7 @@
 #include "compiler/ground/profiles/junction_planes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/ground/profiles/graph_walk.h"
@@ -14,7 +15,7 @@ struct Plane {
   double height_m(Vec2 at) const { return z_m + dot(gradient, at - centre); }
 };
 
-// A motorway counts a hundred times as much as a farm track.
+// Weights rise with the square of the class's rank: a motorway's is about a hundred times a farm track's.
 double weight_of(const ProfileGraph& graph, std::uint32_t node) {
   double weight = 0;
   for (const Leg& leg : graph.legs_of(node)) {
@@ -25,8 +26,8 @@ double weight_of(const ProfileGraph& graph, std::uint32_t node) {
   return std::max(weight, 1e-6);
 }
 
-// Least squares about the middle, with as much doubt as a disk of 2 m has area to spread: a plane across a line is
-// level.
+// Weighted least squares about the centroid, with a regularisation of 1 m² per unit of weight: across a single line the
+// plane is level.
 Plane plane_of(const ProfileGraph& graph, std::span<const std::uint32_t> nodes, std::span<const double> z_m) {
   double sum = 0;
   Plane plane;
@@ -62,8 +63,8 @@ std::vector<std::vector<std::uint32_t>> nodes_by_junction(const ProfileGraph& gr
   return nodes;
 }
 
-// What the planes moved their nodes by, carried on: near a plate all of it, at the end of its spread nothing, between
-// two plates from one to the other.
+// Fades the nodes' moves out along the network: all of it near a junction, nothing at the end of its spread, between
+// two junctions a blend.
 void ease(const ProfileGraph& graph, std::span<const double> moved_m, std::vector<double>& z_m) {
   std::vector<double> sum(z_m.size()), weight(z_m.size());
   GraphWalk walk(graph);
@@ -71,9 +72,8 @@ void ease(const ProfileGraph& graph, std::span<const double> moved_m, std::vecto
     const auto leads_off = [&](const Leg& leg) { return graph.nodes[leg.to].junction == kNone; };
     if (graph.nodes[n].junction == kNone || !std::ranges::any_of(graph.legs_of(n), leads_off)) continue;
     const double spread_m = std::clamp(kSpread * std::abs(moved_m[n]), kMinSpread_m, kMaxSpread_m);
-    const GraphWalk::Start start{0, n};
     walk.from(
-        std::span(&start, 1), spread_m, [](const Leg& leg) { return leg.length_m; },
+        n, spread_m, [](const Leg& leg) { return leg.length_m; },
         [&](std::uint32_t node, double run_m) {
           if (node == n) return true;
           if (graph.nodes[node].junction != kNone) return false;
@@ -90,6 +90,7 @@ void ease(const ProfileGraph& graph, std::span<const double> moved_m, std::vecto
 }  // namespace
 
 JunctionPlanes fit_junction_planes(const ProfileGraph& graph, std::span<const double> z_m) {
+  assert(z_m.size() == graph.nodes.size());
   JunctionPlanes planes{{z_m.begin(), z_m.end()}, std::vector<Vec2>(z_m.size())};
   std::vector<double> moved_m(z_m.size());
   for (const std::vector<std::uint32_t>& nodes : nodes_by_junction(graph)) {

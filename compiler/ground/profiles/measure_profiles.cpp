@@ -11,15 +11,6 @@
 namespace citykiln::ground {
 namespace {
 
-const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
-  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
-}
-
-double height_m(const Profiles& profiles, const GraphWay& way, double at_m) {
-  const Profile& profile = profile_of(profiles, way);
-  return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
-}
-
 void measure_grade(const Profile& profile, double length_m, GradeMeasure& measure) {
   const double limit = grade_rule_of(measure.surface).limit;
   measure.length_m += length_m;
@@ -49,7 +40,7 @@ void measure_jumps(const ProfileGraph& graph, const Profiles& profiles, ProfileM
   std::vector<std::pair<double, double>> between(graph.nodes.size(), {1e9, -1e9});
   for (const GraphWay& way : graph.ways) {
     for (const Station& station : graph.stations_of(way)) {
-      const double z_m = height_m(profiles, way, station.at_m);
+      const double z_m = height_m_of(profiles, way, station.at_m);
       auto& [low, high] = between[station.node];
       low = std::min(low, z_m), high = std::max(high, z_m);
       measures.largest_jump_m = std::max(measures.largest_jump_m, high - low);

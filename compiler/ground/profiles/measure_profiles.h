@@ -1,4 +1,4 @@
-// What profiles keep of what they promise, measured on the knots as they are written.
+// Measures stored profiles against their promises.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@ namespace citykiln::ground {
 struct GradeMeasure {
   map::LandCoverClass surface{};
   double length_m = 0;
-  double over_m = 0;    ///< Of that, steeper than the class' limit by more than the heights' rounding.
+  double over_m = 0;    ///< Length steeper than the class's limit by more than rounding.
   double steepest = 0;  ///< Rise over run, of runs of 2 m or more.
 };
 
 struct ProfileMeasures {
   std::vector<GradeMeasure> classes;  ///< By class; those that occur.
-  double length_m = 0, over_m = 0;    ///< Of what is driven on: without paths' bridges.
-  double largest_jump_m = 0;          ///< Between two ways where they share a node.
+  double length_m = 0, over_m = 0;    ///< Of classes driven on: without bridges of paths.
+  double largest_jump_m = 0;          ///< Between two ways at a common node.
   std::uint64_t knots = 0;
   std::uint64_t crossings = 0;   ///< Pairs of which one passes over the other.
-  std::uint64_t shortfalls = 0;  ///< Pairs of which more than a quarter of a metre of clearance is missing.
+  std::uint64_t shortfalls = 0;  ///< Pairs with a shortfall above kShortfallMargin_m.
   double largest_shortfall_m = 0;
   std::uint64_t shortfalls_over_1_m = 0, shortfalls_over_3_m = 0;
 };

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "compiler/ground/grading/graded_terrain.h"
-#include "compiler/ground/plan.h"
 #include "compiler/ground/profiles/approach_paths.h"
 #include "compiler/ground/profiles/clearance_shortfalls.h"
 #include "compiler/ground/profiles/clearances.h"
@@ -20,16 +19,10 @@ namespace {
 
 using map::Track;
 
-/// Of a stair.
+/// The height of a step of stairs.
 constexpr double kStep_m = 0.25;
 
-double height_on(const Profile& profile, double at_m) { return profile.empty() ? 0 : knot_at(profile, at_m).z_m; }
-
-const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
-  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
-}
-
-// Bridges for what is no path, with their heights: the land keeps below them.
+// Bridges with decided profiles (not those of paths): the land keeps below them.
 std::vector<roads::Road> decks_of(const map::Features& features, const Profiles& profiles) {
   std::vector<roads::Road> decks;
   std::size_t off = 0;
@@ -43,14 +36,7 @@ std::vector<roads::Road> decks_of(const map::Features& features, const Profiles&
   return decks;
 }
 
-GradedTerrain carved(const map::Features& features, const Profiles& profiles, const TerrainWithoutRoads& terrain) {
-  std::vector<LandCoverPolygon> wet(terrain.waters.begin(), terrain.waters.end());
-  for (const roads::Strip& stream : terrain.streams) wet.push_back(surface_of(stream));
-  const std::vector<roads::Road> decks = decks_of(features, profiles);
-  return grade_terrain(terrain.heights, {profiles.roads, terrain.streams, wet, features.region, false, decks, {}});
-}
-
-// The decided height of every node of the map that a line with heights of its own shares with a path of the graph.
+// The decided height of a map node that a path shares with a line that has a profile.
 struct Decided {
   std::int64_t node_id;
   double z_m;
@@ -67,13 +53,14 @@ std::vector<Decided> decided_heights(const ProfileGraph& paths, const ProfileGra
     const std::vector<double> along = roads::distances_along(way.track->axis, 0);
     for (std::size_t v = 0; v < along.size(); ++v)
       if (std::ranges::binary_search(of_paths, way.track->node_ids[v]))
-        decided.push_back({way.track->node_ids[v], height_on(profile_of(profiles, way), along[v])});
+        decided.push_back({way.track->node_ids[v], height_m_of(profiles, way, along[v])});
   }
   std::ranges::sort(decided, {}, [](const Decided& d) { return std::tuple(d.node_id, d.z_m); });
   return decided;
 }
 
-// By node: of the ground the carved land's, of what is shared with other lines theirs; off the ground the line between.
+// Returns heights by node: of the graded land; of lines with a profile where a node is shared; off the ground of the
+// line between.
 std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& all, const Profiles& profiles,
                                const GradedTerrain& graded) {
   std::vector<double> z_m;
@@ -94,7 +81,7 @@ std::vector<double> heights_of(const ProfileGraph& paths, const ProfileGraph& al
   return z_m;
 }
 
-// Crossings of all lines as the paths see them: others stay where they are.
+// Returns the crossings of all lines in terms of the paths' graph: other lines have fixed heights.
 std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all, std::span<const Crossing> crossings,
                               const Profiles& profiles) {
   const auto way_of = [&](std::uint32_t way) {
@@ -110,15 +97,15 @@ std::vector<Crossing> seen_by(const ProfileGraph& paths, const ProfileGraph& all
     path.upper = way_of(c.upper), path.lower = way_of(c.lower);
     if (path.upper == kNone && path.lower == kNone) continue;
     if (path.upper == kNone && c.upper != kNone)
-      path.upper_z_m = height_on(profile_of(profiles, all.ways[c.upper]), c.upper_at_m);
+      path.upper_z_m = height_m_of(profiles, all.ways[c.upper], c.upper_at_m);
     if (path.lower == kNone && c.lower != kNone)
-      path.lower_z_m = height_on(profile_of(profiles, all.ways[c.lower]), c.lower_at_m);
+      path.lower_z_m = height_m_of(profiles, all.ways[c.lower], c.lower_at_m);
     seen.push_back(path);
   }
   return seen;
 }
 
-// Between its ends, which stay. Upper hull (Andrew 1979).
+// Raises the stations between both ends to the upper convex hull (Andrew 1979) of their heights.
 void straighten(std::span<const Station> stations, std::vector<double>& z_m) {
   Polyline crests;
   for (const Station& s : stations) {
@@ -134,8 +121,8 @@ void straighten(std::span<const Station> stations, std::vector<double>& z_m) {
   }
 }
 
-// A deck that was lifted over one thing after the other goes straight from crest to crest, where nothing is above it,
-// as far as nothing else joins it.
+// A deck that was raised over several things runs straight from crest to crest between its junctions with other lines,
+// unless something passes above it.
 void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> crossings, std::vector<double>& z_m) {
   std::vector<bool> is_below(paths.ways.size());
   for (const Crossing& c : crossings)
@@ -153,20 +140,23 @@ void straighten_decks(const ProfileGraph& paths, std::span<const Crossing> cross
   }
 }
 
-// A path that nothing moved for a clearance needs no profile, nor one that its grade limit moved by less than a step.
+// Returns whether a station moved by more than by_m. Paths that no clearance moved, and no grade limit by more than a
+// step, need no profile.
 bool is_moved(const ProfileGraph& paths, const GraphWay& way, std::span<const double> from_m,
               std::span<const double> to_m, double by_m) {
   return std::ranges::any_of(paths.stations_of(way),
                              [&](const Station& s) { return std::abs(to_m[s.node] - from_m[s.node]) > by_m; });
 }
 
-// Of each upper line, or of a tunnel under a path, how much it lacks at most.
+// Reports the largest shortfall of each upper line, or of the tunnel where a path is above.
 void report_shortfalls(std::span<const ClearanceShortfall> shortfalls, Report& report) {
-  const auto told_of = [](const ClearanceShortfall& lack) { return lack.upper == OsmId{} ? lack.lower : lack.upper; };
+  const auto reported_line = [](const ClearanceShortfall& lack) {
+    return lack.upper == OsmId{} ? lack.lower : lack.upper;
+  };
   for (std::size_t i = 0; i < shortfalls.size();) {
-    const OsmId line = told_of(shortfalls[i]);
+    const OsmId line = reported_line(shortfalls[i]);
     double worst_m = 0;
-    for (; i < shortfalls.size() && told_of(shortfalls[i]) == line; ++i)
+    for (; i < shortfalls.size() && reported_line(shortfalls[i]) == line; ++i)
       worst_m = std::max(worst_m, shortfalls[i].shortfall_m);
     if (worst_m > kShortfallMargin_m) report.add(Code::kClearanceNotMet, line, worst_m);
   }
@@ -178,7 +168,13 @@ Profiles plan_paths(const map::Features& features, Profiles profiles, const Terr
                     Report& report) {
   const ProfileGraph paths = graph_of(features, profiles.roads, {}, Lines::kPaths);
   const ProfileGraph all = graph_of(features, profiles.roads, {}, Lines::kAll);
-  const GradedTerrain graded = carved(features, profiles, terrain);
+  const std::vector<roads::Road> decks = decks_of(features, profiles);
+  const GradedTerrain graded = grade_terrain(terrain.heights, {.roads = profiles.roads,
+                                                               .streams = terrain.streams,
+                                                               .surfaces = terrain.waters,
+                                                               .box = features.region,
+                                                               .has_kerbs = false,
+                                                               .decks = decks});
   const BelowBridges below{terrain.streams, terrain.waters, [&](Vec2 p) { return land_m(graded, p); }};
   const std::vector<Crossing> crossings = seen_by(paths, all, find_crossings(all, features, below), profiles);
   const std::vector<double> lines_m = heights_of(paths, all, profiles, graded);

@@ -1,8 +1,8 @@
-// Foot bridges, underpasses and the paths that lead up and down to them, on the ground that roads and water have cut.
+// Profiles of foot bridges, underpasses and the paths that lead up and down to them.
 //
-// Paths follow the ground as it is. So they are decided last, when that ground is known: a foot bridge comes down on
-// the pavement beside a street's cutting, not on the heightmap above it. Where there is no room below or above, the
-// paths that lead up (approach_paths.h) climb and go down with it.
+// They are planned last, on the terrain that roads and water have graded: a foot bridge comes down on the pavement
+// beside a street's cutting, not on the heightmap above it. Where clearance is missing, its approach paths
+// (approach_paths.h) rise or fall with it.
 #pragma once
 
 #include <span>
@@ -11,21 +11,20 @@
 
 namespace citykiln::ground {
 
-/// What streams and waters the ground has, and how high it is without roads.
+/// Watercourses, standing water and terrain, before grading.
 struct TerrainWithoutRoads {
   std::span<const roads::Strip> streams;
   std::span<const LandCoverPolygon> waters;
   const map::Heightfield& heights;
 };
 
-/// Gives paths that leave the ground, and those that lead up to them, their profiles.
+/// Plans the profiles of paths that leave the ground, and of approach paths that must move.
 ///
-/// @param profiles  Of all that has heights of its own, decided; of paths off the ground any.
+/// @param profiles  Those of other lines are decided; those of paths off the ground may be anything.
 ///
-/// Guarantees: what is no path stays as it is; paths meet at nodes of the map to kKnotError_m, what is no path to twice
-/// kKnotError_m. Paths of the ground that need not climb keep no profile. Of all lines it is told what they lack:
-/// kClearanceNotMet. Total. Reach: that of approach_paths(), the length of what is off the ground as far as
-/// kSpanEndRadius_m, and kGrading_m.
+/// Guarantees: other lines stay; at map nodes paths meet within kKnotError_m, and other lines within twice that.
+/// Approach paths that need not move get no profile. Reports kClearanceNotMet for all lines. Total. Depends on what
+/// lies within the distances of approach_paths(), kSpanEndRadius_m along bridges and tunnels, and kGrading_m.
 Profiles plan_paths(const map::Features& features, Profiles profiles, const TerrainWithoutRoads& terrain,
                     Report& report);
 

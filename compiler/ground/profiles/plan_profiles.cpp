@@ -1,6 +1,7 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/ground/profiles/clearances.h"
@@ -15,13 +16,12 @@
 namespace citykiln::ground {
 namespace {
 
-/// What lifts a bridge tilts plates, and what keeps its approaches from being too steep takes some of it back. What is
-/// lacking then is lifted once more, and ramps may be so much steeper than their limit: as much as push_up() makes them
-/// on slopes.
+/// Raising a bridge tilts junction planes, and the grade limit takes back part of its clearance. One more pass restores
+/// it, in which ramps may exceed the limit by this factor: as much as raising makes them on slopes.
 constexpr double kSteepest = 1.375;
-// Over its limit by less, a road is as steep as rounding makes it.
+// Smaller excess over the limit is rounding.
 constexpr double kSteepMargin = 0.005;
-// Smoothing alone moves tunnels by about as much.
+// Smoothing alone lowers tunnels by about this.
 constexpr double kDugMargin_m = 2;
 
 void report_steep(const ProfileGraph& graph, std::span<const double> z_m, Report& report) {
@@ -37,7 +37,7 @@ void report_steep(const ProfileGraph& graph, std::span<const double> z_m, Report
   }
 }
 
-// How far below the line between its mouths a tunnel had to go.
+// Reports how far below the line between its mouths a tunnel was lowered.
 void report_lowered_tunnels(const ProfileGraph& graph, std::span<const double> lines_m, std::span<const double> z_m,
                             Report& report) {
   for (const GraphWay& way : graph.ways) {
@@ -59,7 +59,7 @@ void report_free_ends(const ProfileGraph& graph, Report& report) {
   }
 }
 
-// All along, and so is the heightmap.
+// Returns whether the way and the terrain below it lie at height 0 throughout.
 bool is_level_zero(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes,
                    const map::Heightfield& heights) {
   return std::ranges::all_of(graph.stations_of(way), [&](const Station& s) {
@@ -68,7 +68,7 @@ bool is_level_zero(const ProfileGraph& graph, const GraphWay& way, const Junctio
   });
 }
 
-// Those that nothing would move that must not be steeper.
+// Returns the crossings that can be cleared by moving only ways that may be steeper.
 std::vector<Crossing> of_streets(const ProfileGraph& graph, std::span<const Crossing> crossings) {
   std::vector<Crossing> of_streets;
   const auto keeps = [&](std::uint32_t way, map::Passage moving) {
@@ -96,10 +96,20 @@ JunctionPlanes solve(const ProfileGraph& graph, std::span<const Crossing> crossi
 
 }  // namespace
 
+const Profile& profile_of(const Profiles& profiles, const GraphWay& way) {
+  return way.road == kNone ? profiles.off_ground[way.off_ground] : profiles.roads[way.road].profile;
+}
+
+double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m) {
+  const Profile& profile = profile_of(profiles, way);
+  return profile.empty() ? 0 : knot_at(profile, at_m).z_m;
+}
+
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,
                        double limit_scale) {
+  assert(limit_scale > 0);
   ProfileGraph graph = graph_of(features, roads, junctions);
   graph.limit_scale = limit_scale;
   const std::vector<Crossing> crossings =

@@ -1,17 +1,17 @@
-// Heights along every road and rail, decided once, when the map is compiled.
+// Plans the heights along every road and rail, once, when the map is compiled.
 //
-// One network of all that is driven on, and of all bridges and tunnels (profile_graph.h), goes through five steps, each
-// a function of heights by node, each with a hard reach:
+// One graph of everything that is driven on and of all bridges and tunnels (profile_graph.h) goes through five steps.
+// Each is a function of heights by node with a finite influence radius:
 //
-//     initial_heights      what the heightmap says, without spikes; between ends of what leaves the ground the line
-//     smooth_heights    smooth, as the class wants it
-//     fit_junction_planes   junctions are plates
-//     limit_grades      no steeper than the class allows
-//     clear_crossings   bridges rise, tunnels go down (and junctions are plates again, under their grades; what that
-//                       takes back of a clearance is asked for once more)
+//     initial_heights      the filtered terrain; on bridges and in tunnels the line between their ends
+//     smooth_heights       smooth enough for the class
+//     fit_junction_planes  flat junctions
+//     limit_grades         no steeper than the class allows
+//     clear_crossings      bridges rise, tunnels fall
 //
-// and is written down as few knots (profile_knots.h). Foot bridges, underpasses and the paths that lead up to them come
-// last, on the ground that all this has cut (plan_paths.h).
+// Clearing tilts junctions and makes ramps, so planes and limits are applied again; what they take back of a clearance
+// is cleared once more. The result is stored as few knots (profile_knots.h). Foot bridges, underpasses and their
+// approaches come last, on the terrain that all this has graded (plan_paths.h).
 #pragma once
 
 #include <span>
@@ -20,39 +20,46 @@
 #include "compiler/contract/report.h"
 #include "compiler/contract/stable_id.h"
 #include "compiler/geometry/profile.h"
+#include "compiler/ground/profiles/profile_graph.h"
 #include "compiler/ground/recipe.h"
 #include "compiler/map/features.h"
 #include "compiler/roads/junctions/junction.h"
 
 namespace citykiln::ground {
 
-/// Where nothing leaves the ground, nothing farther than this matters: the steps' reaches added up (smoothing, plates
-/// twice, grades twice). Each storey of bridges or tunnels adds the length of two ramps, 850 m for a railway's and half
-/// as much for a road's, and once more the reach of plates and grades; kSpanEndRadius_m is how far their ends are
-/// looked for.
+/// Without bridges and tunnels nothing farther than this matters: the sum of the steps' radii (smoothing, planes twice,
+/// limits twice). Each storey of bridges or tunnels adds two ramps, 850 m for a railway and half of that for a road,
+/// and the radii of planes and limits again; their ends are searched within kSpanEndRadius_m.
 inline constexpr double kProfileRadius_m = 2560;
 
-/// One line over another, or over a water or under a path of the ground.
+/// The shortfall of one line over another, over water, or under a path on the ground.
 struct ClearanceShortfall {
   OsmId upper, lower;      ///< None for what has no profile.
-  double shortfall_m = 0;  ///< Where most is missing; not above zero where there is room everywhere.
+  double shortfall_m = 0;  ///< The largest; <= 0 where there is enough clearance everywhere.
 };
 
 struct Profiles {
-  std::vector<roads::Road> roads;              ///< Those given, with their profiles.
-  std::vector<Profile> off_ground;             ///< One a track that leaves the ground, in the order of features.tracks.
-  std::vector<ClearanceShortfall> shortfalls;  ///< One a pair, sorted by the upper's id, those that are none last.
+  std::vector<roads::Road> roads;   ///< Those given, with their profiles.
+  std::vector<Profile> off_ground;  ///< One per track that leaves the ground, in the order of features.tracks.
+  std::vector<ClearanceShortfall> shortfalls;  ///< One per pair, sorted by the upper line's id; none last.
 };
 
-/// @param streams  With profiles; without one a stream lies on the heightmap.
-/// @param waters   Those without a level are not looked at.
-/// @param limit_scale  Of all grade limits; for charts.
+/// Returns the profile of a way.
+const Profile& profile_of(const Profiles& profiles, const GraphWay& way);
+
+/// Returns its height at a distance along the way; 0 without profile.
+double height_m_of(const Profiles& profiles, const GraphWay& way, double at_m);
+
+/// Plans all profiles.
+/// @param streams  With profiles; a stream without one lies on the terrain.
+/// @param waters   Those without a level are ignored.
+/// @param limit_scale  Factor on all grade limits; for charts.
 ///
-/// Guarantees: where ways share a node their heights there are the same, to kKnotError_m; nodes of one junction lie on
-/// one plane; a bridge that crosses nothing, or has room, lies on the smooth line between its ends; spikes of the
-/// heightmap (20 to 500 m at one vertex) move no profile by more than 8 m; a road at height 0 all along, over a
-/// heightmap that is 0 there, has no knots. Does not depend on the order of tracks and roads. Diagnosed: kTooSteep,
-/// kClearanceNotMet, kBridgeWithoutGround. Total. Reach: kProfileRadius_m.
+/// Guarantees: ways have the same height at a common node, within kKnotError_m; nodes of one junction lie on one plane;
+/// a bridge with enough clearance lies on the smooth line between its ends; summits of 20 to 500 m at one vertex of the
+/// terrain move no profile by more than 8 m; a road at height 0 on terrain at height 0 has no knots. Does not depend on
+/// the order of tracks and roads. Reports kTooSteep, kClearanceNotMet, kTunnelLowered, kBridgeWithoutGround. Total.
+/// Depends on what lies within kProfileRadius_m.
 Profiles plan_profiles(const map::Features& features, std::vector<roads::Road> roads,
                        std::span<const roads::Junction> junctions, std::span<const roads::Strip> streams,
                        std::span<const LandCoverPolygon> waters, const map::Heightfield& heights, Report& report,

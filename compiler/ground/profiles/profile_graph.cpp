@@ -1,6 +1,7 @@
 #include "compiler/ground/profiles/profile_graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "compiler/geometry/snap.h"
@@ -13,14 +14,7 @@ namespace {
 using map::Passage;
 using map::Track;
 
-std::vector<double> distances_along(const Polyline& axis) {
-  std::vector<double> along = {0};
-  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-    along.push_back(along.back() + snapped(distance(axis[i], axis[i + 1])));
-  return along;
-}
-
-// A way passes a place. The ground before what leaves it: who shares its node joins it.
+// A vertex of a way at a place. Ways on the ground come first: ways off it join them at common map nodes.
 struct Passing {
   Vec2 at;
   std::int64_t node_id;
@@ -36,7 +30,7 @@ struct Stop {
 
 struct Draft {
   std::vector<double> along;
-  std::vector<std::uint32_t> node_at;   // of each vertex, kNone where it is nobody's
+  std::vector<std::uint32_t> node_at;   // of each vertex; kNone without
   std::vector<std::uint32_t> junction;  // of each vertex
   std::vector<Stop> stops;
 };
@@ -49,7 +43,7 @@ struct Builder {
   ProfileGraph graph;
   std::vector<Draft> drafts;
   std::vector<std::uint32_t> way_of_road;
-  std::vector<std::int64_t> foreign;  // nodes of lines that are in another graph with heights of their own, sorted
+  std::vector<std::int64_t> foreign;  // map nodes of lines with profiles in another graph, sorted
 
   bool is_member(std::size_t t) const;
 
@@ -63,7 +57,7 @@ struct Builder {
   void link();
   bool goes_on(std::uint32_t node) const;
   void pin();
-  void pin_loose_ends();
+  void pin_free_ends();
 };
 
 bool Builder::is_member(std::size_t t) const {
@@ -81,7 +75,7 @@ void Builder::add_ways() {
   std::uint32_t off = 0;
   for (std::size_t t = 0; t < features.tracks.size(); ++t) {
     const Track& track = features.tracks[t];
-    GraphWay way{&track, kNone, kNone, 0, 0};
+    GraphWay way{.track = &track};
     if (leaves_ground(track)) way.off_ground = off++;
     if (!is_member(t)) {
       if (leaves_ground(track) || is_graded(track.surface))
@@ -100,7 +94,7 @@ void Builder::add_ways() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     if (graph.ways[w].road != kNone) way_of_road[graph.ways[w].road] = w;
     const Polyline& axis = graph.ways[w].track->axis;
-    drafts.push_back({distances_along(axis),
+    drafts.push_back({roads::distances_along(axis, 0),
                       std::vector<std::uint32_t>(axis.size(), kNone),
                       std::vector<std::uint32_t>(axis.size(), kNone),
                       {}});
@@ -119,7 +113,7 @@ std::vector<Passing> Builder::passings() const {
   return passings;
 }
 
-// All passings of one place: the ground's are one node, the others one a node of the map.
+// Makes nodes of all vertices at one place: one for the ground, and one per map node for the rest.
 void Builder::join_place(std::span<const Passing> here) {
   const auto is_stop = [&](const Passing& p) {
     return p.vertex == 0 || p.vertex + 1 == drafts[p.way].along.size() ||
@@ -131,7 +125,7 @@ void Builder::join_place(std::span<const Passing> here) {
         std::ranges::any_of(members, [&](const Passing& p) { return drafts[p.way].junction[p.vertex] != kNone; });
     if (members.empty() || !matters) return;
     const auto node = static_cast<std::uint32_t>(graph.nodes.size());
-    graph.nodes.push_back({members.front().at, !members.front().is_off, false, false, kNone, 0, 0});
+    graph.nodes.push_back({.at = members.front().at, .is_on_ground = !members.front().is_off});
     for (const Passing& p : members) drafts[p.way].node_at[p.vertex] = node;
   };
   std::vector<Passing> ground, rest;
@@ -161,7 +155,8 @@ void Builder::join_places() {
   }
 }
 
-// How far an arm is its junction's: to its cut, or where a link is inside to the place at its other end.
+// Adds the stations of an arm that belong to its junction: up to its cut, or, on a link inside the junction, to the
+// place at its other end.
 void Builder::stop_at_arm(const roads::Arm& arm, const roads::Cut& cut, std::span<const Vec2> places,
                           std::uint32_t junction) {
   const std::uint32_t w = way_of_road[arm.road];
@@ -190,7 +185,7 @@ void Builder::stop_at_junctions(std::span<const roads::Junction> junctions) {
       stop_at_arm(arms[j][a], junctions[j].cuts[a], junctions[j].places, j);
 }
 
-// Stops apart: a vertex's stays, of others those that keep off it.
+// Returns stops at least kApart_m apart: those at vertices stay, others too close to them are dropped.
 std::vector<Stop> apart(std::vector<Stop> stops) {
   constexpr double kApart_m = 0.5;
   std::ranges::sort(stops, {}, [](const Stop& s) { return std::tuple(s.at_m, s.vertex, s.junction); });
@@ -228,7 +223,7 @@ void Builder::put_stations() {
     const auto put = [&](double at_m, std::uint32_t junction) {
       graph.stations.push_back({at_m, static_cast<std::uint32_t>(graph.nodes.size())});
       const Vec2 at = point_at(way.track->axis, draft.along, at_m);
-      graph.nodes.push_back({at, way.road != kNone, false, false, junction, 0, 0});
+      graph.nodes.push_back({.at = at, .is_on_ground = way.road != kNone, .junction = junction});
     };
     for (std::size_t s = 0; s < stops.size(); ++s) {
       if (s > 0) {
@@ -272,13 +267,13 @@ void Builder::link() {
   });
 }
 
-// Where a bridge or tunnel goes on through a node, steps that lead to it hold nothing.
+// Returns whether a bridge or tunnel continues through the node; then steps that lead to it do not pin it.
 bool Builder::goes_on(std::uint32_t node) const {
   return std::ranges::count_if(graph.legs_of(node), [&](const Leg& leg) { return graph.ways[leg.way].road == kNone; }) >
          1;
 }
 
-// What leaves the ground comes down on a path of another graph, or a bridge's end on nothing.
+// Pins nodes where a bridge or tunnel meets a path that follows the ground, and free ends of bridges.
 void Builder::pin() {
   std::vector<std::pair<std::int64_t, std::uint32_t>> off;
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
@@ -301,10 +296,10 @@ void Builder::pin() {
           graph.nodes[found->second].is_pinned = true;
     }
   }
-  pin_loose_ends();
+  pin_free_ends();
 }
 
-void Builder::pin_loose_ends() {
+void Builder::pin_free_ends() {
   for (std::uint32_t w = 0; w < graph.ways.size(); ++w) {
     const GraphWay& way = graph.ways[w];
     if (way.track->passage != Passage::kBridge) continue;
@@ -333,6 +328,7 @@ ProfileGraph graph_of(const map::Features& features, std::span<const roads::Road
 }
 
 std::uint32_t station_before(const ProfileGraph& graph, const GraphWay& way, double at_m) {
+  assert(way.count >= 2);
   const std::span<const Station> stations = graph.stations_of(way);
   const auto after = std::ranges::upper_bound(stations, at_m, {}, &Station::at_m);
   const auto i = static_cast<std::uint32_t>(after - stations.begin());
@@ -340,10 +336,17 @@ std::uint32_t station_before(const ProfileGraph& graph, const GraphWay& way, dou
 }
 
 double height_along(const ProfileGraph& graph, const GraphWay& way, std::span<const double> z_m, double at_m) {
+  assert(z_m.size() == graph.nodes.size());
   const std::uint32_t i = station_before(graph, way, at_m);
   const Station &a = graph.stations[way.first + i], &b = graph.stations[way.first + i + 1];
   const double t = std::clamp((at_m - a.at_m) / (b.at_m - a.at_m), 0.0, 1.0);
   return z_m[a.node] + (z_m[b.node] - z_m[a.node]) * t;
+}
+
+std::vector<double> negated(std::span<const double> z_m) {
+  std::vector<double> turned;
+  for (const double z : z_m) turned.push_back(-z);
+  return turned;
 }
 
 }  // namespace citykiln::ground

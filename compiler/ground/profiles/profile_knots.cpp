@@ -1,6 +1,7 @@
 #include "compiler/ground/profiles/profile_knots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/geometry/snap.h"
@@ -15,12 +16,11 @@ struct Candidate {
   bool is_kept = false;
 };
 
-// Of the axis at a place: half-way between both segments at a vertex.
+// Direction of an axis at increasing distances: at a vertex half-way between both segments.
 class Directions {
  public:
   explicit Directions(const Polyline& axis) : axis_(axis) {}
 
-  /// Places must come in order.
   Vec2 at(double at_m) {
     while (segment_ + 2 < axis_.size() && passed_m_ + own_m() <= at_m - 1e-3) passed_m_ += own_m(), ++segment_;
     const Vec2 before = along(segment_);
@@ -37,8 +37,8 @@ class Directions {
   double passed_m_ = 0;
 };
 
-// The height of a knot that lies a little before or after its station, so that the profile has the station's height
-// there.
+// Returns the height of a knot `after_m` beside its station such that the profile has the station's height at the
+// station.
 double height_beside(std::span<const Station> stations, std::size_t s, std::span<const double> z_m, double after_m) {
   const double own_m = z_m[stations[s].node];
   const std::size_t other = after_m > 0 ? s - 1 : s + 1;
@@ -52,8 +52,8 @@ struct Placed {
   double at_m;
 };
 
-// Of two that rounding puts on one place one has a knot: the way's end. But an end that nothing else meets gives its
-// knot to a meeting beside it: between two so close their rounding would tilt what lies there.
+// Of two stations rounded to one place one gets a knot: the way's end. But an end that meets nothing leaves its knot to
+// a junction beside it: rounding of two knots so close would tilt the piece between them.
 std::vector<Placed> places_of(const ProfileGraph& graph, std::span<const Station> stations) {
   const auto is_free_end = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() == 1; };
   const auto is_meeting = [&](std::size_t s) { return graph.legs_of(stations[s].node).size() > 2; };
@@ -116,6 +116,7 @@ void keep_bends(std::vector<Candidate>& candidates, std::size_t first, std::size
 }  // namespace
 
 Profile knots_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes) {
+  assert(planes.z_m.size() == graph.nodes.size() && planes.gradient.size() == graph.nodes.size());
   std::vector<Candidate> candidates = candidates_of(graph, way, planes);
   for (std::size_t first = 0, i = 1; i < candidates.size(); ++i) {
     if (!candidates[i].is_kept) continue;

@@ -1,4 +1,4 @@
-// Heights by node, written down as profiles: as few knots as say it.
+// Profiles from heights by node, with as few knots as possible.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace citykiln::ground {
 
-/// A profile is nowhere farther than this from its stations' heights, nor from their tilts at kTiltArm_m off the axis.
+/// Largest error of a profile against its stations' heights, and against their tilts at kTiltArm_m off the axis.
 inline constexpr double kKnotError_m = 0.01;
 inline constexpr double kTiltArm_m = 8;
 
-/// The profile of a way. Where ways share a node, and at both ends, there is a knot. Guarantees: knots rise strictly
-/// along the way, on the grids of profile.h; the first lies at 0, the last at the way's end or less than 1/8 m before.
-/// Douglas and Peucker (1973). O(n log n) as a rule.
+/// Returns the profile of a way by Douglas and Peucker (1973). Guarantees: a knot at both ends and where ways share a
+/// node; knots rise strictly along the way, on the grids of profile.h; the first at 0, the last at most 1/8 m before
+/// the way's end. O(n log n) as a rule.
 Profile knots_of(const ProfileGraph& graph, const GraphWay& way, const JunctionPlanes& planes);
 
 }  // namespace citykiln::ground

@@ -1,37 +1,39 @@
-// Whittaker (1923) smoothing on a graph, with the weights of Cauchy's distribution (Holland and Welsch 1977); squares
-// blended by a partition of unity (Babuska and Melenk 1997) instead of one system for all.
+// Whittaker (1923) smoothing on a graph, with Cauchy's weights (Holland and Welsch 1977); windows are blended by a
+// partition of unity (Babuska and Melenk 1997) instead of solving one system.
 #include "compiler/ground/profiles/smooth_profile.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <compare>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/profiles/grade_rules.h"
 
 namespace citykiln::ground {
 namespace {
 
-/// Of the heightmap's step, below which there is nothing to follow but its noise and its triangles.
+/// Share of the terrain's step below which there is only noise and the triangles of the grid.
 constexpr double kStepShare = 0.75;
-/// Times that data are weighed again.
+/// Rounds of reweighting.
 constexpr int kRounds = 2;
 constexpr double kOffGround = 0.05, kPinned = 1e4;
 
-// A line that goes on through a node, and what its bending costs: (a z_from + b z_node + c z_to)^2.
+// The bending of a line that continues through a node: cost (a z_from + b z_node + c z_to)².
 struct Bend {
   std::uint32_t from = 0, node = 0, to = 0;
   double a = 0, b = 0, c = 0;
 };
 
-// Lines off the ground have no noise.
+// Lines off the ground have no noise of the terrain.
 double smooth_m_of(const ProfileGraph& graph, const Leg& leg, double least_m) {
   const GraphWay& way = graph.ways[leg.way];
   return std::max(grade_rule_of(way.track->surface).smooth_m, way.road == kNone ? 0 : least_m);
 }
 
 Bend bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, const Leg& to, double least_m) {
-  // shorter legs weigh so much that nothing else would count beside rounding
+  // shorter legs would have weights beyond rounding
   constexpr double kShortest_m = 0.5;
   const double h1 = std::max(from.length_m, kShortest_m), h2 = std::max(to.length_m, kShortest_m);
   const double smooth_m = std::min(smooth_m_of(graph, from, least_m), smooth_m_of(graph, to, least_m));
@@ -40,7 +42,7 @@ Bend bend_of(const ProfileGraph& graph, std::uint32_t node, const Leg& from, con
   return {from.to, node, to.to, a, -(a + c), c};
 }
 
-// The leg that a line coming along `leg` goes on in: another of the same way, or the straightest.
+// Returns the leg in which a line along `leg` continues: the only other one, or the straightest; kNone if none.
 std::uint32_t goes_on_in(const ProfileGraph& graph, std::uint32_t node, std::uint32_t leg) {
   constexpr double kStraight = -0.5;
   const std::span<const Leg> legs = graph.legs_of(node);
@@ -59,7 +61,7 @@ void add_bends(const ProfileGraph& graph, std::uint32_t node, double least_m, st
   const std::span<const Leg> legs = graph.legs_of(node);
   for (std::uint32_t leg = 0; legs.size() > 1 && leg < legs.size(); ++leg) {
     const std::uint32_t other = goes_on_in(graph, node, leg);
-    // of a pair that wants each other once
+    // a pair that chooses each other is added once
     if (other == kNone || (other < leg && goes_on_in(graph, node, other) == leg)) continue;
     if (legs[leg].to != legs[other].to) bends.push_back(bend_of(graph, node, legs[leg], legs[other], least_m));
   }
@@ -70,7 +72,7 @@ struct Cell {
   auto operator<=>(const Cell&) const = default;
 };
 
-// Nodes by squares of half the size, which the halo and the blending together are as wide as.
+// Nodes by squares of half a window, which is also at least the halo and the blending together.
 struct Bins {
   static constexpr double kBin_m = kWindow_m / 2;
   static_assert(kWindowBlend_m + kHalo_m <= kBin_m);
@@ -85,7 +87,7 @@ struct Bins {
     std::ranges::sort(entries);
   }
 
-  /// Of a square and one bin about it, sorted.
+  /// Returns the nodes of a window and one square about it, sorted.
   void gather(Cell square, std::vector<std::uint32_t>& nodes) const {
     nodes.clear();
     for (int x = 2 * square.x - 1; x <= 2 * square.x + 2; ++x) {
@@ -96,19 +98,18 @@ struct Bins {
     std::ranges::sort(nodes);
   }
 
-  /// All squares that hold a node or blend into one that does, sorted.
+  /// Returns all windows that hold a node or blend into one that does, sorted.
   std::vector<Cell> squares() const {
     std::vector<Cell> squares;
     for (const auto& [bin, node] : entries)
       for (int dx = -1; dx <= 1; dx += 2)
         for (int dy = -1; dy <= 1; dy += 2) squares.push_back({(bin.x + dx) >> 1, (bin.y + dy) >> 1});
-    std::ranges::sort(squares);
-    squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+    sort_unique(squares);
     return squares;
   }
 };
 
-// How much a square has to say at a place: 1 inside, 0 outside, a ramp across its borders.
+// The weight of a window at a place: 1 inside, 0 outside, linear across its borders.
 double share_along(int square, double v) {
   const double inside_m = std::min(v - square * kWindow_m, (square + 1) * kWindow_m - v);
   return std::clamp((inside_m + kWindowBlend_m) / (2 * kWindowBlend_m), 0.0, 1.0);
@@ -118,11 +119,11 @@ double share_of(Cell square, Vec2 at) { return share_along(square.x, at.x) * sha
 struct Smoother {
   const ProfileGraph& graph;
   std::span<const double> data_m;
-  double least_m;                              // smoothing length
+  double least_m;                              // smoothing length on the ground
   std::vector<Bend> bends = {};                // by node
-  std::vector<std::uint32_t> first_bend = {};  // of each node, and one beyond
-  std::vector<double> run_m = {};              // of line that each node stands for
-  std::vector<std::uint32_t> local = {};       // of the square at work, kNone elsewhere
+  std::vector<std::uint32_t> first_bend = {};  // of each node, and the end
+  std::vector<double> run_m = {};              // length of line that each node stands for
+  std::vector<std::uint32_t> local = {};       // number within the current window, kNone outside
   std::vector<double> weighted_m = {}, share = {};
 
   void prepare();
@@ -203,7 +204,8 @@ void Smoother::solve(Cell square, std::span<const std::uint32_t> nodes) {
 }  // namespace
 
 std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m, double step_m) {
-  // no hills: every square would find just that
+  assert(data_m.size() == graph.nodes.size() && step_m > 0);
+  // level terrain: every window would return it unchanged
   if (std::ranges::all_of(data_m, [&](double z) { return z == data_m.front(); })) return {data_m.begin(), data_m.end()};
   Smoother smoother{graph, data_m, kStepShare * step_m};
   smoother.prepare();

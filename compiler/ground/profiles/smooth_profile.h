@@ -1,8 +1,8 @@
-// Smooth heights for all stations at once: near the heightmap's, bending as little as their class asks for.
+// Smooths the heights of all stations: near the terrain's, with as little bending as the class wants.
 //
-// The network is covered by squares that overlap. Each is solved for itself, with all that lies within kHalo_m of it;
-// where squares overlap their solutions are blended. So nothing depends on what is farther than kSmoothRadius_m, in
-// plan; nothing is iterated over the whole; and a network of any shape needs no anchors.
+// The plane is covered by overlapping square windows. Each is solved for itself, with everything within kHalo_m, and
+// the solutions are blended where windows overlap. So the result depends on nothing farther than kSmoothRadius_m in
+// plan, needs no iteration over the whole network and no anchors.
 #pragma once
 
 #include <span>
@@ -12,21 +12,20 @@
 
 namespace citykiln::ground {
 
-/// Squares are this wide, blended over kWindowBlend_m on either side of their borders, and see kHalo_m beyond: three
-/// smoothing lengths of a motorway, where what is left of a disturbance is a hundredth.
+/// Width of a window; blending distance on either side of its borders; how far it sees beyond: three smoothing lengths
+/// of a motorway, after which a hundredth of a disturbance is left.
 inline constexpr double kWindow_m = 512, kWindowBlend_m = 64, kHalo_m = 192;
 inline constexpr double kSmoothRadius_m = kWindow_m + 2 * kWindowBlend_m + kHalo_m;
 
-/// Data that miss the line by this count half (Cauchy's weights).
+/// Data that differ from the result by this count half (Cauchy's weights).
 inline constexpr double kRobustScale_m = 4;
 
-/// By node: minimises the sum of (z - data)^2 dx + l^4 z''^2 dx, l the class' smoothing length or three
-/// quarters of the heightmap's longer step `step_m`, whichever is more, over ways that go on
-/// into each other; data off the ground count a twentieth, pinned ones as much as ten thousand; data are weighed again
-/// twice by how far they miss.
+/// Returns heights by node that minimise the sum of (z - data)² dx + l⁴ z''² dx along ways that continue each other. l
+/// is the class's smoothing length, on the ground at least 3/4 of the terrain's longer step `step_m`. Weights: 1 on the
+/// ground, 1/20 off it, 10,000 for pinned nodes; data that do not fit are given less weight, in two more rounds.
 ///
-/// Guarantees: equal data stay what they are; a constant more in the data is that constant more; reach as above. Total.
-/// O(n log n), Eigen's SimplicialLDLT for each square.
+/// Guarantees: equal data stay; adding a constant to the data adds it to the result; influence as above. Total. O(n log
+/// n), Eigen's SimplicialLDLT per window.
 std::vector<double> smooth_heights(const ProfileGraph& graph, std::span<const double> data_m, double step_m);
 
 }  // namespace citykiln::ground

@@ -1,19 +1,20 @@
 #include "compiler/ground/water/descending_fit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace citykiln::ground {
 namespace {
 
-// Where the slope of a cost grows, and by how much.
+// A height at which the slope of a cost function grows, and by how much.
 struct Bend {
   double height_m;
   std::int64_t by;
 };
 
-// The cost of all that lies upstream, as a function of the height here, right of its lowest place: it is flat left of
-// it, since what is upstream may lie higher. A heap, the lowest bend first.
+// The cost of all nodes upstream as a function of the height here: convex, piecewise linear, and flat left of its
+// minimum, since nodes upstream may lie higher. Stored as a heap of its bends, the lowest first.
 class UpstreamCost {
  public:
   void add(Bend bend) {
@@ -27,7 +28,8 @@ class UpstreamCost {
     other.bends_ = {};
   }
 
-  // Takes away bends that together turn a slope of -falling level; returns where it turns.
+  // Removes bends from the left until the slope has risen by `falling`, from -falling to 0; returns where that is: the
+  // new minimum.
   double take(std::int64_t falling) {
     double turn_m = bends_.front().height_m;
     while (falling > 0) {
@@ -48,15 +50,16 @@ class UpstreamCost {
   std::vector<Bend> bends_;
 };
 
-// The lowest best height of each node if nothing downstream bound it.
+// Returns each node's lowest best height if nothing downstream limited it. Upstream nodes have higher numbers, so going
+// down collects their costs first.
 std::vector<double> unbound_heights(const FlowGraph& flow) {
-  std::vector<UpstreamCost> costs(flow.pulls.size());
-  std::vector<double> heights(flow.pulls.size());
-  for (std::size_t i = flow.pulls.size(); i-- > 0;) {
+  std::vector<UpstreamCost> costs(flow.given.size());
+  std::vector<double> heights(flow.given.size());
+  for (std::size_t i = flow.given.size(); i-- > 0;) {
     std::int64_t falling = 0;
-    for (const WeightedHeight& pull : flow.pulls[i]) {
-      costs[i].add({pull.height_m, pull.below + pull.above});
-      falling += pull.below;
+    for (const WeightedHeight& height : flow.given[i]) {
+      costs[i].add({height.height_m, height.below + height.above});
+      falling += height.below;
     }
     heights[i] = costs[i].take(falling);
     if (!flow.downstream[i].empty()) costs[*std::ranges::min_element(flow.downstream[i])].add(std::move(costs[i]));
@@ -64,7 +67,7 @@ std::vector<double> unbound_heights(const FlowGraph& flow) {
   return heights;
 }
 
-// What parts from a river begins no higher than it.
+// An arm that leaves a river begins no higher than the river there.
 void lower_arms(const FlowGraph& flow, std::vector<double>& heights) {
   for (std::size_t i = heights.size(); i-- > 0;)
     for (const std::uint32_t d : flow.downstream[i]) heights[d] = flow.is_sea[d] ? 0 : std::min(heights[d], heights[i]);
@@ -81,6 +84,8 @@ void lift_to_sea(const FlowGraph& flow, std::vector<double>& heights) {
 }  // namespace
 
 std::vector<double> fit_descending(const FlowGraph& flow) {
+  assert(flow.downstream.size() == flow.given.size() && flow.is_sea.size() == flow.given.size());
+  assert(std::ranges::none_of(flow.given, [](const auto& given) { return given.empty(); }));
   std::vector<double> heights = unbound_heights(flow);
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (!flow.downstream[i].empty())

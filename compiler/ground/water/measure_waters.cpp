@@ -9,10 +9,10 @@ namespace {
 
 // Less is rounding.
 constexpr double kRise_m = 1e-9;
-// Streams without profile are seen so far apart.
+// Streams are sampled at this distance.
 constexpr double kApart_m = 16;
 
-// A place of a stream: where, how high.
+// A sample of a stream.
 struct Seen {
   double at_m;
   Vec2 at;
@@ -36,14 +36,14 @@ std::vector<Seen> places_of(const roads::Strip& stream, const map::Heightfield& 
   return places;
 }
 
-// A stream's vertex.
+// A vertex of a stream.
 struct Passing {
   Vec2 at;
   double water_m;
   std::uint32_t stream;
 };
 
-// Streams that have a vertex in common have one height there.
+// Compares the heights of streams at their common vertices.
 void measure_meetings(std::vector<Passing>& passings, std::vector<double>& rises) {
   std::ranges::sort(passings, {}, [](const Passing& p) { return std::tuple(p.at, p.stream, p.water_m); });
   for (std::size_t first = 0, last = 0; first < passings.size(); first = last) {

@@ -1,4 +1,4 @@
-// What water keeps and does not keep, measured from its recipes and the land alone.
+// Measures planned water against its promises, from its recipes and the terrain alone.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@ namespace citykiln::ground {
 
 struct WaterMeasures {
   std::size_t streams = 0, standing = 0;
-  std::size_t streams_that_rise = 0;  ///< Somewhere along their axis, or from one to another at a vertex in common.
-  std::size_t waters_not_level = 0;   ///< Pairs of surfaces with a level that share an edge, at heights other than
-                                      ///< each other's (a dam parts them).
+  std::size_t streams_that_rise = 0;  ///< Along their axis, or from one to another at a common vertex.
+  std::size_t waters_not_level = 0;   ///< Pairs of polygons with a common edge and different levels (a dam).
   double largest_rise_m = 0;
-  double deepest_below_land_m = 0, highest_above_land_m = 0;  ///< Of streams, at knots and vertices in the field's box.
+  double deepest_below_land_m = 0,
+         highest_above_land_m = 0;  ///< Of streams, at knots and vertices in the terrain's box.
 };
 
-/// Streams without profile count as lying on the land. O(n log n).
+/// Measures. Streams without profile count as lying on the terrain. O(n log n).
 WaterMeasures measure_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                              const map::Heightfield& heights);
 
-/// How high a strip's water lies over a place of its whole way; the land's height where it has no profile.
+/// Returns the height of a stream's water at a distance along its whole way; the terrain's at `there` without profile.
 double water_at_station_m(const roads::Strip& stream, double at_m, Vec2 there, const map::Heightfield& heights);
 
 }  // namespace citykiln::ground

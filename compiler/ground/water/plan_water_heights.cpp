@@ -14,14 +14,14 @@
 namespace citykiln::ground {
 namespace {
 
-// What is worth a line in the report.
+// Smaller differences are not reported.
 constexpr double kMoved_m = 0.5, kOffLand_m = 10;
 
 bool has_heights(const map::Heightfield& heights) {
   return std::ranges::any_of(heights.heights, [](std::int32_t h) { return h != 0; });
 }
 
-// Standing water, and areas of rivers that no axis tells the height of.
+// Returns what is level: standing water, and river areas without an axis.
 std::vector<bool> find_level(const Waters& waters, const RiverAreas& areas, const map::Heightfield& heights,
                              Report& report) {
   std::vector<bool> stands = areas.has_no_axis;
@@ -41,7 +41,7 @@ std::vector<bool> seas_of(const StandingWaters& standing) {
   return seas;
 }
 
-// Turns what is mapped uphill; true where there was any.
+// Reverses streams that are mapped uphill; returns whether there were any.
 bool turn_uphill(std::vector<roads::Strip>& streams, const RiverNetwork& network, const std::vector<bool>& seas,
                  Report& report) {
   bool has_turned = false;
@@ -101,13 +101,13 @@ Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<ro
   std::ranges::stable_sort(waters.streams, {}, &roads::Strip::id);
   if (!has_heights(heights)) return waters;
 
-  // what is level, and how high by its shore
+  // what is level, and its level by its shore
   const RiverAreas areas = find_river_axes(waters.surfaces, waters.streams, heights.box());
   const std::vector<bool> stands = find_level(waters, areas, heights, report);
   const StandingWaters standing = find_standing_waters(waters.surfaces, stands, heights, report);
   const std::vector<bool> seas = seas_of(standing);
 
-  // what runs, which way, and how high
+  // what runs: its direction, then its heights
   const auto network_now = [&] {
     return make_river_network(waters.streams, covered, waters.surfaces, standing, heights);
   };

@@ -1,4 +1,4 @@
-// Stage 4b: how high water lies. Standing water is level, running water falls along its axis.
+// Plans the heights of water: standing water is level, running water descends along its axis.
 #pragma once
 
 #include <span>
@@ -13,21 +13,20 @@ namespace citykiln::ground {
 
 struct Waters {
   std::vector<LandCoverPolygon> surfaces;  ///< Those given; standing water with its level.
-  std::vector<roads::Strip> streams;       ///< Those given, sorted by id, with their profiles and reaches.
+  std::vector<roads::Strip> streams;       ///< Those given, sorted by id, with profiles and influence radii.
 };
 
-/// Finds the heights of all water of a map, once.
+/// Decides the heights of all water of a map.
 ///
-/// @param covered  Culverts and aqueducts, through which water goes on; downstream.
+/// @param covered  Axes of culverts and aqueducts, downstream: they connect rivers.
 /// Method: standing_water.h, river_network.h, river_uphill.h, river_heights.h, river_profile.h, river_areas.h.
-/// Guarantees: every standing water is level, those that share a border together (unless kDam_m parts them); the sea
-/// lies at 0; no profile rises along its axis, and streams have one height where they have a vertex in common, no lower
-/// than what flows on from there. Streams that were mapped uphill are turned, axis and all. River areas keep no level:
-/// they have the height of the streams that reach them (water_height.h); those that none reaches are level, like lakes.
-/// Heights depend on the land within two heightfield steps of water, and on what water is connected.
-/// Without heights (a field that is 0 everywhere) all is returned as it came. Total. What gives way is diagnosed:
-/// kSeaLevelOffShore, kShoreSpike, kRiverAreaWithoutAxis, kWaterwayReversed, kWaterwayCycle, kLakeLevelMoved,
-/// kRiverOffTerrain. Cost: 0.1 s for Andorra.
+/// Guarantees: every standing water is level, polygons with a common border together (unless kDam_m parts them); the
+/// sea lies at 0; no profile rises along its axis; streams have one height at a common vertex, no lower than what flows
+/// on from there. Streams mapped uphill are reversed, with their axis. River areas get no level: their heights come
+/// from the streams within reach (water_height.h); areas without a stream are level, like lakes. Heights depend on the
+/// terrain within two grid steps of water, and on the water connected to it. Without terrain (0 everywhere) all is
+/// returned as given. Total. Reports kSeaLevelOffShore, kShoreSpike, kRiverAreaWithoutAxis, kWaterwayReversed,
+/// kWaterwayCycle, kLakeLevelMoved, kRiverOffTerrain. 0.1 s for Andorra.
 Waters plan_water_heights(std::vector<LandCoverPolygon> surfaces, std::vector<roads::Strip> streams,
                           std::span<const Polyline> covered, const map::Heightfield& heights, Report& report);
 

@@ -1,6 +1,7 @@
 #include "compiler/ground/water/river_areas.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "compiler/ground/cover/inside_rings.h"
@@ -9,7 +10,7 @@
 namespace citykiln::ground {
 namespace {
 
-// Axes and banks are looked at so far apart.
+// Axes and banks are sampled at this distance.
 constexpr double kApart_m = 32;
 
 struct AxisPlace {
@@ -18,7 +19,7 @@ struct AxisPlace {
   auto operator<=>(const AxisPlace&) const = default;
 };
 
-// The points of a line and more between them; `visit` takes each.
+// Visits points from a to b at most kApart_m apart, without b.
 template <typename Visit>
 void walk(Vec2 a, Vec2 b, Visit visit) {
   const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / kApart_m)));
@@ -34,7 +35,7 @@ std::vector<AxisPlace> places_of(std::span<const roads::Strip> streams, std::uin
   return places;
 }
 
-// Areas that share borders, and the places of the axes that run through any of them, from west to east.
+// Areas with common borders, and samples of the axes that run through them, from west to east.
 struct RiverGroup {
   std::vector<std::uint32_t> surfaces;
   std::vector<BandedRings> rings;
@@ -73,7 +74,7 @@ struct Nearest {
   double distance_m = INFINITY;
 };
 
-// From p outward, west and east, until no place can be nearer.
+// Searches from p to both sides until the distance in x alone exceeds the nearest found.
 Nearest nearest_place(const std::vector<AxisPlace>& places, Vec2 p) {
   Nearest nearest;
   const auto look = [&](const AxisPlace& place) {
@@ -88,7 +89,7 @@ Nearest nearest_place(const std::vector<AxisPlace>& places, Vec2 p) {
   return nearest;
 }
 
-// The farthest bank of one area from each stream that is the nearest to it.
+// Returns the streams nearest to some place on the area's banks, each with the farthest such place.
 std::vector<Nearest> farthest_banks(const LandCoverPolygon& surface, const RiverGroup& group, const Box2& box) {
   std::vector<Nearest> farthest;
   const auto look = [&](Vec2 p) {
@@ -126,6 +127,7 @@ void set_reaches(std::span<const LandCoverPolygon> surfaces, const RiverGroup& g
 
 RiverAreas find_river_axes(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                            const Box2& box) {
+  assert(std::ranges::none_of(streams, [](const roads::Strip& s) { return s.axis.size() < 2; }));
   RiverAreas areas{std::vector<double>(streams.size(), 0), std::vector<bool>(surfaces.size(), false)};
   std::vector<Box2> boxes;
   for (const roads::Strip& stream : streams) boxes.push_back(box_of(stream.axis));

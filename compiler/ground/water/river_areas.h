@@ -1,4 +1,4 @@
-// Areas of running water, and the axes that tell their heights.
+// Connects areas of running water with the axes that decide their heights.
 #pragma once
 
 #include <span>
@@ -10,21 +10,22 @@
 
 namespace citykiln::ground {
 
-/// No river's bank lies farther from its axis than this; beyond, its area is treated as one without axis.
+/// Largest influence radius of a stream; an area with a bank farther from every axis counts as one without axis.
 inline constexpr double kMaxInfluence_m = 1008;
-/// Reaches are whole multiples of this.
+/// Influence radii are multiples of this.
 inline constexpr double kInfluenceStep_m = 16;
 
 struct RiverAreas {
-  std::vector<double> reach_m;    ///< By stream: a multiple of 16, at most kMaxInfluence_m; 0 where it runs in no area.
-  std::vector<bool> has_no_axis;  ///< By surface: a river's area that no stream runs through, nor through its
-                                  ///< neighbours, or none near enough.
+  std::vector<double>
+      reach_m;  ///< Per stream: its influence radius, a multiple of kInfluenceStep_m; 0 where it runs in no area.
+  std::vector<bool>
+      has_no_axis;  ///< Per polygon: a river's area without a stream through it or its neighbours near enough.
 };
 
-/// Areas that share borders take their heights from each other's axes.
+/// Assigns streams to areas; areas that share borders share streams.
 ///
-/// Guarantees: every place on a bank within the box lies within 0.8 times the reach of some stream. O(n log n) in
-/// vertices and axes, plus banks times the axes that lie as far east of west.
+/// Guarantees: every place on a bank within the box lies within 0.8 times the radius of some stream. O(n log n) in
+/// vertices and axes, plus banks times the axes that lie as far east or west.
 RiverAreas find_river_axes(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                            const Box2& box);
 

@@ -1,15 +1,21 @@
 #include "compiler/ground/water/river_heights.h"
 
 #include <algorithm>
+// vector_as_graph.hpp makes a vector of vectors a graph and must come first
+// clang-format off
+#include <boost/graph/vector_as_graph.hpp>
+#include <boost/graph/strong_components.hpp>
+// clang-format on
+#include <cassert>
 #include <limits>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/ground/water/descending_fit.h"
-#include "compiler/ground/water/strong_components.h"
 
 namespace citykiln::ground {
 namespace {
 
-// Steps between stops are half the heightfield's: four of its steps are smoothed over.
+// Rounds of smoothing: stations are half a grid step apart, so about four grid steps are smoothed over.
 constexpr int kRounds = 32;
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
@@ -24,45 +30,55 @@ Neighbours downstream_of(const RiverNetwork& network) {
   return downstream;
 }
 
-// The network with its circles drawn together.
-struct Falls {
-  Components components;
-  FlowGraph flow;
-  std::vector<bool> stays;     // standing water and circles
-  std::vector<double> land_m;  // by component: that of its only node, or infinity
+// The strongly connected component of each node, numbered so that every edge leads to its own component or to one with
+// a lower number (Tarjan 1972, as Boost has it).
+struct Components {
+  std::vector<std::uint32_t> of;
+  std::uint32_t count = 0;
 };
 
-void sort_out(std::vector<std::uint32_t>& neighbours) {
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+Components strong_components(const Neighbours& successors) {
+  Components components{std::vector<std::uint32_t>(successors.size()), 0};
+  components.count = static_cast<std::uint32_t>(boost::strong_components(
+      successors, boost::make_iterator_property_map(components.of.begin(), boost::identity_property_map()),
+      boost::vertex_index_map(boost::identity_property_map())));
+  return components;
 }
 
-Falls draw_together(const RiverNetwork& network, const std::vector<bool>& seas) {
+// The network with each cycle contracted to one node.
+struct ContractedNetwork {
+  Components components;
+  FlowGraph flow;
+  std::vector<bool> stays;     // standing water and cycles
+  std::vector<double> land_m;  // per component: its node's terrain, or infinity if it says nothing
+};
+
+ContractedNetwork contract_cycles(const RiverNetwork& network, const std::vector<bool>& seas) {
   const Neighbours downstream = downstream_of(network);
-  Falls falls{strong_components(downstream), {}, {}, {}};
-  const std::uint32_t count = falls.components.count;
-  falls.flow = {std::vector<std::vector<WeightedHeight>>(count), Neighbours(count), std::vector<bool>(count)};
-  falls.stays.assign(count, false);
-  falls.land_m.assign(count, std::numeric_limits<double>::infinity());
+  ContractedNetwork contracted{strong_components(downstream), {}, {}, {}};
+  const std::uint32_t count = contracted.components.count;
+  contracted.flow = {std::vector<std::vector<WeightedHeight>>(count), Neighbours(count), std::vector<bool>(count)};
+  contracted.stays.assign(count, false);
+  contracted.land_m.assign(count, std::numeric_limits<double>::infinity());
   for (std::uint32_t i = 0; i < network.nodes.size(); ++i) {
-    const std::uint32_t c = falls.components.of[i];
+    const std::uint32_t c = contracted.components.of[i];
     const RiverNode& node = network.nodes[i];
-    falls.stays[c] = falls.stays[c] || network.is_water(i) || !falls.flow.pulls[c].empty();
-    falls.flow.pulls[c].push_back({node.land_m, node.weight_mm, node.weight_mm * kAboveCost});
-    if (network.is_water(i) && seas[i]) falls.flow.is_sea[c] = true;
-    if (node.is_known()) falls.land_m[c] = std::min(falls.land_m[c], node.land_m);
+    contracted.stays[c] = contracted.stays[c] || network.is_water(i) || !contracted.flow.given[c].empty();
+    contracted.flow.given[c].push_back({node.land_m, node.weight_mm, node.weight_mm * kAboveCost});
+    if (network.is_water(i) && seas[i]) contracted.flow.is_sea[c] = true;
+    if (node.is_known()) contracted.land_m[c] = std::min(contracted.land_m[c], node.land_m);
     for (const std::uint32_t d : downstream[i])
-      if (falls.components.of[d] != c) falls.flow.downstream[c].push_back(falls.components.of[d]);
+      if (contracted.components.of[d] != c) contracted.flow.downstream[c].push_back(contracted.components.of[d]);
   }
-  for (auto& neighbours : falls.flow.downstream) sort_out(neighbours);
-  return falls;
+  for (auto& neighbours : contracted.flow.downstream) sort_unique(neighbours);
+  return contracted;
 }
 
-// Of each node the lowest land upstream of it, its own included.
-std::vector<double> lowest_lands(const Falls& falls) {
-  std::vector<double> lowest = falls.land_m;
+// Returns per node the lowest terrain upstream of it and at it.
+std::vector<double> lowest_lands(const ContractedNetwork& contracted) {
+  std::vector<double> lowest = contracted.land_m;
   for (std::size_t i = lowest.size(); i-- > 0;)
-    for (const std::uint32_t d : falls.flow.downstream[i]) lowest[d] = std::min(lowest[d], lowest[i]);
+    for (const std::uint32_t d : contracted.flow.downstream[i]) lowest[d] = std::min(lowest[d], lowest[i]);
   return lowest;
 }
 
@@ -73,18 +89,19 @@ Neighbours upstream_of(const Neighbours& downstream) {
   return upstream;
 }
 
-// u above v: u' >= 3/4 u + 1/4 v, v' <= 3/4 v + 1/4 u, so u' - v' >= (u - v) / 2. Bounds fall downstream themselves.
-std::vector<double> smoothed(const Falls& falls, std::vector<double> heights) {
-  const Neighbours &downstream = falls.flow.downstream, upstream = upstream_of(downstream);
-  std::vector<double> lowest = heights, highest = lowest_lands(falls), next = heights;
+// Heights stay descending: for u upstream of v, u' >= 3/4 u + 1/4 v and v' <= 3/4 v + 1/4 u, so u' - v' >= (u - v) / 2
+// >= 0; the bounds descend as well.
+std::vector<double> smoothed(const ContractedNetwork& contracted, std::vector<double> heights) {
+  const Neighbours &downstream = contracted.flow.downstream, upstream = upstream_of(downstream);
+  std::vector<double> lowest = heights, highest = lowest_lands(contracted), next = heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     lowest[i] -= kMaxSmoothing_m;
     highest[i] = std::max(highest[i], heights[i]);
   }
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
-      // springs and ends stay too, or they would be drawn level
-      if (falls.stays[i] || upstream[i].empty() || downstream[i].empty()) continue;
+      // springs and ends stay, else repeated rounds would make the river level
+      if (contracted.stays[i] || upstream[i].empty() || downstream[i].empty()) continue;
       double before = std::numeric_limits<double>::infinity(), after = -before;
       for (const std::uint32_t u : upstream[i]) before = std::min(before, heights[u]);
       for (const std::uint32_t d : downstream[i]) after = std::max(after, heights[d]);
@@ -98,14 +115,15 @@ std::vector<double> smoothed(const Falls& falls, std::vector<double> heights) {
 }  // namespace
 
 RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas) {
-  const Falls falls = draw_together(network, seas);
-  const std::vector<double> heights = smoothed(falls, fit_descending(falls.flow));
+  assert(seas.size() == network.water_count);
+  const ContractedNetwork contracted = contract_cycles(network, seas);
+  const std::vector<double> heights = smoothed(contracted, fit_descending(contracted.flow));
   RiverHeights found;
-  std::vector<bool> has_water(falls.components.count);
-  for (std::uint32_t w = 0; w < network.water_count; ++w) has_water[falls.components.of[w]] = true;
-  for (const std::uint32_t c : falls.components.of) {
+  std::vector<bool> has_water(contracted.components.count);
+  for (std::uint32_t w = 0; w < network.water_count; ++w) has_water[contracted.components.of[w]] = true;
+  for (const std::uint32_t c : contracted.components.of) {
     found.height_m.push_back(heights[c]);
-    found.is_cycle.push_back(falls.stays[c] && !has_water[c]);
+    found.is_cycle.push_back(contracted.stays[c] && !has_water[c]);
   }
   return found;
 }

@@ -7,25 +7,26 @@
 
 namespace citykiln::ground {
 
-/// What a metre of water above the land costs, where a metre below it costs 1: the more, the fewer dams of water over
-/// pits, the deeper the cuts beside them.
+/// The cost of a metre of water above the terrain; a metre below costs 1. More means fewer dams of water over pits and
+/// deeper cuts beside them.
 inline constexpr int kAboveCost = 3;
 inline constexpr double kMaxSmoothing_m = 4;
 
 struct RiverHeights {
-  std::vector<double> height_m;  ///< By node.
-  std::vector<bool> is_cycle;    ///< Nodes that water reaches again after leaving them, other than standing water.
+  std::vector<double> height_m;  ///< Per node.
+  std::vector<bool> is_cycle;    ///< Nodes on a cycle other than standing water.
 };
 
-/// Fits heights that never rise downstream to the land, then smooths them.
+/// Fits heights that never rise downstream to the terrain, then smooths them.
 ///
-/// Method: circles are level; fit_descending, a metre above the land costing kAboveCost times what a metre below does,
-/// so that the water lies at the lower quarter of what it pools; then rounds in which each node moves towards the lower
-/// of the nodes before it and the higher of those after it, which keeps them falling. Smoothing never lifts water above
-/// all land upstream of it and never cuts deeper than kMaxSmoothing_m; standing water, springs and ends stay.
-/// Guarantees: no node lies lower than one downstream of it; the sea lies at 0. What wins: falling, then standing
-/// water's levels, then the land. A pit w wide in the land lowers the river beside it by no more than its bed falls
-/// over kAboveCost w. O(n log² n).
+/// Method: (1) cycles are contracted to one node, hence level: only then is downstream an order; (2) fit_descending()
+/// with kAboveCost above the terrain, so that water lies at the lower quarter of what it pools; (3) rounds in which a
+/// node moves towards the lowest of the nodes upstream and the highest of those downstream, which keeps heights
+/// descending. Smoothing never lifts water above all terrain upstream of it and cuts at most kMaxSmoothing_m deeper;
+/// standing water, springs and ends stay.
+/// Guarantees: no node lies lower than one downstream of it; the sea lies at 0. Priorities: descent, then levels of
+/// standing water, then the terrain. A pit of width w lowers the river beside it by no more than its bed falls over
+/// kAboveCost · w. O(n log² n).
 RiverHeights find_river_heights(const RiverNetwork& network, const std::vector<bool>& seas);
 
 }  // namespace citykiln::ground

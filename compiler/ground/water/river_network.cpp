@@ -1,9 +1,11 @@
 #include "compiler/ground/water/river_network.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
+#include "compiler/contract/erase_repeated.h"
 #include "compiler/geometry/profile.h"
 #include "compiler/geometry/snap.h"
 #include "compiler/ground/cover/inside_rings.h"
@@ -12,16 +14,16 @@ namespace citykiln::ground {
 namespace {
 
 constexpr double kAlong_m = 0.125;
-// Finer heightfields show the bed's stones.
+// Finer terrain shows the stones of the bed.
 constexpr double kClosestStops_m = 8;
-// A ditch between two ponds is not overlooked, nor a causeway of this width.
+// Sampling distance: finds ditches between two ponds and causeways of this width.
 constexpr double kLook_m = 8;
-// What a metre of shore says about a level counts so many times what a metre of river does: the shore is seen from all
-// sides, the river's bed is between trees and gorges.
+// Weight of a metre of shore against a metre of river: heightmaps see shores better than beds between trees and in
+// gorges.
 constexpr std::int64_t kShoreWeight = 8;
 constexpr std::int64_t kSeaWeight = std::int64_t{1} << 44;
 
-// A stretch of a line within standing water.
+// An interval of a line within standing water.
 struct Wet {
   double from_m, to_m;
   std::uint32_t water;
@@ -44,7 +46,7 @@ Vec2 point_at(const Axis& axis, double at_m) {
   return a + (b - a) * std::clamp(t, 0.0, 1.0);
 }
 
-// The surfaces that stand, on top first.
+// Standing polygons, from the top down.
 struct StandingCover {
   std::vector<BandedRings> rings;
   std::vector<std::uint32_t> water;
@@ -78,7 +80,7 @@ StandingCover cover_of(std::span<const LandCoverPolygon> surfaces, const Standin
   return cover;
 }
 
-// Between two places of which one is in the water: the shore, to within 1/8 m.
+// Bisects between two places, of which one is in the water, to find the shore within 1/8 m.
 double shore_between(const Axis& axis, const StandingCover& cover, std::span<const std::uint32_t> near, double dry_m,
                      double wet_m, std::uint32_t water) {
   while (std::abs(wet_m - dry_m) > kAlong_m / 2) {
@@ -88,7 +90,7 @@ double shore_between(const Axis& axis, const StandingCover& cover, std::span<con
   return wet_m;
 }
 
-// All vertices, and places kLook_m apart between them.
+// Returns all vertices and places at most kLook_m apart between them.
 std::vector<double> places_to_look(const Axis& axis) {
   std::vector<double> places = {0};
   for (std::size_t i = 1; i < axis.along.size(); ++i) {
@@ -119,7 +121,7 @@ std::vector<Wet> find_wets(const Axis& axis, const StandingCover& cover) {
   return wets;
 }
 
-// To whole eighths of a metre, outward, so that the water is level over its shore; those that then touch are one.
+// Widens intervals to whole eighths of a metre, so that water is level over its shore, and joins those that touch.
 std::vector<Wet> widened(const std::vector<Wet>& wets, double length_m) {
   std::vector<Wet> wide;
   for (const Wet& wet : wets) {
@@ -189,7 +191,7 @@ class NetworkMaker {
     return static_cast<std::uint32_t>(network_.nodes.size() - 1);
   }
 
-  // a node for every end and every vertex that is used more than once
+  // adds a node for every end and every vertex used more than once
   void mark_meetings() {
     const std::vector<VertexUse> uses = all_vertices(axes_);
     for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
@@ -204,7 +206,7 @@ class NetworkMaker {
     }
   }
 
-  // that of standing water where any of the lines is in it, or at its shore
+  // returns the standing water that any of the lines is in or has its shore at; else a new node
   std::uint32_t node_of(std::span<const VertexUse> here) {
     for (const VertexUse& use : here)
       if (const Wet* wet = wet_at(axes_[use.line], axes_[use.line].along[use.vertex])) return wet->water;
@@ -219,12 +221,11 @@ class NetworkMaker {
         if (wet.to_m > wet.from_m) marks_[l].push_back({wet.to_m, wet.water, true});
       }
       std::ranges::sort(marks_[l], {}, [](const RiverStation& s) { return std::pair(s.at_m, s.node); });
-      const auto same = [](const RiverStation& a, const RiverStation& b) { return a.at_m == b.at_m; };
-      marks_[l].erase(std::unique(marks_[l].begin(), marks_[l].end(), same), marks_[l].end());
+      erase_repeated(marks_[l], &RiverStation::at_m);
     }
   }
 
-  // marks, and between them as many stops as fit
+  // returns the marks and as many stations between them as fit
   std::vector<RiverStation> stops_of(std::uint32_t l) {
     const Axis& axis = axes_[l];
     std::vector<RiverStation> stops;
@@ -263,7 +264,7 @@ class NetworkMaker {
   std::span<const Axis> axes_;
   const StandingCover& cover_;
   const map::Heightfield& heights_;
-  std::vector<std::vector<RiverStation>> marks_;  // by line
+  std::vector<std::vector<RiverStation>> marks_;  // per line
   RiverNetwork network_;
 };
 
@@ -272,6 +273,7 @@ class NetworkMaker {
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights) {
+  assert(waters.water_of.size() == surfaces.size());
   const StandingCover cover = cover_of(surfaces, waters);
   std::vector<Axis> axes;
   for (const roads::Strip& stream : streams) axes.push_back(axis_of(stream.axis, false, cover));

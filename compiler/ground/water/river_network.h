@@ -1,6 +1,6 @@
-// Waterways as a network: where they meet, where they run through standing water, and the land along them.
+// Waterways as a network: where they meet, where they cross standing water, and the terrain along them.
 //
-//   ~o~~o~~o~~o~~•~~o~~o~~[  lake  ]~~o~~o~~•      stops: o on the way, • where lines meet or end,
+//   ~o~~o~~o~~o~~•~~o~~o~~[  lake  ]~~o~~o~~•      stations: o on the way, • where lines meet or end,
 //                 \~o~~o~~/                        [ ] where one enters and leaves; a lake is one node
 #pragma once
 
@@ -14,35 +14,35 @@
 
 namespace citykiln::ground {
 
-/// A height to be found.
+/// A node whose height is to be found.
 struct RiverNode {
-  double land_m = 0;           ///< The heightfield's; of standing water its level by the shore.
-  std::int64_t weight_mm = 1;  ///< Length of river that it stands for; 1 where the land says nothing of the water.
+  double land_m = 0;           ///< Of the terrain; of standing water its level by the shore.
+  std::int64_t weight_mm = 1;  ///< Length of river that it stands for; 1 where the terrain says nothing.
   bool is_known() const { return weight_mm > 1; }
 };
 
 struct RiverStation {
   double at_m = 0;  ///< Along the line.
   std::uint32_t node = 0;
-  bool is_pinned =
-      false;  ///< Where lines meet or end, and at shores: not to be thinned out. Others: a multiple of 1/8.
+  bool is_pinned = false;  ///< At ends, junctions and shores: becomes a knot. Others are multiples of 1/8 m.
 };
 
 struct RiverLine {
-  std::vector<RiverStation> stops;  ///< By at_m, strictly; from one end of the line to the other.
+  std::vector<RiverStation> stops;  ///< By at_m, strictly rising, from one end of the line to the other.
 };
 
 struct RiverNetwork {
-  std::vector<RiverNode> nodes;  ///< Those of waters first, in their order.
-  std::vector<RiverLine> lines;  ///< Of the streams, then of the covered ones.
+  std::vector<RiverNode> nodes;  ///< Those of standing waters first, in their order.
+  std::vector<RiverLine> lines;  ///< Of the streams, then of the covered axes.
   std::size_t water_count = 0;
   bool is_water(std::uint32_t node) const { return node < water_count; }
 };
 
-/// Lines meet where they have a vertex in common. Stops are half a step of the heightfield apart, at least 8 m.
+/// Builds the network. Lines meet at common vertices. Stations are half a grid step of the terrain apart, at least 8 m.
 ///
-/// @param covered  Axes of culverts and aqueducts, downstream like the streams': the water goes on through them.
-/// Independent of order but for the numbers of nodes. O(n log n) in vertices and stops, plus streams times waters.
+/// @param covered  Axes of culverts and aqueducts, downstream like the streams: they connect rivers.
+/// Does not depend on the order of lines, except for node numbers. O(n log n) in vertices and stations, plus streams
+/// times waters.
 RiverNetwork make_river_network(std::span<const roads::Strip> streams, std::span<const Polyline> covered,
                                 std::span<const LandCoverPolygon> surfaces, const StandingWaters& waters,
                                 const map::Heightfield& heights);

@@ -1,6 +1,7 @@
 #include "compiler/ground/water/river_profile.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::ground {
@@ -15,7 +16,7 @@ struct Place {
 
 double rounded_down(double height_m) { return std::floor(height_m / kProfileQuantum_m) * kProfileQuantum_m; }
 
-// rounding down keeps what falls falling
+// rounding down keeps descending heights descending
 std::vector<Place> places_of(const RiverLine& line, const RiverHeights& heights) {
   std::vector<Place> places;
   const auto add = [&](double at_m, double z_m, bool is_pinned) {
@@ -34,7 +35,7 @@ double off_m(const Knot& a, const Knot& b, const Knot& between) {
   return std::abs(between.z_m - z_m);
 }
 
-// Douglas and Peucker's: the worst place between two that are kept is kept, until none is bad.
+// Douglas and Peucker (1973): keeps the worst place between two kept ones until none is off by the tolerance.
 void keep_worst(std::vector<Place>& places, std::size_t first, std::size_t last) {
   std::vector<std::pair<std::size_t, std::size_t>> spans = {{first, last}};
   while (!spans.empty()) {
@@ -56,6 +57,7 @@ void keep_worst(std::vector<Place>& places, std::size_t first, std::size_t last)
 }  // namespace
 
 Profile profile_of(const RiverLine& line, const RiverHeights& heights) {
+  assert(!line.stops.empty());
   std::vector<Place> places = places_of(line, heights);
   places.front().is_kept = places.back().is_kept = true;
   std::size_t last_kept = 0;
@@ -67,7 +69,7 @@ Profile profile_of(const RiverLine& line, const RiverHeights& heights) {
   }
   Profile profile;
   for (const Place& place : places) {
-    // the middle one of three that are level says nothing
+    // of three level knots the middle one is redundant
     const std::size_t n = profile.size();
     const bool is_level = n > 1 && profile[n - 2].z_m == profile[n - 1].z_m && profile[n - 1].z_m == place.knot.z_m;
     if (place.is_kept && is_level) profile.pop_back();

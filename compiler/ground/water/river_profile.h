@@ -1,4 +1,4 @@
-// From heights at the stops of a line to its profile.
+// Profiles of watercourses from the heights of their stations.
 #pragma once
 
 #include <span>
@@ -11,11 +11,11 @@ namespace citykiln::ground {
 /// Knots that move the water by no more than this are dropped.
 inline constexpr double kKnotTolerance_m = 0.02;
 
-/// The profile of a line: level across; of its stops those that matter, and all that are pinned, at whose places it is
-/// level for an eighth of a metre, so that all lines through a node have its height there to the bit.
+/// Returns the profile of a line, without tilt. Pinned stations are kept, level for 1/8 m, so that all lines through a
+/// node have its height bit for bit; others by Douglas and Peucker (1973).
 ///
-/// Guarantees: falls where the heights do; off them by less than kKnotTolerance_m. One knot where all is level.
-/// O(n log n), at worst O(n²).
+/// Guarantees: descends where the heights do; differs from them by less than kKnotTolerance_m. One knot where all is
+/// level. O(n log n) as a rule, O(n²) at worst.
 Profile profile_of(const RiverLine& line, const RiverHeights& heights);
 
 }  // namespace citykiln::ground

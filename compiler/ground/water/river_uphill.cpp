@@ -1,6 +1,7 @@
 #include "compiler/ground/water/river_uphill.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace citykiln::ground {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 constexpr double kClearRise_m = 10, kClearRiseFromSea_m = 3, kClearRiseGoingOn_m = 30;
 constexpr double kClearer = 4;
 
-// How often lines come into and leave each node, as they are mapped.
+// How many lines, as mapped, enter and leave each node.
 struct Degrees {
   std::vector<int> in, out;
 };
@@ -30,7 +31,7 @@ std::vector<double> lands_along(const RiverNetwork& network, const RiverLine& li
   return lands;
 }
 
-// What would have to be filled for water to run from the first to the last.
+// Returns the fill needed for water to run from the first to the last.
 double fill_m(const std::vector<double>& lands) {
   double fill = 0, highest = lands.back();
   for (std::size_t i = lands.size(); i-- > 0;) {
@@ -62,6 +63,7 @@ double clear_rise_m(const RiverNetwork& network, const Degrees& degrees, const s
 
 std::vector<double> uphill_rise_m(const RiverNetwork& network, const std::vector<bool>& seas,
                                   std::size_t stream_count) {
+  assert(seas.size() == network.water_count && stream_count <= network.lines.size());
   const Degrees degrees = degrees_of(network);
   std::vector<double> rises(stream_count, 0);
   for (std::size_t l = 0; l < stream_count; ++l) {

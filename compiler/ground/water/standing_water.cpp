@@ -1,6 +1,7 @@
 #include "compiler/ground/water/standing_water.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -10,15 +11,15 @@
 namespace citykiln::ground {
 namespace {
 
-// Docks and lagoons beside the sea are at its level where their shores are no higher: quays, and the noise of
+// Docks and lagoons beside the sea are at its level where their shores are no higher than this: quays, and noise of
 // heightmaps beside houses.
 constexpr double kSeaShore_m = 8;
-// Edges so many times longer than the median are no shore.
+// Edges this many times longer than the median are not part of the shore.
 constexpr double kLongEdge = 8;
-// A shore is asked twice a grid square, and no edge more often than this.
+// A shore is sampled twice per grid step, an edge at most this often.
 constexpr int kMaxSamples = 64;
-// What a spike's far end, and the middles of its edges, are off the level by at least. Cliffs over fjords are less far
-// from the water.
+// Least distance from the level of a misplaced vertex and of the middles of its edges. Cliffs over fjords are nearer to
+// their water.
 constexpr double kSpikeEnd_m = 50, kSpikeSide_m = 20;
 
 struct Sample {
@@ -60,7 +61,7 @@ std::vector<Sample> sample_shore(std::span<const Ring> rings, const map::Heightf
   return samples;
 }
 
-// The lowest height with at least this share of the shore at or below it. Samples must be sorted.
+// Returns the lowest height with more than this share of the shore at or below it. Samples must be sorted.
 double quantile_m(const std::vector<Sample>& samples, double length_m, double share) {
   double below_m = 0;
   for (const Sample& sample : samples) {
@@ -72,7 +73,7 @@ double quantile_m(const std::vector<Sample>& samples, double length_m, double sh
 
 double level_of(double height_m) { return std::floor(height_m / kProfileQuantum_m) * kProfileQuantum_m; }
 
-// The surfaces that stand, and each one's own shore.
+// The standing polygons, and each one's own shore.
 struct Standing {
   std::vector<std::uint32_t> members;
   std::vector<Edge> shared;
@@ -92,7 +93,7 @@ Standing ask_shores(std::span<const LandCoverPolygon> surfaces, const std::vecto
 
 bool is_sea(const LandCoverPolygon& surface) { return surface.surface == map::LandCoverClass::kSea; }
 
-// Whether two that share a border are one water.
+// Returns whether two polygons with a common border are one water.
 bool are_level(const LandCoverPolygon& a, const Shore& shore_a, const LandCoverPolygon& b, const Shore& shore_b) {
   if (is_sea(a) && is_sea(b)) return true;
   if (is_sea(a)) return shore_b.low_m <= kSeaShore_m;
@@ -109,10 +110,10 @@ std::vector<std::uint32_t> group_levels(std::span<const LandCoverPolygon> surfac
   return groups_of(standing.members.size(), pairs);
 }
 
-// A water of several surfaces: what they share is no shore.
+// Joins polygons to one water; their common edges are no shore.
 StandingWater water_of(std::span<const LandCoverPolygon> surfaces, std::span<const std::uint32_t> members,
                        std::span<const Edge> shared, const map::Heightfield& heights) {
-  StandingWater water{surfaces[members.front()].id, 0, 0, false};
+  StandingWater water{.id = surfaces[members.front()].id};
   std::vector<Ring> rings;
   for (const std::uint32_t i : members) {
     water.id = std::min(water.id, surfaces[i].id);
@@ -140,6 +141,7 @@ bool is_standing(map::LandCoverClass surface) {
 }
 
 Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared) {
+  assert(std::ranges::is_sorted(shared));
   std::vector<Sample> samples = sample_shore(rings, heights, shared, true);
   if (samples.empty()) samples = sample_shore(rings, heights, {}, false);
   std::ranges::sort(samples, {}, [](const Sample& s) { return std::pair(s.height_m, s.length_m); });
@@ -152,6 +154,7 @@ Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std
 
 StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report) {
+  assert(stands.size() == surfaces.size());
   const Standing standing = ask_shores(surfaces, stands, heights);
   diagnose_seas(surfaces, standing, report);
   const std::vector<std::uint32_t> group = group_levels(surfaces, standing);

@@ -1,4 +1,4 @@
-// Water that stands, and how high it stands by the land along its shore.
+// Standing water and its level by the terrain along its shore.
 #pragma once
 
 #include <cstdint>
@@ -15,48 +15,47 @@ namespace citykiln::ground {
 /// The share of a shore that may lie below its water: heightmaps are coarse and have pits, but no lake stands above
 /// most of its shore.
 inline constexpr double kShoreQuantile = 0.2;
-/// Waters that share a border are one, unless the land says that they lie farther apart than this: then a dam parts
-/// them.
+/// Waters with a common border are one unless their shores differ by more than this: then a dam parts them.
 inline constexpr double kDam_m = 10;
 
 inline constexpr std::uint32_t kNoWater = 0xffffffffu;
 
-/// One body of standing water, of one or more surfaces.
+/// One body of standing water: one or more polygons.
 struct StandingWater {
-  ObjectId id;          ///< The lowest of its surfaces'.
+  ObjectId id;          ///< The lowest of its polygons'.
   double level_m = 0;   ///< By its shore alone; the sea's is 0. A multiple of kProfileQuantum_m.
-  double shore_m = 0;   ///< Of shore that was asked, whole.
-  bool is_sea = false;  ///< The sea, and docks and lagoons that share its border and lie low.
+  double shore_m = 0;   ///< Length of shore sampled, in whole metres.
+  bool is_sea = false;  ///< The sea, and docks and lagoons at its border that lie low.
 };
 
 struct StandingWaters {
   std::vector<StandingWater> waters;    ///< Sorted by id.
-  std::vector<std::uint32_t> water_of;  ///< For each surface its water, or kNoWater.
+  std::vector<std::uint32_t> water_of;  ///< Per polygon its water, or kNoWater.
 };
 
-/// Sea, lake, reservoir, basin, pool, dock; not rivers.
+/// Returns true for sea, lake, reservoir, basin, pool and dock, not for rivers.
 bool is_standing(map::LandCoverClass surface);
 
-/// The height below which kShoreQuantile of the land along the rings lies, and how long the shore is that was asked.
-/// Left out are edges more than eight times as long as their ring's median (a node in the sky has two), what lies
-/// outside the heightfield (there rings are trimmed), and the edges `shared` with water on their other side (sorted).
-/// Without anything left, all of it is asked. O(n log n).
+/// Samples the terrain along rings and returns quantiles of its height and the length sampled. Left out: edges more
+/// than eight times as long as their ring's median (a misplaced node has two), places outside the terrain (rings are
+/// trimmed there), and edges in `shared` (sorted), which have water on both sides. If nothing is left, all is sampled.
+/// O(n log n).
 struct Shore {
-  double low_m = 0, high_m = 0;  ///< Where kShoreQuantile lies below, and where as much lies above.
+  double low_m = 0, high_m = 0;  ///< Heights below and above which kShoreQuantile of the shore lies.
   double length_m = 0;
 };
 Shore shore_of(std::span<const Ring> rings, const map::Heightfield& heights, std::span<const Edge> shared = {});
 
-/// Groups standing surfaces that share borders into waters, and finds their levels.
+/// Groups standing polygons with common borders into waters and finds their levels.
 ///
-/// @param stands  For each surface, whether it is standing water.
-/// Guarantees: independent of the surfaces' order; at most kShoreQuantile of a water's shore lies below its level,
-/// where it is one surface. Total. A sea whose shore lies more than kSeaShore_m from 0 is diagnosed kSeaLevelOffShore.
+/// @param stands  Per polygon: whether it is standing water.
+/// Guarantees: does not depend on the order of polygons; at most kShoreQuantile of the shore of a water of one polygon
+/// lies below its level. Total. Reports kSeaLevelOffShore for a sea with a shore more than kSeaShore_m from 0.
 StandingWaters find_standing_waters(std::span<const LandCoverPolygon> surfaces, const std::vector<bool>& stands,
                                     const map::Heightfield& heights, Report& report);
 
-/// The surface without the vertices that are far out of place: both of their edges many times longer than the ring's
-/// others, and the land there and on the way far from the level. Mended vertices are diagnosed kShoreSpike.
+/// Returns the polygon without misplaced vertices: both edges many times longer than the ring's others, and the terrain
+/// there and halfway far from the level. Reports kShoreSpike for each.
 LandCoverPolygon without_spikes(LandCoverPolygon surface, double level_m, const map::Heightfield& heights,
                                 Report& report);
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace citykiln::ground {
 namespace {
 
 constexpr double kBucket_m = 32;
-// Nearer is on it. Below what a shore's vertices are snapped to.
+// Places nearer than this are on the shore; less than the grid that its vertices are snapped to.
 constexpr double kOn_m = 0x1p-9;
 
 struct Foot {
@@ -21,7 +22,7 @@ Foot foot_on(Vec2 a, Vec2 b, Vec2 p) {
   return {distance(p, a + along * t), t};
 }
 
-// An axis cut at its vertices and its knots, so that a height is linear along each piece.
+// Adds an axis cut at its vertices and knots, so that the height is linear along each piece.
 void add_pieces(WaterIndex& index, const roads::Strip& stream) {
   const std::vector<double> along = roads::distances_along(stream.axis, stream.start_along_m);
   for (std::size_t i = 0; i + 1 < along.size(); ++i) {
@@ -45,31 +46,21 @@ void add_shores(WaterIndex& index, const LandCoverPolygon& surface) {
       index.shores.push_back({ring[j], ring[i], *surface.level_m});
 }
 
-int bucket_of(double offset_m, int count) {
-  return static_cast<int>(std::clamp(offset_m / kBucket_m, 0.0, count - 1.0));
+// Returns the box that a piece influences, within the box of the index.
+Box2 within(const Box2& box, Vec2 a, Vec2 b, double reach_m) {
+  const Box2 near = box_of(std::array{a, b}).widened(reach_m);
+  return {{std::max(near.min.x, box.min.x), std::max(near.min.y, box.min.y)},
+          {std::min(near.max.x, box.max.x), std::min(near.max.y, box.max.y)}};
 }
 
-// Every bucket that the box touches.
-template <typename Visit>
-void for_each_bucket(WaterIndex& index, const Box2& box, Visit visit) {
-  const Box2 all{index.corner, index.corner + Vec2{index.columns * kBucket_m, index.rows * kBucket_m}};
-  if (!box.touches(all)) return;
-  for (int r = bucket_of(box.min.y - index.corner.y, index.rows);
-       r <= bucket_of(box.max.y - index.corner.y, index.rows); ++r)
-    for (int c = bucket_of(box.min.x - index.corner.x, index.columns);
-         c <= bucket_of(box.max.x - index.corner.x, index.columns); ++c)
-      visit(index.buckets[static_cast<std::size_t>(r) * index.columns + c]);
-}
-
-void fill_buckets(WaterIndex& index) {
-  for (std::uint32_t i = 0; i < index.pieces.size(); ++i) {
-    const Box2 box = box_of(std::array{index.pieces[i].a, index.pieces[i].b}).widened(index.pieces[i].reach_m);
-    for_each_bucket(index, box, [&](WaterIndex::Bucket& bucket) { bucket.pieces.push_back(i); });
-  }
-  for (std::uint32_t i = 0; i < index.shores.size(); ++i) {
-    const Box2 box = box_of(std::array{index.shores[i].a, index.shores[i].b}).widened(kStandingInfluence_m);
-    for_each_bucket(index, box, [&](WaterIndex::Bucket& bucket) { bucket.shores.push_back(i); });
-  }
+// Drops pieces that influence nothing in the box and indexes the rest.
+template <typename Part, typename Reach>
+BoxGrid index_near(std::vector<Part>& parts, const Box2& box, Reach reach_m) {
+  const auto near = [&](const Part& part) { return within(box, part.a, part.b, reach_m(part)); };
+  std::erase_if(parts, [&](const Part& part) { return near(part).is_empty(); });
+  std::vector<Box2> boxes;
+  for (const Part& part : parts) boxes.push_back(near(part));
+  return grid_of(boxes, kBucket_m);
 }
 
 struct NearShore {
@@ -77,10 +68,10 @@ struct NearShore {
   std::optional<double> level_m;
 };
 
-// Of two as near, the one whose surface came first.
-NearShore nearest_shore(const WaterIndex& index, const WaterIndex::Bucket& bucket, Vec2 p) {
+// Of equally near shores the first polygon's counts.
+NearShore nearest_shore(const WaterIndex& index, Vec2 p) {
   NearShore nearest;
-  for (const std::uint32_t i : bucket.shores) {
+  for (const std::uint32_t i : boxes_about(index.shores_grid, p)) {
     const WaterIndex::Shore& shore = index.shores[i];
     const double d = foot_on(shore.a, shore.b, p).distance_m;
     if (d < nearest.distance_m) nearest = {d, shore.level_m};
@@ -88,11 +79,10 @@ NearShore nearest_shore(const WaterIndex& index, const WaterIndex::Bucket& bucke
   return nearest;
 }
 
-// Weights are infinite on an axis and vanish at its reach: those of a ditch's own axis outweigh a wide river's beside
-// it.
-std::optional<double> running_m(const WaterIndex& index, const WaterIndex::Bucket& bucket, Vec2 p) {
+// Weights are infinite on an axis and 0 at its radius, so a ditch's own axis outweighs a wide river's beside it.
+std::optional<double> running_m(const WaterIndex& index, Vec2 p) {
   double sum = 0, weights = 0;
-  for (const std::uint32_t i : bucket.pieces) {
+  for (const std::uint32_t i : boxes_about(index.pieces_grid, p)) {
     const WaterIndex::Piece& piece = index.pieces[i];
     const Foot foot = foot_on(piece.a, piece.b, p);
     if (foot.distance_m >= piece.reach_m) continue;
@@ -113,6 +103,7 @@ double reach_m(const roads::Strip& stream) {
 
 WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<const roads::Strip> streams,
                         const Box2& box) {
+  assert(!box.is_empty());
   WaterIndex index;
   for (const LandCoverPolygon& surface : surfaces)
     if (surface.level_m) index.standing.push_back(surface);
@@ -120,22 +111,18 @@ WaterIndex index_waters(std::span<const LandCoverPolygon> surfaces, std::span<co
   for (const LandCoverPolygon& surface : index.standing) add_shores(index, surface);
   for (const roads::Strip& stream : streams)
     if (!stream.profile.empty()) add_pieces(index, stream);
-  index.corner = box.min;
-  index.columns = std::max(1, static_cast<int>(std::ceil(box.width() / kBucket_m)));
-  index.rows = std::max(1, static_cast<int>(std::ceil(box.height() / kBucket_m)));
-  index.buckets.resize(static_cast<std::size_t>(index.columns) * index.rows);
-  fill_buckets(index);
+  index.pieces_grid = index_near(index.pieces, box, [](const WaterIndex::Piece& piece) { return piece.reach_m; });
+  index.shores_grid = index_near(index.shores, box, [](const WaterIndex::Shore&) { return kStandingInfluence_m; });
   return index;
 }
 
 std::optional<double> water_m(const WaterIndex& index, Vec2 p) {
-  const int column = bucket_of(p.x - index.corner.x, index.columns), row = bucket_of(p.y - index.corner.y, index.rows);
-  const WaterIndex::Bucket& bucket = index.buckets[static_cast<std::size_t>(row) * index.columns + column];
-  const NearShore shore = nearest_shore(index, bucket, p);
+  assert(index.map.box.contains(p));
+  const NearShore shore = nearest_shore(index, p);
   if (shore.distance_m <= kOn_m) return shore.level_m;
   const std::uint32_t around = land_cover_at(index.map, p);
   if (around != kNoLandCover) return index.standing[around].level_m;
-  if (const auto running = running_m(index, bucket, p)) return running;
+  if (const auto running = running_m(index, p)) return running;
   return shore.level_m;
 }
 

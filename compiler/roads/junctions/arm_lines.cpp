@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kLookAhead_m = 8;
 
-// Arms less than some 1.8 degrees apart never meet within reach.
+// Arms less than 1.8 degrees apart count as parallel: they would meet beyond the junction's radius.
 constexpr double kParallelSine = 0x1p-5;
 
-// Nor do edges meet in a corner that one would see beyond 160 degrees.
+// Beyond 160 degrees a corner is too flat to be visible.
 constexpr double kStraightCosine = -0.94;
 
-// 0: from east to just below west; 1: from west on.
+// 0 for bearings from east up to west exclusive, counter-clockwise; 1 for the rest.
 int half_turn(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
 
 }  // namespace
@@ -24,7 +24,7 @@ int half_turn(Vec2 v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
 ArmLine line_of(std::span<const Road> roads, const Arm& arm) {
   const Polyline path = walk(roads, arm, kLookAhead_m);
   Vec2 along = path.back() - path.front();
-  // a loop may be back where it began
+  // a loop may return to its start
   if (along == Vec2{}) along = path[1] - path[0];
   return {path.front(), unit(along), left_of(roads, arm), right_of(roads, arm)};
 }
@@ -32,7 +32,7 @@ ArmLine line_of(std::span<const Road> roads, const Arm& arm) {
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre) {
   std::vector<std::uint32_t> order(lines.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  // on the grid, where products are exact and the order is one
+  // on the 2^-10 m grid products are exact, so the order is the same on every machine
   const auto bearing = [&](std::uint32_t i) { return snapped(lines[i].from + lines[i].along * kLookAhead_m - centre); };
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const Vec2 u = bearing(a), v = bearing(b);
@@ -58,7 +58,7 @@ std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next) {
   if (cosine < kStraightCosine || (sine <= 0 && cosine < 1 - kParallelSine * kParallelSine)) return std::nullopt;
   const Vec2 gap = (next.from - left_of(next.along) * next.right_m) - (arm.from + left_of(arm.along) * arm.left_m);
   if (sine < kParallelSine) {
-    // side by side, with something between them from the start
+    // side by side with a gap from the start
     if (dot(gap, left_of(arm.along)) > 0) return std::nullopt;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     return Corner{kNever, kNever, kParallelSine, 1};

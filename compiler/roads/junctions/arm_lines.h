@@ -1,4 +1,4 @@
-// Arms as straight lines, close to their junction: what cuts and corners are computed from.
+// Arms as straight lines near their junction, for bearings, corners and overlaps.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,25 @@ struct ArmLine {
   double left_m = 0, right_m = 0;  ///< To the kerbs, seen along the arm.
 };
 
-/// The line from an arm's place to where it is 8 m on: a misleading first metre does not turn it.
+/// Returns the line from the arm's node to the point 8 m along it, so that an imprecise first metre does not turn it.
 ArmLine line_of(std::span<const Road> roads, const Arm& arm);
 
-/// Indices of arms, counter-clockwise about a centre by where they are 8 m on.
+/// Returns the indices of arms counter-clockwise about a centre, by where the arms are 8 m from their nodes.
 std::vector<std::uint32_t> counter_clockwise(std::span<const ArmLine> lines, Vec2 centre);
 
-/// For each arm the next one counter-clockwise of those that leave the same place; itself where it is alone there.
+/// Returns for each arm the next one counter-clockwise at its node; itself where it is the only one.
 ///
-/// @param lines  Place by place.
+/// @param lines  Node by node.
 std::vector<std::uint32_t> next_at_place(std::span<const ArmLine> lines);
 
-/// Where the left edge of `arm` meets the right edge of the next arm counter-clockwise.
+/// Where the left edge of an arm meets the right edge of the next arm counter-clockwise.
 struct Corner {
-  double along_arm_m = 0, along_next_m = 0;  ///< From each arm's place; not below 0.
+  double along_arm_m = 0, along_next_m = 0;  ///< From each arm's node; at least 0.
   double sine = 1, cosine = 0;               ///< Of the angle between the arms.
 };
 
-/// Nothing where the arms lie more than some 160 degrees apart: no corner to round, no reason to cut.
+/// Returns the corner between two arms, or nothing where they are more than 160 degrees apart: such a corner needs
+/// neither rounding nor a cut. Both lengths are infinite where the arms run side by side and overlap.
 std::optional<Corner> corner_between(const ArmLine& arm, const ArmLine& next);
 
 }  // namespace citykiln::roads

@@ -1,4 +1,4 @@
-// Places that are round: mini roundabouts, and circles to turn in at the end of a street or along it.
+// Circular nodes: mini roundabouts and turning circles.
 #pragma once
 
 #include <span>
@@ -7,9 +7,9 @@
 
 namespace citykiln::roads {
 
-/// The radius of the disk about the place that these arms leave, as the points of their roads tell it: 5 m for a mini
-/// roundabout, 6 m for a turning circle, and 1.5 m more than the widest arm's half, but at most 12 m. 0: not round.
-/// O(arms).
+/// Returns the radius of the disk about the node that these arms leave, by the track points of their roads: 5 m for a
+/// mini roundabout, 6 m for a turning circle, and at least 1.5 m more than half the widest arm, but at most 12 m. 0:
+/// not circular. O(arms).
 double disk_radius_m(std::span<const Road> roads, std::span<const Arm> arms);
 
 }  // namespace citykiln::roads

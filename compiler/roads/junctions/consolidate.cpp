@@ -14,22 +14,22 @@ namespace {
 
 constexpr int kRounds = 3;
 
-// Corners sharper than this lie far out without making two junctions one.
+// Acute corners lie far out, which does not make two junctions one: sine of the smallest angle that counts.
 constexpr double kBluntSine = 0.5;
 
-// Shorter links are mappers' precision, not roads.
+// Links shorter than this come from imprecise mapping.
 constexpr double kShortLink_m = 2;
 
-// Between two junctions a car has room to stop.
+// The length of a car: room to stop between two junctions.
 constexpr double kCar_m = 5;
 
-// Between the farthest places of what is no junction of streets.
+// Maximum extent of merged nodes that are not street junctions.
 constexpr double kNearReach_m = kJunctionRadius_m / 2;
 
-// Wider medians, in carriageways, make two junctions of a dual carriageway's crossing.
+// Widest median, in widths of the wider carriageway, that keeps the crossing of a dual carriageway one junction.
 constexpr double kWidestMedian = 1.5;
 
-// How much of each arm of a node its corners take.
+// The length of each arm of a node that its corners take.
 std::vector<double> taken_by_corners(std::span<const Road> roads, const Node& node) {
   std::vector<ArmLine> lines;
   for (const Arm& arm : node.arms) lines.push_back(line_of(roads, arm));
@@ -45,13 +45,13 @@ std::vector<double> taken_by_corners(std::span<const Road> roads, const Node& no
   return taken;
 }
 
-// A short link between two nodes.
+// A link that may merge the groups at its ends.
 struct ShortLink {
   double length_m = std::numeric_limits<double>::infinity();
   std::uint32_t from = kNoNode, to = kNoNode;
   ObjectId road;
-  double reach_m = 0;  // between the farthest places of what it makes one
-  // the shortest first; equal ones by their ends, whichever end they are seen from
+  double reach_m = 0;  // maximum extent of the merged group
+  // shortest first, ties by the unordered pair of ends
   bool is_before(const ShortLink& o) const {
     return std::tuple(length_m, std::min(from, to), std::max(from, to)) <
            std::tuple(o.length_m, std::min(o.from, o.to), std::max(o.from, o.to));
@@ -63,13 +63,13 @@ bool is_street(const Road& road) {
          map::values_of(road.surface).priority >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
 }
 
-// Three streets meet, and no island is in their middle.
+// At least three streets meet, and the node is not circular.
 bool is_street_junction(std::span<const Road> roads, const Node& node) {
   const auto streets = std::ranges::count_if(node.arms, [&](const Arm& arm) { return is_street(roads[arm.road]); });
   return streets >= 3 && disk_radius_m(roads, node.arms) == 0;
 }
 
-// 1 where all drive along the arm as it leaves, -1 where all come along it, else 0.
+// 1 where all traffic leaves along the arm, -1 where all arrives, else 0.
 int oneway(std::span<const Road> roads, const Arm& arm) {
   bool has_along = false, has_against = false;
   for (const map::Lane& lane : roads[arm.road].section.lanes) {
@@ -80,9 +80,9 @@ int oneway(std::span<const Road> roads, const Arm& arm) {
   return has_along == has_against ? 0 : has_along ? arm.step : -arm.step;
 }
 
-// A carriageway of one direction that begins or ends at a node.
+// A one-way carriageway that begins or ends at a node.
 struct Carriageway {
-  Vec2 along;  // which way it is driven
+  Vec2 along;  // direction of traffic
   double width_m = 0;
 };
 
@@ -99,7 +99,7 @@ std::vector<Carriageway> carriageways_across(std::span<const Road> roads, const 
   return across;
 }
 
-// One at this end of the link, and the one of the other direction at that end.
+// True where opposite carriageways at both ends make the link the crossing of a median.
 bool joins_dual_carriageway(std::span<const Carriageway> here, std::span<const Carriageway> there, double between_m) {
   constexpr double kOpposite = -0.8;
   for (const Carriageway& a : here)
@@ -108,14 +108,14 @@ bool joins_dual_carriageway(std::span<const Carriageway> here, std::span<const C
   return false;
 }
 
-// A link seen from one of its ends, before it is known whether it joins two junctions into one.
+// A link as seen from one end, not yet known to merge anything.
 struct Candidate {
   ShortLink link;
   Arm there, back;
-  double between_m = 0;  // what its corners leave of it
+  double between_m = 0;  // length that the corners at both ends leave
 };
 
-// Among the candidates from one node.
+// True where two links from one node lead to the same other node, around an island.
 bool goes_round_island(std::span<const Candidate> from_here, const ShortLink& link) {
   return std::ranges::count_if(from_here, [&](const Candidate& c) { return c.link.to == link.to; }) > 1;
 }
@@ -158,7 +158,7 @@ std::vector<ShortLink> short_links(std::span<const Road> roads, std::span<const 
 
 bool fits(const Box2& box, const ShortLink& link) { return std::max(box.width(), box.height()) <= link.reach_m; }
 
-// One round: groups that are each other's nearest become one.
+// One round: merges the groups that are each other's nearest.
 void merge_nearest(std::span<const ShortLink> links, std::vector<std::uint32_t>& group, std::vector<Box2>& boxes,
                    Report& report) {
   std::vector<ShortLink> nearest(group.size());

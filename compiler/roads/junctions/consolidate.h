@@ -1,4 +1,4 @@
-// Places so close together that a driver takes them for one junction.
+// Merges nodes that a driver takes for one junction.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,19 @@
 
 namespace citykiln::roads {
 
-/// Which group each node is in: the number of the group's first node.
+/// Returns the group of each node, named by the group's first node.
 ///
-/// A link makes two nodes one junction
-///   where nothing is between their corners;
-///   between streets, where less than a car's length is;
-///   from one carriageway of a road to the other, where the median is no wider than one and a half of the wider
-///   carriageway; round an island, where two links join the same two nodes.
-/// Streets are residential ones and higher, and their nodes have three of them: driveways and car parks merge by the
-/// first rule only, as do paths, rings of roundabouts and round places. Two groups become one only if each is the
-/// other's nearest such neighbour; three rounds, so a group has at most eight nodes and nobody asks farther. A
-/// group's places lie in a square of kJunctionRadius_m. Diagnosed kJunctionsMerged. O(nodes).
+/// A link merges two nodes
+/// - where nothing is left of it between their corners;
+/// - between street junctions, where less than a car's length is left;
+/// - where it crosses the median of a dual carriageway no wider than one and a half of the wider carriageway;
+/// - where a second link between the same nodes makes an island.
+/// Street junctions have three arms of residential or higher class. Driveways, car parks, paths, roundabout rings and
+/// circular nodes merge by the first rule alone.
+///
+/// Each of three rounds merges the pairs of groups that are each other's nearest, so a group has at most eight nodes
+/// and its content depends on a bounded neighbourhood. A group fits into a square of kJunctionRadius_m. Diagnosed:
+/// kJunctionsMerged. O(nodes).
 std::vector<std::uint32_t> consolidate(std::span<const Road> roads, std::span<const Node> nodes, const NodeIndex& index,
                                        Report& report);
 

@@ -8,7 +8,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Verges outside of pavements do not go round corners.
+// Widths up to the outermost pavement: verges outside pavements do not lead round corners.
 double paved_left_of(std::span<const Road> roads, const Arm& arm) {
   return arm.step > 0 ? paved_left_m(roads[arm.road]) : paved_right_m(roads[arm.road]);
 }
@@ -17,7 +17,7 @@ double paved_right_of(std::span<const Road> roads, const Arm& arm) {
   return arm.step > 0 ? paved_right_m(roads[arm.road]) : paved_left_m(roads[arm.road]);
 }
 
-// An arm, and how far along it its pavement may go round a corner.
+// An arm with the width of its pavement and the length along which that may be part of a corner.
 struct RaisedArm {
   ArmPath path;
   double raised_m = 0, limit_m = 0;

@@ -1,4 +1,4 @@
-// Pavements round the corners of a junction.
+// Pavements around the corners of a junction.
 #pragma once
 
 #include <span>
@@ -8,12 +8,14 @@
 
 namespace citykiln::roads {
 
-/// Where something is raised on both sides of a corner: from the axes of the two arms to the arc that lies as far
-/// outside the kerbs' as the raised lanes are wide (their edges' own corner, where they are wider than the kerbs' arc).
-/// Simple counter-clockwise rings, snapped; what shows of them beside the carriageways is pavement. Along the arms
-/// they end where the arcs touch: the strips' own pavements pass there. Of what is raised 6 m at most goes round.
+/// Returns the pavements around corners with raised lanes on both sides, as simple counter-clockwise rings, snapped.
 ///
-/// @param arms  arms_at(roads, junction.places, junction.family).
+/// Each ring covers the corner from the axes of its two arms to the arc that lies outside the kerb's arc by the width
+/// of the raised lanes, at most 6 m. Where the raised lanes are wider than the arc's radius it ends in a sharp corner.
+/// The part outside the carriageways is visible pavement. Along the arms a ring ends where its arc touches them, since
+/// the strips' own pavements continue from there.
+///
+/// @param arms  arms_at(roads, junction.nodes, junction.family).
 std::vector<Ring> stroke_corner_pavements(const Junction& junction, std::span<const Road> roads,
                                           std::span<const Arm> arms);
 

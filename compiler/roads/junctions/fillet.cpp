@@ -9,17 +9,17 @@
 namespace citykiln::roads {
 namespace {
 
-// A stretch of an axis, moved sideways.
+// A segment of an axis, offset sideways.
 struct Moved {
   Vec2 from, to;
-  Vec2 axis_from, along;  // where the stretch begins on the axis, and its unit direction
-  double before_m = 0;    // of the axis, up to axis_from
+  Vec2 axis_from, along;  // its start on the axis, and its unit direction
+  double before_m = 0;    // length of the axis before axis_from
   double length_m = 0;
   std::size_t segment = 0;
 };
 
-// The axis moved left by `off_m` (right where it is below 0), bends mitred, as far as the first bend of more than a
-// right angle. Stretches that the inside of a bend has turned round are left out.
+// Offsets the axis by `off_m` to the left (to the right where negative) with mitred bends, up to the first bend of more
+// than a right angle. Segments that the inside of a bend reverses are left out.
 std::vector<Moved> moved(const Polyline& axis, double off_m) {
   std::vector<Moved> stretches;
   double before_m = 0;
@@ -58,14 +58,15 @@ TangentPoint touch_at(const Moved& stretch, Vec2 centre, double off_m) {
 std::optional<Vec2> meeting(const Moved& a, const Moved& b) {
   const Vec2 u = a.to - a.from, v = b.to - b.from, gap = b.from - a.from;
   const double det = cross(u, v);
-  // kerbs that cross the other way come together again, behind an island
+  // kerbs that cross in the other direction meet again behind an island
   if (det <= 0) return std::nullopt;
   const double s = cross(gap, v) / det, t = cross(gap, u) / det;
   if (s < 0 || s > 1 || t < 0 || t > 1) return std::nullopt;
   return a.from + u * s;
 }
 
-// A kerb may begin a little behind its place: where a wide road ends on a narrow one, at an obtuse angle.
+// Extends a kerb backwards beyond its node: a wide road that ends on a narrow one at an obtuse angle meets its kerb
+// there.
 void begin_earlier(std::vector<Moved>& stretches, double by_m) {
   if (stretches.empty() || stretches.front().segment != 0) return;
   stretches.front().from = stretches.front().from - stretches.front().along * by_m;
@@ -81,7 +82,7 @@ bool is_obtuse(const ArmPath& arm, const ArmPath& next) {
 
 ArmPath path_of(std::span<const Road> roads, const Arm& arm) {
   Polyline axis = walk(roads, arm, kJunctionRadius_m);
-  // a vertex just there is walked to and interpolated
+  // arm_axis() repeats a vertex that lies exactly at the length
   if (axis.size() > 2 && axis.back() == axis[axis.size() - 2]) axis.pop_back();
   return {std::move(axis), left_of(roads, arm), right_of(roads, arm)};
 }
@@ -115,7 +116,7 @@ std::optional<Fillet> largest_fillet(const ArmPath& arm, const ArmPath& next, do
   };
   if (auto wanted = fitting(wanted_radius_m)) return wanted;
   std::optional<Fillet> best = fitting(0);
-  constexpr double kSteps = 2;  // a metre
+  constexpr double kSteps = 2;  // steps per metre
   double low = 0, high = std::ceil(wanted_radius_m * kSteps);
   while (low + 1 < high) {
     const double middle = std::floor((low + high) / 2);

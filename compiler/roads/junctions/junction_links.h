@@ -1,4 +1,4 @@
-// From one junction to the next: who is at the other end of an arm, and how far.
+// Links: the road from one node to the next.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@ namespace citykiln::roads {
 
 inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
-/// An arm's way to the next node of its family, or to its road's end.
+/// The link from an arm's node to the next node of its family, or to the end of its road.
 struct Link {
   double length_m = 0;
-  std::uint32_t node = kNoNode;  ///< The node it comes to.
-  std::uint32_t arm = 0;         ///< Of that node: the same stretch seen from there.
+  std::uint32_t node = kNoNode;  ///< The node at its other end.
+  std::uint32_t arm = 0;         ///< The index of the same link among that node's arms.
 };
 
-/// Which node each vertex of each road is.
+/// The node at each vertex of each road. Refers to roads and nodes.
 class NodeIndex {
  public:
   NodeIndex(std::span<const Road> roads, std::span<const Node> nodes);
 
-  /// O(vertices passed), at most until `reach_m` are walked: then the length is more than that and the node unknown.
+  /// Returns the link of an arm, followed at most for `radius_m`; a longer one has a greater length and no node.
+  /// O(vertices passed).
   Link link_of(const Arm& arm, double reach_m) const;
 
  private:

@@ -1,4 +1,4 @@
-// From cuts and corners to what a junction covers.
+// Outlines of junctions: rings from cuts and corners, then polygons that share no area.
 #include <algorithm>
 #include <array>
 
@@ -14,7 +14,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Until the arm comes to another of the junction's places.
+// The axis of an arm up to the next node of its junction.
 Polyline walk_inside(std::span<const Road> roads, const Arm& arm, std::span<const Vec2> places) {
   const Polyline& axis = roads[arm.road].axis;
   Polyline path = {axis[arm.vertex]};
@@ -37,7 +37,7 @@ void stroke_arm(std::span<const Road> roads, const Arm& arm, const Cut& cut, std
   for (Ring& ring : stroke(piece)) rings.push_back(std::move(ring));
 }
 
-// What lies open between the arms' square ends about a place, or what is round there.
+// A disk about a node, as a 16-gon or, above 4 m, a 32-gon.
 Ring disk_at(Vec2 place, double radius_m) {
   constexpr double kFine_m = 4;
   const int halvings = radius_m > kFine_m ? 3 : 2;
@@ -50,8 +50,8 @@ Ring disk_at(Vec2 place, double radius_m) {
   return ring;
 }
 
-// Arms of a place that lie more than half a turn apart open a wedge: what the second widest arm reaches to both sides
-// (a street that ends on a narrow one opens none).
+// The radius of the disk that fills the wedge between arms more than half a turn apart, 0 where there is none: the
+// smaller half width of the second widest arm, because a wide street that ends on a narrow one opens no wedge.
 double open_half_m(const JunctionArms& junction_arms, Vec2 place) {
   constexpr double kWedgeSine = -0.08;
   double widest = 0, second = 0;
@@ -146,14 +146,14 @@ std::vector<std::vector<Arm>> arms_of(std::span<const Junction> junctions, std::
 
 namespace {
 
-// The junctions' rings and where they are.
+// The rings of a junction, their box and the junction's rank.
 struct Covered {
   std::vector<Ring> rings;
   Box2 box;
   int priority = 0;
 };
 
-// What others have cut off can end in a point that nobody sees: it goes, corner by corner. Nothing is left of some.
+// Removes spikes, corner by corner: subtracting other junctions can leave thin points. May leave less than a triangle.
 Ring without_spikes(Ring ring) {
   for (std::size_t i = 0; i < ring.size() && ring.size() >= 3;) {
     if (!is_spike(ring, i)) {
@@ -176,7 +176,7 @@ std::vector<Polygon> trimmed(std::vector<Polygon> polygons) {
   return sound;
 }
 
-// Simple rings that keep apart share nothing; of others it is not known.
+// False where two junctions certainly share no area: only decided for single rings, which are simple.
 bool may_share(const Covered& a, const Covered& b) {
   if (a.rings.size() != 1 || b.rings.size() != 1) return true;
   const Ring &r = a.rings.front(), &s = b.rings.front();

@@ -10,12 +10,12 @@
 namespace citykiln::roads {
 namespace {
 
-// An arm's edges: the right one from the place out to the middle of the cut, the left one from there back.
+// An arm's edges. `right` runs from the node out to the middle of the cut, `left` from there back.
 struct Edges {
   Polyline right, left;
 };
 
-// Offsets a path by mitres; nothing where it bends too sharply for them.
+// Offsets a path to both sides, or returns nothing where it bends too sharply for mitres.
 std::optional<Edges> edges_of(const Polyline& path, const ArmLine& line) {
   constexpr double kSharpestCosine = 0.5;
   Edges edges;
@@ -34,15 +34,15 @@ std::optional<Edges> edges_of(const Polyline& path, const ArmLine& line) {
   return edges;
 }
 
-// From one arm's left edge to the right edge of the next: how many points of the one are walked, from which point of
-// the other on, and what lies between.
+// The connection from one arm's left edge to the next arm's right edge: the first left_count points of the left edge,
+// `between`, then the right edge from right_from on.
 struct Turn {
   std::size_t left_count = 0, right_from = 0;
   Ring between;
 };
 
-// Where the left edge, coming in, first meets the right edge of the next: for arms that do not part before their cuts,
-// that is at a cut.
+// The first crossing of the left edge, walked inwards, with the next arm's right edge. Arms that do not part before
+// their cuts cross at a cut.
 std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
   for (std::size_t i = 0; i + 1 < left.size(); ++i) {
     std::optional<Turn> first;
@@ -61,10 +61,10 @@ std::optional<Turn> first_meeting(const Polyline& left, const Polyline& right) {
   return std::nullopt;
 }
 
-// How many points of an edge, from the cut's middle in, lie beyond a touch.
+// The number of points of an edge beyond a tangent point, counted from the middle of the cut inwards.
 std::size_t count_beyond(const Polyline& edge, const TangentPoint& touch) {
   const std::size_t inner = touch.along_m < 0 ? 0 : touch.segment + 1;
-  // the middle of the cut is always walked
+  // the middle of the cut always counts
   return edge.size() - std::min(inner, edge.size() - 1);
 }
 
@@ -74,17 +74,17 @@ Turn rounded(const Polyline& left, const Polyline& right, const Fillet& fillet) 
   return turn;
 }
 
-// Round the outside of a bend.
+// An arc around the outside of a bend.
 Turn outside(const ArmLine& arm, const ArmLine& next, std::size_t left_count) {
   Turn turn{left_count, 0, {}};
   const Vec2 from = left_of(arm.along), to = left_of(next.along) * -1;
   const double half = std::min(arm.left_m, next.right_m);
-  // nearly straight on: the two ends are neighbours
+  // on a nearly straight line the two ends are neighbours already
   if (dot(from, to) < 0.94 && cross(from, to) > 0) add_arc(arm.from, from, to, half, 2, turn.between);
   return turn;
 }
 
-// From an arm to its next.
+// The connection from an arm to the next one, if there is a valid one.
 std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edges>& edges,
                                  const JunctionArms& junction_arms, std::uint32_t arm, std::uint32_t next) {
   const Cut &cut = junction.cuts[arm], &next_cut = junction.cuts[next];
@@ -93,7 +93,7 @@ std::optional<Turn> turn_between(const Junction& junction, const std::vector<Edg
   if (fillet && fillet->arm.along_m <= cut.length_m && fillet->next.along_m <= next_cut.length_m)
     return rounded(left, right, *fillet);
   if (auto meeting = first_meeting(left, right)) return meeting;
-  // one arm's cut lies within the other
+  // the cut of one arm lies within the other
   if (corner_between(junction_arms.lines[arm], junction_arms.lines[next])) return std::nullopt;
   return outside(junction_arms.lines[arm], junction_arms.lines[next], left.size());
 }
@@ -162,7 +162,7 @@ std::optional<Ring> corner_ring(const ArmPath& arm, const ArmPath& next, const F
 
 namespace {
 
-// Nothing where an arm has no length to walk, or bends too sharply.
+// The edges of all arms, or nothing where an arm has no length or bends too sharply.
 std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::span<const Road> roads,
                                                 std::span<const Arm> arms, const JunctionArms& junction_arms) {
   std::vector<Edges> edges(arms.size());
@@ -176,7 +176,7 @@ std::optional<std::vector<Edges>> edges_of_arms(const Junction& junction, std::s
   return edges;
 }
 
-// One an arm, in order: to its next.
+// The connections from each arm of `order` to its next one, or nothing where one is missing.
 std::optional<std::vector<Turn>> turns_of(const Junction& junction, const std::vector<Edges>& edges,
                                           const JunctionArms& junction_arms) {
   std::vector<Turn> turns;
@@ -200,7 +200,7 @@ JunctionArms junction_arms(const Junction& junction, std::span<const Road> roads
   all.next = next_at_place(all.lines);
   for (const std::uint32_t a : counter_clockwise(all.lines, citykiln::box_of(junction.places).centre()))
     if (junction.cuts[a].length_m != kWholeLink_m) all.order.push_back(a);
-  // arms of one place are neighbours
+  // arms are sorted by node
   for (std::size_t from = 0, p = 0; p < junction.places.size(); ++p) {
     std::size_t to = from;
     while (to < arms.size() && all.lines[to].from == junction.places[p]) ++to;

@@ -19,13 +19,13 @@ Tracks tracks_off_ground(const map::Features& features) {
   return tracks;
 }
 
-// What the map leaves untold lies next to the ground.
+// Without layer=*, a bridge is at layer 1 and a tunnel at layer -1.
 int told_layer(const map::Track& track) {
   if (track.layer != 0) return track.layer;
   return track.passage == map::Passage::kBridge ? 1 : -1;
 }
 
-// A track passes a node.
+// A node of a track.
 struct Passing {
   map::Passage passage;
   std::int64_t node_id;
@@ -42,7 +42,7 @@ std::vector<Passing> passings_of(const Tracks& tracks) {
   return passings;
 }
 
-// Disjoint sets, each named by the first of its members.
+// Disjoint sets (union-find), each represented by its first member.
 struct Sets {
   std::vector<std::uint32_t> parent;
 
@@ -59,7 +59,7 @@ struct Sets {
   }
 };
 
-// The lowest layer of all that a track meets, and they meet.
+// The layer of each track: the minimum over all tracks that shared nodes connect it to.
 std::vector<int> layers_of(const Tracks& tracks) {
   Sets sets(tracks.size());
   const std::vector<Passing> passings = passings_of(tracks);
@@ -68,7 +68,7 @@ std::vector<int> layers_of(const Tracks& tracks) {
 
   std::vector<int> lowest, layers;
   for (const map::Track* track : tracks) lowest.push_back(told_layer(*track));
-  // a set's first member comes before the others
+  // a set's first member has the lowest index
   for (std::uint32_t t = 0; t < tracks.size(); ++t) {
     int& of_set = lowest[sets.find(t)];
     of_set = std::min(of_set, lowest[t]);

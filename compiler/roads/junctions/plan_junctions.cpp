@@ -1,4 +1,7 @@
-// Cuts and corners of all junctions.
+// Cut lengths and corner radii of all junctions.
+// Each junction drafts the cuts it wants from its own arms. Neighbours then divide the links that both want. Radii
+// shrink last, to what the final cuts leave. Each step reads only what the step before it decided for all junctions, so
+// their order does not matter.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +20,7 @@ double cut_steps(double length_m) { return std::floor(length_m * 4) / 4; }
 
 constexpr double kMinCut_m = 0.5;
 
-// Kerbs' radii: what a car of the narrower road's class turns in.
+// Kerb radii in metres by the minor road's class: the turning radius of its design vehicle.
 double radius_m(map::LandCoverClass surface) {
   using map::LandCoverClass;
   switch (surface) {
@@ -40,13 +43,13 @@ double radius_m(map::LandCoverClass surface) {
   }
 }
 
-// How far from their places two neighbouring arms are one surface.
+// The lengths of two neighbouring arms that one corner takes.
 struct Meeting {
   std::uint32_t arm = 0, next = 0;
   double along_arm_m = 0, along_next_m = 0;
 };
 
-// One junction while it is being decided. Arms of all its nodes, in the order of arms_at().
+// A junction in planning. Arms of all its nodes, in the order of arms_at().
 struct Draft {
   std::vector<std::uint32_t> nodes;
   Vec2 centre;
@@ -54,8 +57,8 @@ struct Draft {
   std::vector<Link> links;
   std::vector<ArmLine> lines;
   std::vector<ArmPath> paths;
-  std::vector<std::uint32_t> next;   // of the same place, links inside among them
-  std::vector<std::uint32_t> order;  // counter-clockwise about all places, without links inside
+  std::vector<std::uint32_t> next;   // the next arm of the same node, links inside included
+  std::vector<std::uint32_t> order;  // counter-clockwise about the centre, without links inside
   std::vector<Meeting> meetings;
   std::vector<Cut> cuts;
 };
@@ -79,7 +82,7 @@ Draft draft_of(std::span<const Road> roads, std::span<const Node> nodes, const N
   return draft;
 }
 
-// Links inside the junction belong to it whole; a long loop does not.
+// Marks short links between two nodes of one junction as inside it. Long loops stay outside.
 void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
   for (std::size_t a = 0; a < draft.arms.size(); ++a) {
     const Link& link = draft.links[a];
@@ -88,14 +91,14 @@ void keep_links_inside(std::span<const std::uint32_t> group, Draft& draft) {
   }
 }
 
-// How far an arm may be the junction's.
+// The maximum length of an arm within the junction.
 double reach_m(const Draft& draft, std::uint32_t arm) {
   if (draft.cuts[arm].length_m == kWholeLink_m) return draft.links[arm].length_m;
   return kJunctionRadius_m - distance(draft.lines[arm].from, draft.centre);
 }
 
-// A kerb's radius, where it is to be rounded at all: a road's own bend, as a roundabout's ring has at every place, is
-// not; and an arc does not begin more than two radii before a corner, however acute that is.
+// The fillet that a corner wants. Bends of one road get no radius: the ring of a roundabout has one at every node. An
+// arc begins at most two radii before its corner, even where the corner is acute.
 std::optional<Fillet> wanted_fillet(std::span<const Road> roads, const Draft& draft, std::uint32_t arm,
                                     std::uint32_t next) {
   const Road &road = roads[draft.arms[arm].road], &next_road = roads[draft.arms[next].road];
@@ -116,7 +119,7 @@ void find_order(Draft& draft) {
     if (draft.cuts[a].length_m != kWholeLink_m) draft.order.push_back(a);
 }
 
-// Neighbours at one place meet in a corner.
+// Corners between neighbouring arms of one node.
 void find_corners(std::span<const Road> roads, Draft& draft) {
   for (std::uint32_t arm = 0; arm < draft.arms.size(); ++arm) {
     const std::uint32_t next = draft.next[arm];
@@ -130,7 +133,7 @@ void find_corners(std::span<const Road> roads, Draft& draft) {
   }
 }
 
-// Neighbours of two places may run into each other farther out.
+// Overlaps between neighbouring arms of different nodes.
 void find_overlaps(Draft& draft) {
   for (std::size_t i = 0; i < draft.order.size(); ++i) {
     const std::uint32_t arm = draft.order[i], next = draft.order[(i + 1) % draft.order.size()];
@@ -140,7 +143,7 @@ void find_overlaps(Draft& draft) {
   }
 }
 
-// Where a place is round, its arms begin outside of the disk.
+// Arms of circular nodes begin outside the disk.
 void want_disks(std::span<const Road> roads, std::span<const Node> nodes, Draft& draft) {
   std::size_t arm = 0;
   for (const std::uint32_t n : draft.nodes) {
@@ -157,7 +160,7 @@ bool is_taper(Family family, const Draft& draft) {
          std::ranges::none_of(draft.cuts, is_whole) && std::ranges::none_of(draft.cuts, is_round);
 }
 
-// A taper leaves half of a link to whatever is at its other end.
+// A taper uses at most half a link and leaves the rest to the other end.
 void want_taper(Draft& draft) {
   for (const std::uint32_t arm : {0u, 1u}) {
     const double length_m = taper_length_m(draft.paths[arm], draft.paths[1 - arm]);
@@ -169,22 +172,22 @@ void want(Cut& cut, double length_m) {
   if (cut.length_m != kWholeLink_m) cut.length_m = std::max(cut.length_m, std::min(length_m, kJunctionRadius_m));
 }
 
-// As far as the farther of an arm's two corners, within reach.
+// Raises each cut to the farther of its arm's two corners.
 void want_cuts(Draft& draft) {
   for (const Meeting& meeting : draft.meetings) {
     want(draft.cuts[meeting.arm], meeting.along_arm_m);
     want(draft.cuts[meeting.next], meeting.along_next_m);
   }
   for (const std::uint32_t arm : draft.order) {
-    // a cut that nothing asks for still shows where the junction is
+    // a minimum, so that every junction is visible
     draft.cuts[arm].length_m = std::max(draft.cuts[arm].length_m, kMinCut_m);
-    // half metres, of which a manifest has fewer than of quarters
+    // multiples of 1/2 m compress better in the manifest than multiples of 1/4 m
     const double cut_m = std::ceil(draft.cuts[arm].length_m * 2) / 2;
     draft.cuts[arm].length_m = std::min(cut_m, std::ceil(reach_m(draft, arm) * 4) / 4);
   }
 }
 
-// Two junctions at the ends of one link share it by what they want; nobody wants more than there is.
+// Divides a link between the junctions at its ends in proportion to what both want, if that is more than its length.
 void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Link& link, const Cut* other,
                 Report& report) {
   if (cut.length_m == kWholeLink_m) return;
@@ -194,7 +197,7 @@ void share_link(std::span<const Road> roads, Cut& cut, const Arm& arm, const Lin
   cut.length_m = cut_steps(link.length_m * cut.length_m / (cut.length_m + wanted_there));
 }
 
-// Rounds corners only as far as their arms are the junction's.
+// Shrinks radii to what the cuts leave of the arms.
 void shrink_radii(Draft& draft) {
   const auto length_m = [&](std::uint32_t arm) {
     return draft.cuts[arm].length_m == kWholeLink_m ? draft.links[arm].length_m : draft.cuts[arm].length_m;
@@ -244,7 +247,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
   const std::vector<std::uint32_t> group = consolidate(roads, nodes, index, report);
   const std::vector<Draft> wanted = drafts_of(roads, nodes, index, group);
 
-  // where each node's arms begin among its group's
+  // the index of each node's first arm within its group
   std::vector<std::uint32_t> first(nodes.size());
   for (const Draft& draft : wanted) {
     std::uint32_t count = 0;
@@ -263,7 +266,7 @@ std::vector<Junction> plan_junctions(std::span<const Road> roads, Report& report
     shrink_radii(shared);
     junctions.emplace_back(std::ranges::min(shared.arms), finished(nodes, shared));
   }
-  // along the roads: neighbours in the list share points, which makes manifests smaller
+  // sorted along the roads: neighbours share points, which makes manifests smaller
   std::ranges::sort(junctions, {}, &std::pair<Arm, Junction>::first);
   std::vector<Junction> sorted;
   for (auto& [first_arm, junction] : junctions) sorted.push_back(std::move(junction));

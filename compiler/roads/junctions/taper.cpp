@@ -7,13 +7,13 @@
 namespace citykiln::roads {
 namespace {
 
-// The width that runs over from one arm to the other, at a point of an axis.
+// The width of the taper at a point of an axis.
 struct Station {
   Vec2 at;
-  double left_m, right_m;  // seen along the first arm reversed and the other one
+  double left_m, right_m;  // seen along the direction from the first arm to the other
 };
 
-// How much wider the other arm is on either side of this one.
+// By how much the other arm is wider on either side.
 struct Excess {
   double left_m, right_m;
 };
@@ -22,7 +22,7 @@ Excess excess_of(const ArmPath& arm, const ArmPath& other) {
   return {std::max(0.0, other.right_m - arm.left_m), std::max(0.0, other.left_m - arm.right_m)};
 }
 
-// From the place to the cut, with widths as seen along the arm.
+// The stations from the node to the cut, with widths as seen along the arm.
 std::vector<Station> stations_of(const ArmPath& arm, double cut_m, const ArmPath& other) {
   const Excess excess = excess_of(arm, other);
   std::vector<Station> stations;
@@ -40,7 +40,7 @@ std::vector<Station> stations_of(const ArmPath& arm, double cut_m, const ArmPath
   return stations;
 }
 
-// Across the way there at a station, by mitres.
+// The mitre at a station: the offset vector for one metre to the left.
 std::optional<Vec2> across(const std::vector<Station>& stations, std::size_t i) {
   constexpr double kSharpestCosine = 0.5;
   const std::size_t last = stations.size() - 1;

@@ -1,4 +1,4 @@
-// Roads that go on through a junction as if nothing were there.
+// Roads whose lanes and markings run through a junction.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace citykiln::roads {
 
-/// Whether one road, of two arms, goes on through the junction and all others are lesser and have no signals: its lanes
-/// and lines go on across, and those of the junction that it covers are not seen.
+/// True where one road with two arms runs straight through, all other arms have a lower class, and there are no
+/// signals: its lanes and lines then continue across the junction and hide the junction's surface.
 ///
-/// @param arms  Of the junction, as arms_of() has them.
+/// @param arms  The junction's, in the order of arms_of().
 bool has_through_road(const Junction& junction, std::span<const Road> roads, std::span<const Arm> arms);
 
 }  // namespace citykiln::roads

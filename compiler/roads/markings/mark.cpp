@@ -8,7 +8,7 @@
 namespace citykiln::roads {
 namespace {
 
-// Where two sides of a stroke meet: from the line's point to its left outline.
+// The mitre of two segments: the vector from their common point to the left outline.
 Vec2 mitre(Vec2 before, Vec2 after, double half_width) {
   const Vec2 left_before = left_of(unit(before)), left_after = left_of(unit(after));
   const Vec2 middle = unit(left_before + left_after);
@@ -34,7 +34,7 @@ void add_line(double u_m, double width_m, DashPattern rhythm, Marks& marks) {
 void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern rhythm, Marks& marks) {
   const double gap_m = rhythm.period_m - rhythm.dash_m, width_m = right_m - left_m;
   const double count = std::max(1.0, std::floor((width_m + gap_m) / rhythm.period_m + 0.5));
-  // dashes and gaps together fill the width
+  // dashes and gaps together fill the width exactly
   const double scale = width_m / (count * rhythm.period_m - gap_m);
   for (double i = 0; i < count; ++i) {
     const double at_m = left_m + i * rhythm.period_m * scale;

@@ -1,4 +1,4 @@
-// Marks: polygons of paint on a strip, and the shapes they are made of.
+// Marks: painted polygons on a strip, and the shapes that make them.
 #pragma once
 
 #include <span>
@@ -11,37 +11,37 @@ namespace citykiln::roads {
 
 /// A polygon of one colour.
 struct Mark {
-  Ring ring;  ///< Metres of the strip (u, v), simple, either way round. May reach over the ends of the pattern, and
-              ///< wraps.
+  Ring ring;  ///< Metres (u, v) of the strip, simple, in either direction. May extend beyond the ends of the layout and
+              ///< wraps around there.
   materials::TextureImage::Texel colour{};
 };
-using Marks = std::vector<Mark>;  ///< In the order in which they are painted: later over earlier.
+using Marks = std::vector<Mark>;  ///< In painting order: later marks cover earlier ones.
 
-/// White paint that has been driven on: new paint reflects 0.8, this 0.65.
+/// Worn white paint: new paint reflects 0.8 of the light, this 0.65.
 inline constexpr materials::TextureImage::Texel kWhite = {211, 211, 207};
 
-/// From corner to corner.
+/// The rectangle between two opposite corners.
 Ring rectangle(Vec2 low, Vec2 high);
 
-/// How a line along the way is broken: dashes of dash_m every period_m, one in the middle of each period, so that the
-/// line is the same seen from its other end. Unbroken where both are equal. The period divides kLayoutLength_m.
+/// The dash pattern of a line along the road: dashes of dash_m every period_m, centred in their periods so that the
+/// line looks the same from both ends. Solid where both are equal. The period divides kLayoutLength_m.
 struct DashPattern {
   double dash_m, period_m;
 };
 inline constexpr DashPattern kUnbroken = {1, 1};
 
-/// A line along the way about u, over the whole pattern.
+/// Adds a line along the road, centred at u, over the whole layout.
 void add_line(double u_m, double width_m, DashPattern rhythm, Marks& marks);
 
-/// A broken line across the way, from u = left to right, dashes and gaps as near to what is asked as fits with a dash
-/// at each end; v from low to high.
+/// Adds a broken line across the road from u = left to right and v = low to high. Dashes and gaps are scaled to the
+/// width so that there is a dash at each end.
 void add_dashes_across(double left_m, double right_m, double low_m, double high_m, DashPattern rhythm, Marks& marks);
 
-/// The outline of a line of this width with mitred bends and square ends; a line that ends where it begins is closed
-/// there. No two points in a row are the same, no bend is sharper than a quarter turn.
+/// Returns the outline of a polyline of this width with mitred bends and square ends, closed where it ends at its
+/// start. Consecutive points differ, and no bend is sharper than a quarter turn.
 Ring stroke(std::span<const Vec2> line, double width);
 
-/// The marks turned round within a strip: (u, v) to (width - u, length - v).
+/// Returns the marks rotated by 180° within the strip: (u, v) becomes (width - u, length - v).
 Marks turned_round(const Marks& marks, double width_m, double length_m);
 
 }  // namespace citykiln::roads

@@ -12,9 +12,9 @@ namespace {
 using materials::ColumnRange;
 using materials::TextureImage;
 
-// Texels along the sheet: what decides how large they are.
+// The number of texels along the layout's length, which fixes their size.
 std::uint32_t rows_of(double texel_m) {
-  // a texel that divides the pattern but for rounding is meant to divide it
+  // rounding must not cost a row where the texel divides the length
   return static_cast<std::uint32_t>(std::max(1.0, std::floor(kLayoutLength_m / texel_m + 1e-6)));
 }
 
@@ -23,7 +23,7 @@ std::uint64_t columns_of(const MarkingLayout& layout, double texel_m) {
   return 2 * kGutter_texels + static_cast<std::uint64_t>(std::clamp<double>(columns, 1, 2 * kMostColumns));
 }
 
-// How many of the patterns, from the first, fit.
+// The number of layouts, from the first, that fit side by side.
 std::size_t fitting(std::span<const MarkingLayout> layouts, std::uint32_t rows) {
   std::uint64_t columns = 0;
   std::size_t count = 0;
@@ -39,7 +39,7 @@ std::uint32_t finest_rows(std::span<const MarkingLayout> layouts, double toleran
   return rows;
 }
 
-// A last texel that the strip covers in part only counts as gutter.
+// Fills the gutters with the outermost texels. A last texel that the strip covers partly counts as gutter.
 void repeat_outermost(TextureImage& sheet, ColumnRange columns, std::uint32_t whole_columns) {
   const std::uint32_t end = columns.first + std::max(1u, whole_columns);
   for (std::size_t row = 0; row < sheet.rows; ++row) {

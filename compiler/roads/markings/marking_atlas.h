@@ -1,6 +1,6 @@
-// TextureImage layout: patterns side by side on one sheet.
+// The marking atlas: layouts drawn side by side into one image.
 //
-//     gg|  .  |gggg|  :  :  |gg      g: gutters, the pattern's outermost texels repeated
+//     gg|  .  |gggg|  :  :  |gg      g: gutters, which repeat a layout's outermost texels
 #pragma once
 
 #include <span>
@@ -11,34 +11,36 @@
 
 namespace citykiln::roads {
 
-/// No line of the rules is thinner than four of these.
+/// The finest texel: no line is narrower than four of these.
 inline constexpr double kFinestTexel_m = 0.03;
-/// Of no use for lines any more: where even these do not fit, patterns go without a column.
+/// The coarsest texel that shows lines. If even these do not fit, layouts go without a column.
 inline constexpr double kCoarsestTexel_m = 0.5;
-/// On both sides of a column: four mip levels stay apart (a texel of the fourth is as wide as both gutters).
+/// The gutter on each side of a column. It keeps columns apart up to the fourth mip level, whose texel is as wide as
+/// two gutters.
 inline constexpr std::uint32_t kGutter_texels = 4;
-/// The budget: what every GPU takes across. With the finest texels that is 3.3 million of them, 13 MB of RGBA.
+/// The maximum width, which every GPU supports. With the finest texels that is 3.3 million texels, 13 MB of RGBA.
 inline constexpr std::uint32_t kMostColumns = 8192;
-/// Of a pattern that has no column.
+/// The position of a layout without a column.
 inline constexpr double kNoColumn_m = -1;
 
 struct MarkingAtlas {
-  materials::TextureImage sheet;  ///< kLayoutLength_m along. Empty where there are no patterns.
-  std::vector<double> left_m;     ///< Of each pattern's u = 0 on the sheet; kNoColumn_m where it has none.
+  materials::TextureImage sheet;  ///< kLayoutLength_m along. Empty without layouts.
+  std::vector<double>
+      left_m;  ///< The position of each layout's u = 0 in the image; kNoColumn_m where it has no column.
 };
 
-/// Draws the patterns into a sheet.
+/// Draws layouts into an atlas.
 ///
-/// @param patterns     Sorted, each once.
+/// @param layouts  Sorted, without duplicates.
 /// @param tolerance_m  Of the tile.
 ///
-/// Texels are as large as the tolerance, but never finer than kFinestTexel_m, and a whole number of them is
-/// kLayoutLength_m. Where the sheet would break kMostColumns they grow until it fits: at 3 cm some 245
-/// m of strips fit side by side (24 carriageways of 10 m), at 6 cm 490 m, at 12 cm 980 m, less 8 texels a pattern.
-/// Where kCoarsestTexel_m do not do (more than 290 carriageways of 10 m), the last patterns get no column.
+/// Texels are as large as the tolerance, at least kFinestTexel_m, and divide kLayoutLength_m. Where the image would
+/// exceed kMostColumns they grow until it fits: at 3 cm 245 m of strips fit side by side (24 carriageways of 10 m), at
+/// 6 cm 490 m, at 12 cm 980 m, less 8 texels a layout. Where kCoarsestTexel_m does not suffice (more than 290
+/// carriageways of 10 m) the last layouts get no column.
 ///
-/// Guarantees: columns and their gutters never overlap; the budget holds; same bytes on every machine and whatever was
-/// drawn before. O(texels).
+/// Guarantees: columns and their gutters never overlap; the maximum width holds; same bytes on every machine.
+/// O(texels).
 MarkingAtlas make_marking_atlas(std::span<const MarkingLayout> layouts, double tolerance_m);
 
 }  // namespace citykiln::roads

@@ -1,8 +1,8 @@
 // Source: Richtlinien für die Markierung von Straßen RMS-1 (1993): narrow lines 0.12 m and broad ones 0.25 m, 0.15 and
-// 0.30 m on motorways; dashes to gaps 1:2 between lanes, 1:1 in broad lines. VwV-StVO zu § 41 holds the same widths.
-// RMS dashes are 3, 4 and 6 m; of 3:6 and 6:12 the period does not divide a pattern: in towns the gap is the 9 m of
-// MUTCD 3A (10 ft, 30 ft), on motorways lines are broken as on country roads. Who has edge lines: MUTCD 3B and RMS-2
-// agree on motorways and on busy roads without kerbs.
+// 0.30 m on motorways; dashes to gaps 1:2 between lanes, 1:1 in broad lines. VwV-StVO zu § 41 gives the same widths.
+// RMS dashes are 3, 4 and 6 m. The periods 3:6 and 6:12 do not divide kLayoutLength_m: towns use the 9 m gap of MUTCD
+// 3A (10 ft, 30 ft), motorways the dashes of country roads. Edge lines on motorways and on busy roads without kerbs:
+// MUTCD 3B and RMS-2.
 #include "compiler/roads/markings/marking_rules.h"
 
 namespace citykiln::roads {
@@ -14,7 +14,7 @@ constexpr LineMeasures kMotorwayLines = {0.15, 0.30, {4, 12}, {6, 12}, true, tru
 constexpr LineMeasures kCountryLines = {0.12, 0.25, {4, 12}, {3, 6}, true, false};
 constexpr LineMeasures kTownLines = {0.12, 0.25, {3, 12}, {1.5, 3}, true, false};
 
-// Two bicycles pass in a track, two cars in a lane: then each direction keeps to its side.
+// Lane widths at which two bicycles or two cars pass each other, so that each direction keeps to its side.
 constexpr double kCyclesPass_m = 2.0, kCarsPass_m = 4.5;
 
 }  // namespace

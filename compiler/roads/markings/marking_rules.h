@@ -1,4 +1,4 @@
-// How broad lines are and how they are broken, by the road they are on.
+// Widths and dash patterns of lines by road class.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
@@ -7,7 +7,7 @@
 namespace citykiln::roads {
 
 struct LineMeasures {
-  double narrow_m, broad_m;  ///< Between lanes; where the line means more: bus and cycle lanes, lanes that leave.
+  double narrow_m, broad_m;  ///< Lines between lanes; lines beside bus and cycle lanes or lanes that leave.
   DashPattern broken, broad_broken;
   bool has_lane_lines;  ///< Also between opposite directions.
   bool has_edge_lines;
@@ -15,19 +15,19 @@ struct LineMeasures {
 
 LineMeasures measures_of(const MarkingLayout& layout);
 
-/// Residential, service and pedestrian streets.
+/// True for residential, service, pedestrian and lower classes.
 bool is_quiet(const MarkingLayout& layout);
-/// Whether paint would hold: not on gravel, earth and ballast.
+/// True for surfaces that hold paint: not gravel, earth or ballast.
 bool takes_paint(const MarkingLayout& layout);
 
-/// Of a lane, what drivers who come to the junction at the pattern's end use: all of it, or of a wide lane of both
-/// directions the half they drive in. Empty (low >= high) where none come.
+/// The part of a lane that traffic towards the layout's end uses: all of it, or the traffic's own half of a wide
+/// two-way lane. Empty (low >= high) where there is none.
 struct LaneSpan {
   double low_m, high_m;
 };
 LaneSpan arriving_span(const MarkingLayout& layout, std::size_t lane);
 
-/// Lanes of cars and buses.
+/// True for lanes of cars and buses.
 bool is_driven(const map::Lane& lane);
 
 }  // namespace citykiln::roads

@@ -29,7 +29,7 @@ Marks paint_of(const MarkingLayout& layout) {
   return marks;
 }
 
-// Lines about the sides of lanes that are narrower than the line are cut at the strip's sides.
+// Clips lines to the strip: a lane may be narrower than the line at its side.
 void keep_between(double low_m, double high_m, Marks& marks) {
   for (Mark& mark : marks)
     for (Vec2& p : mark.ring) p.x = std::clamp(p.x, low_m, high_m);

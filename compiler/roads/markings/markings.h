@@ -1,17 +1,16 @@
-// Markings: what is painted on which stretch of road.
+// Markings: the marks on a strip of road.
 //
-//     |  . | : | . |  bays, lane lines, centre line     Conventions are those of the Vienna Convention on Road Signs
-//     and
-//     |__._|_:_|^._|  stop line, arrows                 Signals, all white. Measures after the German RMS-1, with the
-//     ||||||||||||||  zebra                             MUTCD's rhythm in towns, so that every rhythm divides 12 m.
+//     |  . | : | . |  bays, lane lines, centre line     Conventions of the Vienna Convention on Road Signs and Signals,
+//     |__._|_:_|^._|  stop line, arrows                 all white. Dimensions from the German RMS-1, with dash patterns
+//     ||||||||||||||  zebra                             of the MUTCD in towns so that every period divides 12 m.
 //
-// What is where:
-//   between opposite directions   broken; two unbroken lines between two or more lanes each way; none in quiet streets
-//   between lanes of one          broken; broad and close where one of them leaves or merges; broad beside a bus lane
-//   at a junction                 unbroken where drivers may have to stop, or lanes are sorted by arrows
-//   edges                         of motorways, primary and secondary roads where no kerb stands, and before shoulders
-//   cycle lanes                   a broad line, or a close narrow one where narrow or quiet; tinted; a bicycle
-//   buffers, bays                 hatched; a line every 6 m, 3 m slanting or 2.4 m square to the kerb
+// Which mark is where:
+//   between opposite directions   broken; two solid lines between two or more lanes each way; none in quiet streets
+//   between lanes of one          broken; broad and dense where one leaves or merges; broad beside a bus lane
+//   at a junction                 solid where drivers may have to stop or arrows assign lanes
+//   edges                         of motorways, primary and secondary roads without a kerb, and before shoulders
+//   cycle lanes                   a broad line, or a dense narrow one where narrow or quiet; tinted; a bicycle
+//   buffers, bays                 hatched; a line every 6 m, every 3 m angled or every 2.4 m perpendicular to the kerb
 //   crossings, rails              zebra or two broken lines; rails on sleepers, in the street, or in asphalt
 //
 // Quiet streets (residential, service, pedestrian) have no lines between cars, unpaved ones no paint at all.
@@ -22,18 +21,18 @@
 
 namespace citykiln::roads {
 
-/// What is painted, in order.
+/// Returns the marks of a layout in painting order.
 ///
-/// Guarantees: marks stay between u = 0 and the strip's width; a crossing's between v = 0 and kCrossingLength_m. The
-/// pattern turned round has the marks turned round. Where the side is the other and lanes and their turns are mirrored,
-/// so are the marks, but for letters and bicycles. What repeats does so over the pattern's ends. Total: lanes of no
-/// width, or kinds that make no sense in a strip, are bare. O(marks), at most some hundred.
+/// Guarantees: marks stay between u = 0 and the strip's width, those of a crossing between v = 0 and kCrossingLength_m.
+/// A rotated layout has rotated marks. A mirrored layout (driving side, lanes and turns) has mirrored marks, except
+/// letters and bicycles. Repeating marks continue across the ends of the layout. Total: lanes of no width and kinds
+/// that make no sense in a strip stay bare. O(marks), at most some hundred.
 Marks marks_of(const MarkingLayout& layout);
 
-/// Whether anything is painted: if not, the strip is plain material and needs no column.
+/// True where anything is painted. A strip without marks is plain material and needs no column in the atlas.
 bool is_marked(const MarkingLayout& layout);
 
-/// What lies under the marks: the material of the strip's surface, and asphalt between the rails of a level crossing.
+/// Returns the colour under the marks: the material of the strip, or asphalt between the rails of a level crossing.
 materials::TextureImage::Texel base_colour_of(const MarkingLayout& layout);
 
 }  // namespace citykiln::roads

@@ -14,13 +14,13 @@
 namespace citykiln::roads {
 namespace {
 
-constexpr double kStretch = 2.5, kFoot_m = 4.5;  // from the tail of the arrow to the stop line: 7 m
+constexpr double kStretch = 2.5, kFoot_m = 4.5;  // the tail is 7 m before the stop line
 constexpr double kShaft = 0.18;
-constexpr double kLargestShare = 0.75;  // of the lane's width
+constexpr double kLargestShare = 0.75;  // share of the lane's width
 
 struct Branch {
   std::uint16_t left, right;  // bits of Lane::turns
-  std::array<Vec2, 5> line;   // of the right one; starts on the shaft
+  std::array<Vec2, 5> line;   // for the right turn; starts on the shaft
   std::size_t points;
   double head_length, head_width;
 };
@@ -38,8 +38,8 @@ constexpr Branch kBranches[] = {
     {map::kTurnMergeToLeft, map::kTurnMergeToRight, {{{0, 0.3}, {0, 0.45}, {0.4, 1.25}}}, 3, 0.6, 0.52},
 };
 
-// A turn back goes to the side of the oncoming traffic, and is left out where an arrow points there already: drawn for
-// traffic on the left, where that is right.
+// A U-turn points to the side of oncoming traffic and is left out where an arrow points there already. Drawn for
+// traffic on the left, where that is the right side.
 constexpr Branch kReverse = {
     0, map::kTurnReverse, {{{0, 0.9}, {0, 1.35}, {0.25, 1.6}, {0.5, 1.35}, {0.5, 1.2}}}, 5, 0.6, 0.54};
 
@@ -59,7 +59,7 @@ Drawing drawn(const Branch& branch, bool is_left) {
   return drawing;
 }
 
-// In units of the drawing: the tail at (0, 0), the tip of an arrow ahead at (0, 2).
+// In drawing units: the tail at (0, 0), the tip of a straight arrow at (0, 2).
 Drawing arrow_of(std::uint16_t turns, map::DrivingSide side) {
   Drawing arrow;
   double shaft = 0;

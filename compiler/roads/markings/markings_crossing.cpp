@@ -1,4 +1,4 @@
-// Where people cross. Source: StVO sign 293 and R-FGÜ: bars 0.5 m, gaps 0.5 m; RMS-1: signal-controlled crossings
+// Pedestrian crossings. Source: StVO sign 293 and R-FGÜ: bars 0.5 m, gaps 0.5 m; RMS-1: signal-controlled crossings
 // between two broken narrow lines, dashes 0.5 m, gaps 0.2 m.
 #include <cmath>
 

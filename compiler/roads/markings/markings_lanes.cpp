@@ -1,4 +1,4 @@
-// Which line stands between two neighbouring lanes.
+// Lines between neighbouring lanes, edge lines, tints and hatching.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -14,25 +14,25 @@ using map::Lane;
 using map::LaneDirection;
 using map::LaneKind;
 
-constexpr double kEdgeLineInset_m = 0.25;  // from the edge of the asphalt to the line's middle
+constexpr double kEdgeLineInset_m = 0.25;  // from the edge of the asphalt to the centre of the line
 constexpr double kNarrowCycleLane_m = 1.25;
 constexpr DashPattern kCloseBroken = {1, 2};  // RMS: narrow cycle lanes that lorries may use
 constexpr DashPattern kTwoWayTrack = {1, 4};
 
 struct Line {
-  double width_m = 0;  // 0: none
+  double width_m = 0;  // 0: no line
   DashPattern rhythm = kUnbroken;
   bool is_double = false;
 };
 
 struct Rules {
   LineMeasures measures;
-  bool is_sorted;          // at a junction where drivers may have to stop, or arrows tell where to go
+  bool is_sorted;          // at a junction with control, or with arrows on its lanes: lane changes are over
   bool has_double_centre;  // two or more lanes each way
   bool is_quiet;
 };
 
-// Arrows that lead away from a lane's own road.
+// Arrows of lanes that end by merging, and of all that continue along the road.
 constexpr std::uint16_t kMerging = map::kTurnMergeToLeft | map::kTurnMergeToRight;
 constexpr std::uint16_t kAhead = map::kTurnThrough | kMerging;
 
@@ -53,7 +53,7 @@ bool is_any(LaneKind kind, const Lane& a, const Lane& b) { return a.kind == kind
 
 bool merges(const Lane& a, const Lane& b) { return ((a.turns | b.turns) & kMerging) != 0; }
 
-// One of them goes on, the other leaves the motorway.
+// True where one lane continues and the other leaves the motorway.
 bool leaves(const Lane& a, const Lane& b) {
   const bool are_marked = a.turns != 0 && b.turns != 0;
   return are_marked && ((a.turns & kAhead) != 0) != ((b.turns & kAhead) != 0);
@@ -106,7 +106,7 @@ Line line_between(const Lane& a, const Lane& b, const MarkingLayout& layout, con
 void add(const Line& line, double u_m, Marks& marks) {
   if (line.width_m <= 0) return;
   if (!line.is_double) return add_line(u_m, line.width_m, line.rhythm, marks);
-  // as far apart as they are broad
+  // the gap is as wide as the lines
   add_line(u_m - line.width_m, line.width_m, line.rhythm, marks);
   add_line(u_m + line.width_m, line.width_m, line.rhythm, marks);
 }
@@ -122,7 +122,7 @@ void add_edge_lines(const MarkingLayout& layout, const LineMeasures& measures, M
     add_line(width_m(layout) - kEdgeLineInset_m, measures.narrow_m, kUnbroken, marks);
 }
 
-// Two-way cycle tracks are one lane.
+// Centre lines of two-way cycle tracks, which are one lane.
 void add_track_centres(const MarkingLayout& layout, double line_m, Marks& marks) {
   constexpr double kTwoWayTrack_m = 2;
   const std::vector<double> sides_m = lane_sides_m(layout);
@@ -147,7 +147,7 @@ void add_lane_lines(const MarkingLayout& layout, Marks& marks) {
 void add_tints(const MarkingLayout& layout, Marks& marks) {
   const bool has_cars = std::any_of(layout.lanes.begin(), layout.lanes.end(), is_driven);
   const std::vector<double> sides_m = lane_sides_m(layout);
-  // asphalt with a quarter of red stone in it
+  // asphalt with a quarter of red aggregate
   const materials::TextureImage::Texel base = base_colour_of(layout);
   const materials::TextureImage::Texel tint = {static_cast<std::uint8_t>(std::min(255, base[0] + 26)), base[1],
                                                static_cast<std::uint8_t>(std::max(0, base[2] - 8))};
@@ -167,7 +167,7 @@ void add_hatching(const MarkingLayout& layout, Marks& marks) {
     const Lane& lane = layout.lanes[i];
     if (lane.kind != LaneKind::kBuffer || lane.is_raised || lane.width_m < kLeastHatched_m) continue;
     const Hatch hatch = lane.width_m < kWide_m ? kNarrow : kWide;
-    // stripes lean back towards the traffic beside them: the same seen from either end
+    // stripes lean backwards as seen from the adjacent traffic, so the strip looks the same from both ends
     const double rise_m = layout.side == map::DrivingSide::kRight ? -lane.width_m : lane.width_m;
     for (double v_m = 0; v_m < kLayoutLength_m; v_m += hatch.period_m) {
       const double low_m = v_m + (hatch.period_m - hatch.stripe_m - rise_m) / 2, high_m = low_m + hatch.stripe_m;

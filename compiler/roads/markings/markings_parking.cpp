@@ -1,4 +1,4 @@
-// Bays: by how deep the row is, cars stand along the kerb, slanting or square to it.
+// Parking bays: along the kerb, angled or perpendicular, by the depth of the row.
 #include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings.h"
 #include "compiler/roads/markings/markings_parts.h"
@@ -9,10 +9,10 @@ namespace {
 using map::Lane;
 using map::LaneDirection;
 
-// A car needs 5.5, 2.9 and 2.4 m of kerb (RAST 06); periods divide the pattern.
+// Kerb lengths of a car after RAST 06: 5.5, 2.9 and 2.4 m, rounded up to divide kLayoutLength_m.
 struct Bays {
   double period_m;
-  double rise_m;  // of the line between two bays, from the strip's left to its right
+  double rise_m;  // of the line between two bays, from the strip's left edge to its right one
 };
 
 bool is_along(const Lane& lane) { return lane.width_m < 3; }
@@ -21,11 +21,12 @@ Bays bays_of(const Lane& lane, map::DrivingSide side) {
   constexpr double kSquare_m = 4.75, kSlant = 0.577;  // 60 degrees from the kerb
   if (is_along(lane)) return {6, 0};
   if (lane.width_m >= kSquare_m) return {2.4, 0};
-  // drivers turn half into them: both kerbs' bays lean the same way
+  // drivers turn half into angled bays: both kerbs' bays lean in the direction of traffic
   return {3, side == map::DrivingSide::kRight ? lane.width_m * kSlant : -lane.width_m * kSlant};
 }
 
-// Cars along the kerb of a quiet street stand where they like, unless they have a strip of their own.
+// True where a row has marked bays: not along the kerb of a quiet street, except where the strip is a car park of its
+// own.
 bool has_bays(const MarkingLayout& layout, const Lane& lane) {
   if (lane.kind != map::LaneKind::kParking) return false;
   return !is_along(lane) || !is_quiet(layout) || layout.surface == map::LandCoverClass::kParking;
@@ -39,7 +40,7 @@ void add_bays_of(double left_m, double right_m, const Bays& bays, double line_m,
   }
 }
 
-// On the side of the traffic, where it is known which that is.
+// The line on the traffic side, where the direction of traffic is known.
 void add_bays_edge(const Lane& lane, double left_m, double right_m, map::DrivingSide side, double line_m,
                    Marks& marks) {
   if (lane.way == LaneDirection::kBoth) return;

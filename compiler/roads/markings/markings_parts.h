@@ -1,5 +1,4 @@
-// The parts of markings.h, each of which adds what it is about, as seen by who comes to the junction at the pattern's
-// end. A part that has nothing to do with a pattern adds nothing.
+// The parts of markings.h. Each adds the marks of one kind, as seen by traffic towards the layout's end, or nothing.
 #pragma once
 
 #include "compiler/roads/markings/mark.h"
@@ -7,18 +6,18 @@
 
 namespace citykiln::roads {
 
-/// Cycle lanes beside cars, in a muted red.
+/// Cycle lanes beside cars, tinted red.
 void add_tints(const MarkingLayout& layout, Marks& marks);
-/// Between neighbouring lanes, along edges, and in two-way cycle tracks.
+/// Lines between neighbouring lanes, along edges, and in two-way cycle tracks.
 void add_lane_lines(const MarkingLayout& layout, Marks& marks);
 void add_hatching(const MarkingLayout& layout, Marks& marks);
-/// Parking; none within 6 m of a junction.
+/// Parking bays; none within 6 m of a junction.
 void add_bays(const MarkingLayout& layout, Marks& marks);
-/// A stop line, or the broken line of who gives way, across the lanes that arrive.
+/// A stop line or a broken give-way line across the arriving lanes.
 void add_stop_lines(const MarkingLayout& layout, Marks& marks);
-/// Of turn:lanes.
+/// Arrows by turn:lanes.
 void add_arrows(const MarkingLayout& layout, Marks& marks);
-/// Bicycles and BUS.
+/// Bicycle and BUS symbols.
 void add_symbols(const MarkingLayout& layout, Marks& marks);
 void add_zebra(const MarkingLayout& layout, Marks& marks);
 void add_crossing(const MarkingLayout& layout, Marks& marks);

@@ -1,6 +1,6 @@
-// Rails: on sleepers in ballast, grooved in a street, or between asphalt where a road crosses.
+// Rails: on sleepers in ballast, grooved in a street, or between asphalt at a level crossing.
 // Source: rail 54E1 (head 70 mm, foot 140 mm), grooved rail 60R2 (head 56 mm, groove 36 mm); sleepers every 0.6 m, 0.26
-// m broad, 2.6 m long at standard gauge.
+// m wide and 2.6 m long at standard gauge.
 #include <algorithm>
 
 #include "compiler/roads/markings/markings_parts.h"
@@ -27,7 +27,7 @@ void add_sleepers(double middle_m, double half_length_m, Marks& marks) {
   }
 }
 
-// side: -1 left, 1 right; inner_m: where the wheel's flange runs.
+// @param inner_m  The gauge face, where wheel flanges run. @param side  -1: left rail, 1: right rail.
 void add_rail(double inner_m, double side, Marks& marks) {
   constexpr double kHead_m = 0.07, kFootBeyondHead_m = 0.035;
   const double outer_m = inner_m + side * kHead_m;
@@ -53,7 +53,7 @@ void add_rails(const MarkingLayout& layout, Marks& marks) {
   for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
     if (layout.lanes[i].kind != map::LaneKind::kRail) continue;
     const double middle_m = (sides_m[i] + sides_m[i + 1]) / 2, half_lane_m = layout.lanes[i].width_m / 2;
-    // rails and what holds them stay in their lane
+    // rails and sleepers stay in their lane
     const double half_gauge_m = std::min(std::max(layout.gauge_m, kLeastGauge_m) / 2, half_lane_m * 0.75);
     if (is_on_ballast) add_sleepers(middle_m, std::min(half_gauge_m + kSleeperBeyondRail_m, half_lane_m), marks);
     for (const double side : {-1.0, 1.0})

@@ -1,5 +1,5 @@
-// Where drivers stop or give way at the end of a strip.
-// Source: RMS-1: stop lines (StVO sign 294) 0.5 m broad; give-way lines (sign 341) dashes 0.5 m square, gaps 0.25 m.
+// Stop and give-way lines at the end of a strip.
+// Source: RMS-1: stop lines (StVO sign 294) 0.5 m wide; give-way lines (sign 341) dashes 0.5 m square, gaps 0.25 m.
 #include "compiler/roads/markings/marking_rules.h"
 #include "compiler/roads/markings/markings_parts.h"
 
@@ -23,7 +23,7 @@ void add_stop_line(LaneSpan span, Control control, Marks& marks) {
 
 void add_stop_lines(const MarkingLayout& layout, Marks& marks) {
   if (layout.control == Control::kNone) return;
-  // one line across each run of lanes that arrive
+  // one line across each run of adjacent arriving lanes
   LaneSpan run{0, 0};
   for (std::size_t i = 0; i <= layout.lanes.size(); ++i) {
     const bool is_lane = i < layout.lanes.size() && stops(layout.lanes[i]);

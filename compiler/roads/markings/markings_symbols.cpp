@@ -1,5 +1,5 @@
-// What tells whose lane it is: a bicycle, or BUS, upright for who drives there. Drawn with even strokes and stretched
-// lengthwise, after the drawings of RMS-1 and MUTCD figures 3B-23 and 9C-3.
+// Lane symbols: a bicycle, or BUS, upright for arriving drivers. Drawn with even strokes, then stretched lengthwise.
+// Proportions from the drawings of RMS-1 and MUTCD figures 3B-23 and 9C-3.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -14,7 +14,7 @@ namespace {
 using Drawing = std::vector<Ring>;
 
 struct Symbol {
-  Drawing rings;  // middle of the foot at (0, 0)
+  Drawing rings;  // origin at the middle of the foot
   double width;
   double stretch;
 };
@@ -49,7 +49,7 @@ Symbol bicycle() {
 
 constexpr double kLetterStroke = 0.12, kLetterWidth = 0.4, kLetterStep = 0.66;
 
-// Letters as lines kLetterWidth broad and 0.76 high.
+// Letters as polylines, kLetterWidth wide and 0.76 high.
 std::vector<Ring> letter_lines(char letter) {
   switch (letter) {
     case 'B':
@@ -100,7 +100,7 @@ Symbol bus() {
 }
 
 void add_symbol(const Symbol& symbol, LaneSpan lane, double foot_m, Marks& marks) {
-  constexpr double kLargestShare = 0.8;  // of the lane's width
+  constexpr double kLargestShare = 0.8;  // share of the lane's width
   const double scale = std::min(1.0, kLargestShare * (lane.high_m - lane.low_m) / symbol.width);
   const Vec2 origin = {(lane.low_m + lane.high_m) / 2, foot_m};
   for (const Ring& ring : symbol.rings) {
@@ -114,7 +114,7 @@ bool has_symbol(const map::Lane& lane) {
   return lane.kind == map::LaneKind::kCycle || lane.kind == map::LaneKind::kBus;
 }
 
-// For who comes to the end of the pattern, before any arrow.
+// Symbols for traffic towards the layout's end, placed before any arrow.
 void add_arriving_symbols(const MarkingLayout& layout, double foot_m, Marks& marks) {
   for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
     const LaneSpan lane = arriving_span(layout, i);
@@ -128,7 +128,7 @@ void add_arriving_symbols(const MarkingLayout& layout, double foot_m, Marks& mar
 void add_symbols(const MarkingLayout& layout, Marks& marks) {
   constexpr double kArrivingFoot_m = 1, kLeavingFoot_m = 2.5;
   add_arriving_symbols(layout, kArrivingFoot_m, marks);
-  // and for who leaves the junction
+  // and for traffic that leaves the junction
   Marks leaving;
   add_arriving_symbols(turned_round(layout), kLeavingFoot_m, leaving);
   for (Mark& mark : turned_round(leaving, width_m(layout), kLayoutLength_m)) marks.push_back(std::move(mark));

@@ -9,11 +9,11 @@
 namespace citykiln::roads {
 namespace {
 
-// A road's end is joined to the next road's by a mitre where its last segment is no longer than this: then all tiles
-// that the segment touches know the next road. Longer ones end square, with a joint.
+// Longest end segment that is joined to the next road by a mitre. Every tile that touches a segment of this length also
+// knows the next road. Longer end segments end square, with a joint.
 constexpr double kLongestJoined_m = 40;
 
-// Two lines across a segment keep at least so far apart on either edge.
+// Minimum distance between two lines across a segment, at either edge.
 constexpr double kLeastSide_m = 0.0625;
 
 struct Reaches {
@@ -27,7 +27,7 @@ std::optional<Vec2> mitre(Vec2 before, Vec2 after) {
   return (left_of(before) + left_of(after)) * (1 / (1 + cosine));
 }
 
-// How far a line reaches along a segment to either side of its point, at the edges.
+// The extent of a line along its segment, measured at the edges from the line's point: least_m <= 0 <= most_m.
 struct Lean {
   double least_m, most_m;
 };
@@ -36,15 +36,15 @@ Lean lean_of(Vec2 out, Vec2 along, Reaches reaches) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// A road while it is cut.
+// State while a road is cut into slices.
 struct Cutting {
   const Road& road;
   const StripEnds& ends;
   Reaches reaches;
   double tile_m;
   std::vector<double> along{};
-  std::vector<double> edge_bends{};         // where buildings narrow the road
-  std::vector<std::optional<Vec2>> outs{};  // of each point's mitre
+  std::vector<double> edge_bends{};         // bends of the edges, from width limits
+  std::vector<std::optional<Vec2>> outs{};  // the mitre at each point, if there is one
 
   Vec2 direction(std::size_t i) const { return unit(road.axis[i + 1] - road.axis[i]); }
   double length(std::size_t i) const { return distance(road.axis[i], road.axis[i + 1]); }
@@ -61,7 +61,7 @@ struct Cutting {
     return mitre(before, after);
   }
 
-  // Each point's mitre may lean over no more than half of either segment: then no two of them cross.
+  // A mitre may lean over at most half of either segment, so no two mitres cross.
   void find_outs() {
     for (std::size_t i = 0; i < road.axis.size(); ++i) {
       outs.push_back(mitre_at(i));
@@ -73,13 +73,14 @@ struct Cutting {
     }
   }
 
-  // The line at a point as a segment beside it sees it.
+  // The line at point i, as one of its two segments uses it.
   CrossLine line_at(std::size_t i, std::size_t segment) const {
     return {road.axis[i], outs[i].value_or(left_of(direction(segment))), along[i]};
   }
 };
 
-// Where the strip about a segment comes within a metre of a border, and where it leaves it, along one coordinate.
+// Adds the distances at which the strip about a segment enters and leaves the one-metre margin of a tile border, for
+// one coordinate.
 void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis, std::vector<double>& lines) {
   constexpr double kNear_m = 1;
   const Vec2 a = cutting.road.axis[segment], b = cutting.road.axis[segment + 1],
@@ -94,7 +95,8 @@ void add_borders(const Cutting& cutting, std::size_t segment, double Vec2::*axis
       lines.push_back(cutting.along[segment] + (k * cutting.tile_m - edge - a.*axis) / per_metre);
 }
 
-// Lines across a segment between its ends, not within the reach of those: borders first, for all tiles know them.
+// The distances of lines inside a segment, clear of the lines at its ends. Tile borders come first: every tile knows
+// them, so all tiles drop the same lines.
 std::vector<double> lines_within(const Cutting& cutting, std::span<const RoadStretch> stretches, std::size_t segment) {
   std::vector<double> wanted, lines;
   add_borders(cutting, segment, &Vec2::x, wanted);
@@ -115,7 +117,7 @@ std::vector<double> lines_within(const Cutting& cutting, std::span<const RoadStr
   return lines;
 }
 
-// The stretch that a distance lies in.
+// The index of the stretch at a distance.
 std::uint32_t stretch_at(std::span<const RoadStretch> stretches, double along_m) {
   const auto after = std::ranges::upper_bound(stretches, along_m, {}, &RoadStretch::from_m);
   return after == stretches.begin() ? 0 : static_cast<std::uint32_t>(after - stretches.begin()) - 1;

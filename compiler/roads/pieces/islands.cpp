@@ -14,7 +14,7 @@ constexpr double kLargest_m2 = 300;
 constexpr double kLargestPaved_m2 = 80;
 constexpr std::size_t kMostSides = 96;
 
-// A segment of an axis, one way round.
+// A directed segment of an axis: a half-edge of the street network.
 struct Side {
   Vec2 from, to;
   std::uint32_t road;
@@ -40,14 +40,14 @@ std::vector<Side> sides_of(std::span<const Road> roads) {
   return sides;
 }
 
-// 0: clockwise of `back` by less than half a turn; 1: straight on; 2: by more; 3: back itself.
+// 0: less than half a turn clockwise of `back`; 1: opposite; 2: more than half a turn; 3: `back` itself.
 int half_turn(Vec2 back, Vec2 v) {
   const double turn = cross(back, v);
   if (turn == 0) return dot(back, v) < 0 ? 1 : 3;
   return turn < 0 ? 0 : 2;
 }
 
-// Of the sides that leave a place, the first clockwise of where one came from: so a face stays to the left.
+// The next half-edge of the face to the left: the first one clockwise of where `side` comes from.
 const Side* next_side(std::span<const Side> sides, const Side& side) {
   const Vec2 back = side.from - side.to;
   const Side* best = nullptr;
@@ -61,7 +61,7 @@ const Side* next_side(std::span<const Side> sides, const Side& side) {
   return best;
 }
 
-// The face to the left of a side, if the side is the first of its sides and it is small; else nothing.
+// The face to the left of `first`, if `first` is its lowest half-edge and the face is small; else empty.
 std::vector<const Side*> face_from(std::span<const Side> sides, const Side& first) {
   std::vector<const Side*> face;
   Box2 box;
@@ -75,7 +75,7 @@ std::vector<const Side*> face_from(std::span<const Side> sides, const Side& firs
   return {};
 }
 
-// Nothing where the face is no island.
+// The island that fills a face, or nothing where the face is too large or crosses itself.
 std::vector<TrafficIsland> island_in(std::span<const Road> roads, const std::vector<const Side*>& face) {
   Ring ring;
   bool is_roundabout = true;

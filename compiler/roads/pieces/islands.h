@@ -1,8 +1,8 @@
-// Islands: what streets enclose that is too small for anything but a kerb. Between a slip lane and its streets, where a
-// road splits about a refuge, within a roundabout.
+// Traffic islands: small faces of the street network. They lie between a slip lane and its streets, in a splitter of a
+// road, or within a roundabout.
 //
-//     ___________      An island's ring runs along the axes of the streets about it: it lies under them, so that what
-//     ____   ____      is seen of it is what they leave.
+//     ___________      An island's ring runs along the axes of the streets around it and lies under them, so that the
+//     ____   ____      part they do not cover is visible.
 //      \ .\  |
 //       \  \.|         .
 #pragma once
@@ -15,18 +15,18 @@
 namespace citykiln::roads {
 
 struct TrafficIsland {
-  ObjectId id;  ///< Of the lowest street about it.
+  ObjectId id;  ///< The lowest id of the streets around it.
   map::LandCoverClass surface{};
-  Ring ring;  ///< Counter-clockwise, of vertices of axes.
+  Ring ring;  ///< Counter-clockwise, vertices of axes.
 };
 
-/// No island reaches farther than this, across or along.
+/// The maximum extent of an island in x and y.
 inline constexpr double kWidestIsland_m = 48;
 
-/// The faces of the network of streets (residential ones and higher) that are islands: at most 300 m² from axis to
-/// axis, within roundabouts any that kWidestIsland_m lets be. Those within larger roundabouts are planted. Each face
-/// once, sorted by id. Where streets cross without meeting, faces are not what one sees: those are left out if their
-/// ring crosses itself. Total. O(n log n).
+/// Returns the faces of the network of streets (residential or higher) that are islands: at most 300 m² between axes,
+/// or any area within roundabouts up to kWidestIsland_m. Faces over 80 m² within roundabouts are planted. Sorted by id,
+/// each face once. A face whose ring crosses itself, as where streets cross without meeting, is no island. Total. O(n
+/// log n).
 std::vector<TrafficIsland> islands_of(std::span<const Road> roads);
 
 }  // namespace citykiln::roads

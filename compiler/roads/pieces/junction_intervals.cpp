@@ -1,4 +1,4 @@
-// Where junctions lie on roads, and what drivers meet there.
+// Where junctions lie along roads, and how traffic is controlled there.
 #include <algorithm>
 
 #include "compiler/roads/junctions/through_road.h"
@@ -9,7 +9,7 @@ namespace {
 
 using map::TrackPointKind;
 
-// A sign or a signal so far before a junction is the junction's.
+// A sign or signal up to this far before a junction belongs to it.
 constexpr double kSign_m = 20;
 
 std::optional<Control> control_of(TrackPointKind kind) {
@@ -25,7 +25,7 @@ std::optional<Control> control_of(TrackPointKind kind) {
   }
 }
 
-// What stands along the arm for those who come towards the junction.
+// The control tagged along the arm for traffic towards the junction.
 std::optional<Control> posted(const Road& road, const std::vector<double>& along, const Arm& arm, double cut_m) {
   for (const map::TrackPoint& point : road.points) {
     const auto control = control_of(point.kind);
@@ -38,14 +38,15 @@ std::optional<Control> posted(const Road& road, const std::vector<double>& along
 
 int priority_of(const Road& road) { return map::values_of(road.surface).priority; }
 
-// Where nothing is posted, the lesser road gives way, and all do to a roundabout; ramps merge, and yards have no paint.
+// Without signs the minor road gives way, and every road gives way to a roundabout. Ramps merge; service roads have no
+// lines.
 Control usual(const Road& road, const Road& main) {
   if (main.is_roundabout && !road.is_roundabout) return Control::kGiveWay;
   const bool is_paint = priority_of(road) >= map::values_of(map::LandCoverClass::kResidentialRoad).priority;
   return is_paint && !road.is_link && priority_of(road) < priority_of(main) ? Control::kGiveWay : Control::kNone;
 }
 
-// How far an arm is the junction's: up to its cut, or the whole link to another of its places.
+// The length of the arm inside the junction.
 double taken_m(const Road& road, const std::vector<double>& along, const Arm& arm, const Cut& cut,
                const Junction& junction) {
   if (cut.length_m != kWholeLink_m) return cut.length_m;

@@ -18,12 +18,12 @@ LandCoverClass surface_of(const Road& road, const map::Lane& lane) {
     case LaneKind::kVerge:
       return LandCoverClass::kVerge;
     default:
-      // a raised buffer too: no tag tells of planted ones, and what is laid across the carriageway goes over it
+      // raised buffers too: no tag says whether they are planted, and crossings lead over them
       return LandCoverClass::kPavement;
   }
 }
 
-// Neighbouring lanes of one surface, edge to edge.
+// Groups neighbouring lanes of one land cover class, left to right.
 std::vector<LaneStrip> runs_of(const Road& road) {
   std::vector<LaneStrip> strips;
   double edge_m = left_m(road) + raised_left_m(road);
@@ -41,7 +41,7 @@ std::vector<LaneStrip> runs_of(const Road& road) {
 
 bool is_raised(const LaneStrip& strip) { return strip.lanes.front().is_raised; }
 
-// A kerb stands on the side of what is raised.
+// Adds a kerb on the raised side of each step between raised and level lanes.
 std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
   std::vector<LaneStrip> strips;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -63,7 +63,7 @@ std::vector<LaneStrip> with_kerbs(std::vector<LaneStrip> runs) {
 
 double width_m(const LaneStrip& strip) { return strip.left_m - strip.right_m; }
 
-// Of the carriageway: the widest strip of the road's own surface.
+// The index of the widest strip with the road's own class, which absorbs its narrow neighbours last.
 std::size_t middle_of(const Road& road, const std::vector<LaneStrip>& strips) {
   std::size_t middle = 0;
   for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -73,7 +73,7 @@ std::size_t middle_of(const Road& road, const std::vector<LaneStrip>& strips) {
   return middle;
 }
 
-// What is narrower than the tolerance becomes part of the next strip towards the middle.
+// Merges strips narrower than the tolerance into their neighbour towards the middle.
 std::vector<LaneStrip> yielded(const Road& road, std::vector<LaneStrip> strips, double tolerance_m) {
   for (std::size_t middle = middle_of(road, strips), i = 0; i < strips.size();) {
     if (i == middle || width_m(strips[i]) >= tolerance_m) {

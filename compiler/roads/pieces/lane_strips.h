@@ -1,5 +1,4 @@
-// Strips of lanes: a road cut along its length, from the left edge to the right one, into runs of neighbouring lanes of
-// one kind of surface.
+// Lane strips: the strips side by side that make a road's cross-section. Each holds neighbouring lanes of one kind.
 //
 //     pavement | verge | kerb | parking |  carriageway: driving, bus, cycle lanes …  | kerb | verge | pavement
 #pragma once
@@ -10,18 +9,19 @@
 
 namespace citykiln::roads {
 
-/// How wide a kerb's stone is.
+/// The width of a kerb stone.
 inline constexpr double kKerb_m = 0.15625;
 
 struct LaneStrip {
   map::LandCoverClass surface{};
-  std::vector<map::Lane> lanes;    ///< Left to right; none of a kerb.
-  double left_m = 0, right_m = 0;  ///< Its edges from the axis, to the left positive: left_m > right_m.
+  std::vector<map::Lane> lanes;    ///< Left to right; none for a kerb.
+  double left_m = 0, right_m = 0;  ///< Offsets of its edges from the axis, to the left positive: left_m > right_m.
   bool has_kerb_left = false, has_kerb_right = false;
 };
 
-/// Left to right, without gaps: from the left edge of what is raised to the right one. Where something is raised, a
-/// kerb of its width stands before it. Strips narrower than the tolerance are part of their inner neighbour. O(lanes).
+/// Returns the strips of a road left to right without gaps, from the left outer edge to the right one. A kerb stands on
+/// the raised side of each step and takes its width from it. Strips narrower than the tolerance are merged into their
+/// inner neighbour. @param tolerance_m  >= 0. O(lanes).
 std::vector<LaneStrip> strips_of(const Road& road, double tolerance_m);
 
 }  // namespace citykiln::roads

@@ -14,12 +14,12 @@ using map::LandCoverClass;
 
 Vec2 point_on(const CrossLine& line, double offset_m) { return snapped(line.at + line.out * offset_m); }
 
-// A strip's edges from the axis, to the left positive.
+// The offsets of a strip's edges from the axis, to the left positive.
 struct StripEdges {
   double left_m, right_m;
 };
 
-// Where a line across the segment meets the strip's edges.
+// The end of a piece at a line across the segment.
 PieceEnd end_of(const Slice& slice, const CrossLine& line, StripEdges edges, double zero_m) {
   const auto along = [&](double offset_m) { return dot(line.at + line.out * offset_m - slice.start.at, slice.along); };
   return {edges.left_m, edges.right_m, along(edges.left_m), along(edges.right_m), line.along_m - zero_m};
@@ -32,7 +32,8 @@ Ring ring_of(const Slice& slice, StripEdges start, StripEdges end) {
 
 bool is_crossing(StretchKind stretch) { return stretch == StretchKind::kZebra || stretch == StretchKind::kCrossing; }
 
-// What a stretch makes of a strip: crossings lead over everything between the kerbs, and to them nobody walks on grass.
+// The class of a strip within a stretch: crossings cover all lanes between the kerbs, and verges in front of them
+// become pavement.
 LandCoverClass surface_of(const Road& road, const LaneStrip& strip, StretchKind stretch) {
   if (stretch == StretchKind::kLevelCrossing) return LandCoverClass::kLevelCrossing;
   if (is_crossing(stretch) && strip.surface == LandCoverClass::kVerge) return LandCoverClass::kPavement;
@@ -45,7 +46,7 @@ MarkingLayout marking_layout_of(const Road& road, const LaneStrip& strip, const 
   return layout;
 }
 
-// All strips' edges where a building lets the road be no wider.
+// The edges of all strips at a distance along the road, within its width limits.
 std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>& strips, double along_m) {
   std::vector<StripEdges> edges;
   if (road.width_limits.is_empty()) {
@@ -57,20 +58,20 @@ std::vector<StripEdges> edges_at(const Road& road, const std::vector<LaneStrip>&
   return edges;
 }
 
-// A road while its pieces are made.
+// State while the pieces of a road are made.
 struct Making {
   const Road& road;
   std::span<const RoadStretch> stretches;
   std::vector<LaneStrip> strips;
   RoadPieces made{};
-  std::vector<std::uint32_t> layouts{};  // one a strip and stretch
+  std::vector<std::uint32_t> layouts{};  // one for each strip and stretch
 
   void find_patterns() {
     for (const LaneStrip& strip : strips)
       for (const RoadStretch& run : stretches) {
         layouts.push_back(kNoMarkingLayout);
         MarkingLayout layout = marking_layout_of(road, strip, run);
-        // crossings are painted between the kerbs
+        // crossings are painted between the kerbs only
         const bool is_beside = strip.lanes.empty() || (is_crossing(run.stretch) && strip.lanes.front().is_raised);
         if (is_beside || !is_marked(layout)) continue;
         layouts.back() = static_cast<std::uint32_t>(made.layouts.size());
@@ -92,10 +93,11 @@ struct Making {
   }
 };
 
-// The wedge outside of a bend, or what lies about it where it turns back: part of the slice beside it.
+// The wedge on the outside of an open bend, or the area around the point where a road turns back. It is part of the
+// slice beside it.
 Ring joint_of(const OpenBend& bend, StripEdges edges) {
   const bool bends_left = cross(bend.before, bend.after) > 0;
-  // the outer edge and the inner one, as far as they lie on the outside of the bend
+  // the outer and the inner edge, as far as they lie outside the bend
   const double outer = bends_left ? std::min(0.0, edges.right_m) : std::max(0.0, edges.left_m);
   const double inner = bends_left ? std::min(0.0, edges.left_m) : std::max(0.0, edges.right_m);
   const auto corner = [&](Vec2 direction, double offset) { return snapped(bend.at + left_of(direction) * offset); };
@@ -106,7 +108,7 @@ Ring joint_of(const OpenBend& bend, StripEdges edges) {
   return ring;
 }
 
-// All strips of a slice, and the joints of the bend beside it.
+// Adds all strips of a slice and the joints of the bends beside it.
 void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& making) {
   const auto start = edges_at(making.road, making.strips, slice.start.along_m);
   const auto end = edges_at(making.road, making.strips, slice.end.along_m);
@@ -117,7 +119,7 @@ void add_slice(const Slice& slice, std::span<const OpenBend> bends, Making& maki
       making.add(s, slice, start[s], end[s], joint_of(bend, bend.at == slice.start.at ? start[s] : end[s]));
 }
 
-// How far along its piece a place is, from 0 to 1, if the strip's edges there are known.
+// The share of the piece's length, 0 to 1, at which `off` lies, for given edges of the strip.
 double passed_at(const PieceFrame& frame, StripEdges edges, Vec2 off) {
   const double width = edges.left_m - edges.right_m, offset = dot(off, left_of(frame.along));
   const double share = width > 0 ? (edges.left_m - offset) / width : 0;
@@ -135,7 +137,7 @@ StripEdges edges_between(const PieceFrame& frame, double passed) {
 
 Vec2 uv_at(const PieceFrame& frame, Vec2 p) {
   const Vec2 off = p - frame.at;
-  // where the edges lie depends on how far along one is, and that, at a leaning end, on how far across
+  // edges depend on the share along the piece, which at a leaning end depends on the offset: three fixed-point steps
   double passed = 0;
   for (int round = 0; round < 3; ++round) passed = passed_at(frame, edges_between(frame, passed), off);
   const StripEdges edges = edges_between(frame, passed);

@@ -1,8 +1,8 @@
-// Pieces: a road as faces of the ground in its own coordinates, u across and v along.
+// Pieces: a road as faces of the ground with coordinates of their own, u across and v along.
 //
-//      left edge  +-------+---+-----------+      strips (lane_strips.h) times stretches (stretches.h) times the
-//                 |   1   | 2 |     3    / .     segments of the axis; at a bend neighbours meet on its mitre, so that
-//           axis  +-------+---+---------+   .    u and v go on from one into the next
+//      left edge  +-------+---+-----------+      Pieces are strips (lane_strips.h) times stretches (stretches.h) times
+//                 |   1   | 2 |     3    / .     segments of the axis. At a bend neighbours meet on its mitre, so that
+//           axis  +-------+---+---------+   .    u and v continue from one to the next.
 //                 |   4   | 5 |    6   / 7   .
 //     right edge  +-------+---+-------+       .
 #pragma once
@@ -18,20 +18,20 @@ namespace citykiln::roads {
 
 /// One end of a piece: a line across its strip.
 struct PieceEnd {
-  double left_m = 0, right_m = 0;              ///< The strip's edges from the axis, to the left positive.
+  double left_m = 0, right_m = 0;              ///< Offsets of the strip's edges from the axis, to the left positive.
   double left_along_m = 0, right_along_m = 0;  ///< Where the line meets them, along the axis from PieceFrame::at.
   double v_m = 0;
 };
 
-/// Where a piece lies in its strip.
+/// The position of a piece in its strip.
 struct PieceFrame {
-  Vec2 at, along;      ///< A point of the axis, and the axis' unit direction there.
-  double width_m = 0;  ///< Of the strip, where no building narrows it: u at its right edge.
+  Vec2 at, along;      ///< A point of the axis and the axis' unit direction there.
+  double width_m = 0;  ///< The strip's width without width limits: u at its right edge.
   PieceEnd start, end;
 };
 
-/// Metres across from the strip's left edge, and along its pattern; where the strip is narrowed u is stretched. Along
-/// the start and the end of a piece v is constant.
+/// Returns (u, v): metres across from the strip's left edge, and along its layout. Width limits stretch u. v is
+/// constant along the start and the end of a piece.
 Vec2 uv_at(const PieceFrame& frame, Vec2 p);
 
 inline constexpr std::uint32_t kNoMarkingLayout = 0xffffffffu;
@@ -40,20 +40,22 @@ struct Piece {
   map::LandCoverClass surface{};
   Ring ring;  ///< Counter-clockwise, snapped.
   PieceFrame frame;
-  std::uint32_t layout = kNoMarkingLayout;  ///< One of those of RoadPieces.
-  std::uint32_t run = 0;                    ///< The same for neighbours along one strip and stretch.
+  std::uint32_t layout = kNoMarkingLayout;  ///< An index into RoadPieces::layouts.
+  std::uint32_t run = 0;                    ///< Equal for neighbours along one strip and stretch.
 };
 
 struct RoadPieces {
-  std::vector<Piece> pieces;  ///< Along the road, from left to right; what lies over what is for others to say.
-  std::vector<MarkingLayout> layouts;  ///< Of strips that are marked.
+  std::vector<Piece> pieces;  ///< Along the road, left to right. Overlaps with other roads are resolved elsewhere.
+  std::vector<MarkingLayout> layouts;  ///< Of marked strips.
 };
 
-/// All of a road from its left edge to its right one.
+/// Returns a road from its left edge to its right one as pieces.
 ///
-/// Guarantees: pieces cover what stroke_carriageway() and stroke_pavements() cover, and the verges outside of it, but
-/// for snapping and for the inside of bends too sharp for a mitre; neighbours share their corners exactly; no case
-/// fails: where a mitre does not fit, both segments end square and a joint fills the wedge. O(points · strips).
+/// Guarantees: the pieces cover stroke_carriageway() and stroke_pavements(), and the verges outside them, except for
+/// snapping and for the inside of bends too sharp for a mitre; neighbours share their corners exactly. Total: where a
+/// mitre does not fit, both segments end square and a joint fills the wedge. O(points · strips).
+///
+/// @param stretches  stretches_of(road, …).
 RoadPieces pieces_of(const Road& road, const StripEnds& ends, std::span<const RoadStretch> stretches, double tile_m,
                      double tolerance_m);
 

@@ -10,11 +10,11 @@ namespace {
 using map::TrackPointKind;
 
 constexpr double kLeastApproach_m = 3;
-// From a crossing's bars to the stop line before them, and from the junction to the bars.
+// Distances from the crossing to the stop line before it, and from the junction to the crossing.
 constexpr double kBeforeCrossing_m = 1, kBehindCrossing_m = 0.5;
-// A crossing that lies so little beyond a junction is the junction's: it is moved to its mouth.
+// A crossing up to this far beyond a junction belongs to it and moves to its mouth.
 constexpr double kNearJunction_m = 6;
-// Half of a road over rails, with what is paved beside it.
+// Half the length of rails that a level crossing covers: half a road with its pavements.
 constexpr double kHalfLevelCrossing_m = 4.5;
 
 std::optional<StretchKind> crossing_of(TrackPointKind kind) {
@@ -23,20 +23,20 @@ std::optional<StretchKind> crossing_of(TrackPointKind kind) {
   return std::nullopt;
 }
 
-// A road while it is cut. Distances are along the way.
+// State while a road is cut into stretches. Distances are along the way.
 struct Course {
   const Road& road;
   std::span<const JunctionInterval> intervals;
   double tile_m;
   std::vector<double> along;
   std::vector<RoadStretch> special{};
-  std::vector<bool> is_used{};  // by a junction's approach, one a track point
+  std::vector<bool> is_used{};  // whether a junction's approach uses the track point
 
   double first() const { return along.front(); }
   double last() const { return along.back(); }
 };
 
-// The box of the axis from one distance to another.
+// The box of the axis between two distances.
 Box2 box_between(const Course& course, double from_m, double to_m) {
   Box2 box;
   const auto& axis = course.road.axis;
@@ -50,9 +50,9 @@ Box2 box_between(const Course& course, double from_m, double to_m) {
   return box;
 }
 
-// Whether all tiles that a run touches know what it depends on.
+// True where every tile that the run touches knows all that it depends on, so that all of them decide alike.
 bool is_agreed(const Course& course, double run_from_m, double run_to_m, double known_from_m, double known_to_m) {
-  // cells look a metre beyond themselves
+  // ground cells read one metre beyond their border
   const Box2 run = box_between(course, run_from_m, run_to_m).widened(max_offset_m(course.road) + 1);
   const Box2 needed = box_between(course, known_from_m, known_to_m);
   const auto number = [&](double v) { return std::floor(v / course.tile_m); };
@@ -66,7 +66,7 @@ bool is_agreed(const Course& course, double run_from_m, double run_to_m, double 
   return true;
 }
 
-// The point on the road that crosses it nearest to a junction's mouth.
+// The crossing nearest to the junction's mouth on one side of it.
 std::optional<std::size_t> crossing_near(const Course& course, double at_m, double mouth_m, int step) {
   std::optional<std::size_t> nearest;
   const auto out_m = [&](std::size_t i) { return (course.along[course.road.points[i].vertex] - at_m) * step; };
@@ -77,8 +77,8 @@ std::optional<std::size_t> crossing_near(const Course& course, double at_m, doub
   return nearest;
 }
 
-// How far an arm has for itself: half the way to the next junction, up to where the width changes, or to the road's
-// end.
+// The length available to an arm's approach: half the way to the next junction, up to the next change of width, or to
+// the end of the road.
 double room_m(const Course& course, std::size_t gap, int step) {
   const double at = course.intervals[gap].at_m;
   const bool is_last = step > 0 ? gap + 1 == course.intervals.size() : gap == 0;
@@ -88,7 +88,7 @@ double room_m(const Course& course, std::size_t gap, int step) {
   return next.is_change ? there - (step > 0 ? next.before_m : next.after_m) : there / 2;
 }
 
-// What an approach is made of, outwards from its junction's place.
+// The distances of an approach's parts from the junction's node, outwards.
 struct Approach {
   double mouth_m, crossing_m, line_m, end_m;
 };
@@ -114,7 +114,7 @@ void add_approach(Course& course, std::size_t g, int step) {
   }
   approach.end_m = std::min(room, approach.line_m + kLayoutLength_m);
   if (approach.end_m < approach.line_m + kLeastApproach_m) return;
-  // the next junction may halve what is wanted
+  // the next junction's approach may take half of the length needed
   const double needed = 2 * (approach.line_m + kLayoutLength_m);
   const auto along = [&](double out_m) { return gap.at_m + step * out_m; };
   const auto [run_from, run_to] = std::minmax({along(approach.mouth_m), along(approach.end_m)});
@@ -131,7 +131,7 @@ void add_approach(Course& course, std::size_t g, int step) {
 
 bool overlaps(const RoadStretch& a, const RoadStretch& b) { return a.from_m < b.to_m && b.from_m < a.to_m; }
 
-// Crossings away from junctions, and rails under roads.
+// Adds crossings away from junctions, and level crossings on rails.
 void add_midway(Course& course) {
   for (std::size_t i = 0; i < course.road.points.size(); ++i) {
     const map::TrackPoint& point = course.road.points[i];
@@ -169,7 +169,7 @@ std::vector<RoadStretch> stretches_of(const Road& road, std::span<const Junction
     at = std::max(at, to_m);
   };
   for (const RoadStretch& run : course.special) {
-    // a junction may reach over another's approach
+    // a junction may cover another's approach
     if (run.from_m < at || run.to_m > course.last()) continue;
     go_along(run.from_m);
     runs.push_back(run);

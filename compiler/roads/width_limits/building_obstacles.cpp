@@ -21,16 +21,16 @@ bool stands(const map::Footprint& footprint) {
 
 std::int32_t step_below(double along_m) { return static_cast<std::int32_t>(std::floor(along_m / kStep_m)); }
 
-// A road while it is looked at: frames of its segments, and what is found.
+// State while a road's obstacles are collected.
 struct Looking {
   const Road& road;
-  std::vector<double> along_m;  // of each vertex
-  double middle_m;              // of the carriageway, left of the axis
-  double left_m, right_m;       // from the middle to the outer edges
+  std::vector<double> along_m;  // distances of the vertices
+  double middle_m;              // middle of the carriageway, left of the axis
+  double left_m, right_m;       // from the middle of the carriageway to the outer edges
   BuildingObstacles beside;
 };
 
-// Steps [from, to].
+// A closed range of steps.
 struct Steps {
   std::int32_t from, to;
 };
@@ -39,7 +39,7 @@ struct Edge {
   Vec2 a, b;
 };
 
-// The part of an edge where a linear function with values f at its ends is not below zero.
+// The part of an edge where a linear function is not negative, given its values at the ends.
 std::optional<Edge> clipped(const Edge& edge, double fa, double fb) {
   if (fa < 0 && fb < 0) return std::nullopt;
   if (fa >= 0 && fb >= 0) return edge;
@@ -55,7 +55,8 @@ void add_obstacle(Looking& looking, std::span<const Steps> passages, std::int32_
   looking.beside.obstacles.push_back({step, static_cast<std::int16_t>(units), is_left});
 }
 
-// An edge at x along the way and y from the middle, y of one sign: each step has the nearest of it within a step.
+// Adds the obstacles of an edge with x along the way and y from the middle, y of one sign: each step takes the nearest
+// part of the edge within one step.
 void add_edge(Looking& looking, std::span<const Steps> passages, Edge edge, bool is_left) {
   if (edge.b.x < edge.a.x) std::swap(edge.a, edge.b);
   const auto y_at = [&](double x) {
@@ -73,7 +74,7 @@ void add_edge(Looking& looking, std::span<const Steps> passages, Edge edge, bool
   }
 }
 
-// What an edge of a footprint leaves of the quad beside a segment.
+// Adds what a footprint's edge leaves of the quad beside a segment.
 void look_beside_segment(Looking& looking, std::span<const Steps> passages, std::size_t segment, const Edge& wall) {
   const Vec2 origin = looking.road.axis[segment], along = looking.road.axis[segment + 1] - origin;
   const double length_m = length(along), begin_m = looking.along_m[segment];
@@ -98,7 +99,8 @@ double distance_to(const Edge& edge, Vec2 p) {
   return distance(p, edge.a + along * share);
 }
 
-// The least half width, from the axis, whose mitre reaches an edge: the lower envelope of two linear functions' larger.
+// The smallest half width whose mitre touches an edge: the minimum along the edge of the larger of two linear
+// functions.
 double least_of_larger(double f_a, double f_b, double g_a, double g_b) {
   const double at_a = std::max(f_a, g_a), at_b = std::max(f_b, g_b), before = f_a - g_a, after = f_b - g_b;
   double least = std::min(at_a, at_b);
@@ -112,7 +114,7 @@ void add_at(Looking& looking, std::span<const Steps> passages, double along_m, d
   add_obstacle(looking, passages, step_below(along_m) + 1, from_middle, is_left);
 }
 
-// What it leaves of the corner that a bend opens: a mitre, or a disk where the bend is sharp.
+// Adds what a footprint's edge leaves of the corner that a bend opens: a mitre, or a disk where the bend is sharp.
 void look_beside_bend(Looking& looking, std::span<const Steps> passages, Vec2 at, double along_m, Vec2 before,
                       Vec2 after, const Edge& wall) {
   if (dot(before, after) <= 0) {
@@ -157,7 +159,7 @@ void for_each_wall(const Polygon& polygon, Visit visit) {
   for (const Ring& hole : polygon.holes) walk(hole);
 }
 
-// Shares of a segment at which it meets a wall; touching counts.
+// Adds the shares of a segment at which it meets a wall; touching counts.
 void add_meetings(const Edge& segment, const Edge& wall, std::vector<double>& shares) {
   const Vec2 along = segment.b - segment.a;
   const double da = cross(along, wall.a - segment.a), db = cross(along, wall.b - segment.a);
@@ -169,12 +171,12 @@ void add_meetings(const Edge& segment, const Edge& wall, std::vector<double>& sh
     return;
   }
   const double share = share_at(wall.a + (wall.b - wall.a) * (da / (da - db)));
-  // a node that both share may come out a rounding beside the end
+  // a shared node can come out one rounding beyond the end
   constexpr double kRounding = 0x1p-30;
   if (share >= -kRounding && share <= 1 + kRounding) shares.push_back(std::clamp(share, 0.0, 1.0));
 }
 
-// Where the axis runs into a footprint or through it, widened by kPassage_m.
+// Adds the ranges, widened by kPassage_m, where the axis runs into or through a footprint.
 void find_passages(Looking& looking, std::size_t segment, const Polygon& footprint, std::vector<Steps>& passages) {
   const Edge axis{looking.road.axis[segment], looking.road.axis[segment + 1]};
   const Box2 box = box_of(std::array{axis.a, axis.b});
@@ -196,7 +198,7 @@ void find_passages(Looking& looking, std::size_t segment, const Polygon& footpri
   }
 }
 
-// Which segments come near which footprints, footprint by footprint.
+// The pairs of footprint and segment that come near each other, sorted by footprint.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_near(const Road& road,
                                                                 const StandingFootprints& footprints) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;

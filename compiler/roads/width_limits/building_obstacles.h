@@ -1,4 +1,4 @@
-// Where buildings stand beside a road, in the road's own coordinates: how far along it, how far from its middle.
+// Obstacles: buildings beside a road, in the road's coordinates (distance along it, distance from its middle).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace citykiln::roads {
 
-/// Distances along a road are whole steps, widths whole units: a taper is one unit a step.
+/// Distances along a road are whole steps and widths whole units, so that kTaper is one unit a step.
 inline constexpr double kStep_m = 0.25, kUnit_m = 0x1p-5;
 
-/// A building lets the road's edge go no farther out.
+/// A limit at one step: a building lets the road's edge go no farther out.
 struct Obstacle {
   std::int32_t at_steps = 0;  ///< From the beginning of the whole way.
   std::int16_t half_units = 0;
@@ -24,23 +24,24 @@ struct Obstacle {
 };
 
 struct BuildingObstacles {
-  std::vector<Obstacle> obstacles;    ///< None as far out as the road's own edge.
-  std::vector<std::int32_t> covered;  ///< Sorted steps at which a building stands that the axis runs into or through.
+  std::vector<Obstacle> obstacles;  ///< Only where it limits the road's own edge.
+  std::vector<std::int32_t>
+      covered;  ///< Sorted steps at which a building covers the road because the axis runs into or through it.
 };
 
-/// A building with less room than this under it stands in the way: less than the lowest storey that is let.
+/// Buildings with less clearance than this obstruct a road: the lowest habitable storey.
 inline constexpr double kHeadroom_m = 2.5;
 
-/// A building that an axis runs into or through (a passage, a gate, a way drawn carelessly) asks nothing of that road
-/// so close to it: half the width of a wide street, so that a wall at 45 degrees to it is let go.
+/// A building that an axis runs into or through (a passage, a gate, an imprecise way) does not limit that road within
+/// this distance: half a wide street, so that a wall at 45 degrees is ignored.
 inline constexpr double kPassage_m = 12;
 
-/// Footprints that stand on the ground, by squares of the plane. Keeps a reference to them. O(n log n).
+/// Footprints on the ground, in a grid of buckets. Refers to the footprints. O(n log n).
 class StandingFootprints {
  public:
   explicit StandingFootprints(std::span<const map::Footprint> footprints);
 
-  /// Numbers of those whose boxes touch, sorted.
+  /// Returns the indices of footprints whose boxes touch, sorted.
   std::vector<std::uint32_t> near(const Box2& box) const;
   const Polygon& operator[](std::uint32_t number) const { return footprints_[number].polygon; }
 
@@ -55,8 +56,8 @@ class StandingFootprints {
   std::vector<Box2> boxes_;
 };
 
-/// Everything that stands in the strip of a road, pavements and bends and all. Between two steps an edge that keeps to
-/// both, and runs straight, keeps out of the building.
+/// Returns all obstacles in the strip of a road, pavements and bends included. Between two steps, an edge that keeps to
+/// both limits and runs straight stays out of the building.
 ///
 /// Total. O(edges of the footprints near each segment).
 BuildingObstacles find_building_obstacles(const Road& road, const StripEnds& ends,

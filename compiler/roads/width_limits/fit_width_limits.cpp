@@ -7,7 +7,7 @@
 namespace citykiln::roads {
 namespace {
 
-// The limit, and what it says.
+// The sampled limit, capped at the full width.
 struct Limit {
   std::span<const std::int16_t> units;
   int whole;
@@ -16,21 +16,22 @@ struct Limit {
   int at(std::size_t i) const { return std::min<int>(units[i], whole); }
 };
 
-// The last step up to `stop` to which the limit does nothing but open as fast as it may.
+// The last step, up to `stop`, to which the limit rises by one unit a step.
 std::size_t end_of_opening(const Limit& limit, std::size_t from, std::size_t stop) {
   std::size_t end = from;
   while (end < stop && limit.at(end + 1) == std::min(limit.at(end) + 1, limit.whole)) ++end;
   return end;
 }
 
-// The last step up to `stop` to which it does nothing but close.
+// The last step, up to `stop`, to which the limit falls by one unit a step.
 std::size_t end_of_closing(const Limit& limit, std::size_t from, std::size_t stop) {
   std::size_t end = from;
   while (end < stop && limit.at(end) == std::min(limit.at(end + 1) + 1, limit.whole)) ++end;
   return end;
 }
 
-// The farthest step up to `stop` to which a straight line stays close below the limit; the next one at least.
+// The farthest step, up to `stop`, that a straight line reaches while it stays within kSlack_units below the limit; at
+// least the next step.
 std::size_t end_of_line(const Limit& limit, std::size_t from, std::size_t stop) {
   const double begin = limit.at(from);
   double least = -1, most = 1;
@@ -43,7 +44,8 @@ std::size_t end_of_line(const Limit& limit, std::size_t from, std::size_t stop) 
   return end;
 }
 
-// The steps [begin, stop] by themselves; where they begin limited there is a pinch already, but for the very first.
+// Fits the steps [begin, stop] independently of other blocks. A block that begins below the full width starts from the
+// last limit of the block before it.
 template <typename Push>
 void pinch_block(const Limit& limit, std::size_t begin, std::size_t stop, Push push) {
   std::size_t at = begin;

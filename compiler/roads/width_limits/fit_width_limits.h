@@ -1,4 +1,4 @@
-// A limit along a road, known at every step, as few pinches.
+// Fits a few limit points to a limit that is sampled at every step.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,24 @@
 
 namespace citykiln::roads {
 
-/// The pinches whose limit is nowhere above the one given, and below it by at most kSlack_units.
+/// Returns limit points whose interpolation is nowhere above the sampled limit and at most kSlack_units below it.
 ///
-/// Method: from each pinch on to the farthest that can follow: the bottom of the next dip, if the limit does nothing
-/// but open and close in between; else the end of the longest straight line that fits below. Blocks of the way are done
-/// by themselves.
+/// Method: from each point to the farthest that can follow. That is the bottom of the next dip, if the limit only opens
+/// and closes in between; else the end of the longest straight line that fits below. Blocks of kBlock_steps are fitted
+/// independently, so that a result depends on its own block alone.
 ///
-/// @param limit  Units of kUnit_m at each step of kStep_m, neighbours at most one unit apart.
-/// @param whole  From here on the limit says nothing.
-/// @param first  The first step's number along the whole way.
+/// @param limit  Units of kUnit_m at each step of kStep_m; neighbours differ by at most one.
+/// @param whole  The full width: at or above it there is no limit.
+/// @param first  The number of the first step along the whole way.
 ///
-/// Exact at the first and the last step. None where the limit says nothing. What is said of a block depends on its own
-/// steps alone. O(n) times the lines' lengths at worst, O(n) as a rule.
+/// Exact at the first and the last step. Nothing where there is no limit. O(n) as a rule, times the lengths of the
+/// lines at worst.
 std::vector<WidthLimit> fit_width_limits(std::span<const std::int16_t> limit, int whole, std::int32_t first);
 
-/// 12 cm: less than one sees of a pavement's edge that should follow a wall.
+/// 12 cm: invisible on a pavement's edge along a wall.
 inline constexpr int kSlack_units = 4;
 
-/// 64 m: a pinch more each block, so that what is decided here does not depend on the other end of a long row of
-/// houses.
+/// 64 m, at the cost of one more point a block: a long row of houses is decided in local parts.
 inline constexpr int kBlock_steps = 256;
 
 }  // namespace citykiln::roads

@@ -14,16 +14,16 @@ namespace {
 
 enum Channel : std::size_t { kLeft, kRight, kFromCut, kChannels };
 
-// More than any limit, and room for one more.
+// Above any limit, with room for one more step.
 constexpr std::int16_t kFar = 0x7ffe;
 
-// A path to a door ends at the wall; its corners reach into a wall that does not stand square.
+// A path may run this far into a building: it ends at a door, and its corners enter a wall that is not square to it.
 constexpr double kDoorstep_m = 1;
 
-// A road at every step: limits of both sides in units, and how many steps the nearest cut is away.
+// A road sampled at every step: limits of both sides in units, and the number of steps to the nearest cut.
 struct Sampled {
   std::int32_t first = 0;
-  std::array<std::vector<std::int16_t>, kChannels> channels;  // empty for roads that nothing narrows
+  std::array<std::vector<std::int16_t>, kChannels> channels;  // empty where nothing limits the road
   bool is_active() const { return !channels[kLeft].empty(); }
 };
 
@@ -36,7 +36,7 @@ Sampled sampled(const Road& road) {
   return samples;
 }
 
-// Each value at most one more than its neighbours.
+// Limits the slope to one unit a step.
 void spread(std::vector<std::int16_t>& values) {
   for (std::size_t i = 1; i < values.size(); ++i)
     values[i] = std::min(values[i], static_cast<std::int16_t>(values[i - 1] + 1));
@@ -44,7 +44,7 @@ void spread(std::vector<std::int16_t>& values) {
     values[i - 1] = std::min(values[i - 1], static_cast<std::int16_t>(values[i] + 1));
 }
 
-// From one end of a road into another's.
+// A connection from one end of a road to an end of another.
 struct Passage {
   bool from_front;
   std::uint32_t to;
@@ -61,7 +61,7 @@ Passages passages_of(std::span<const Road> roads) {
   return passages;
 }
 
-// All that is joined to a narrowed road, on and on: limits may reach into it.
+// Samples the roads with obstacles and all roads connected to them, since limits continue across their ends.
 void activate(std::span<const Road> roads, const Passages& passages, std::vector<std::uint32_t> waiting,
               std::vector<Sampled>& samples) {
   while (!waiting.empty()) {
@@ -73,9 +73,9 @@ void activate(std::span<const Road> roads, const Passages& passages, std::vector
   }
 }
 
-// Hands a road's values at its end on; whether any was lower than what was there.
+// Copies a road's values at its end to the next road; true where that lowered any.
 bool hand_on(const Sampled& from, const Passage& passage, Sampled& to) {
-  // head to head, or tail to tail, left is right
+  // where two heads or two tails meet, left and right are swapped
   const bool is_turned = passage.from_front == passage.to_front;
   bool is_lower = false;
   for (std::size_t c = 0; c < kChannels; ++c) {
@@ -89,7 +89,8 @@ bool hand_on(const Sampled& from, const Passage& passage, Sampled& to) {
   return is_lower;
 }
 
-// Spreads all values along the roads and through their joints, until nothing changes.
+// Spreads all values along the roads and across their ends until nothing changes. Values only decrease and are bounded,
+// so it ends.
 void spread_all(const Passages& passages, std::vector<Sampled>& samples) {
   std::vector<std::uint32_t> waiting;
   for (std::uint32_t road = 0; road < samples.size(); ++road)
@@ -145,7 +146,7 @@ void mark_obstacles(const BuildingObstacles& beside, Sampled& samples) {
   }
 }
 
-// Of one side, in units from the middle: all of it, what junctions ask for, and the least.
+// The widths of one side from the carriageway's middle, in units: full, required at cuts, and minimum.
 struct Widths {
   int whole, at_cut, least;
 };
@@ -154,12 +155,12 @@ Widths widths_of(const Road& road, double raised_m) {
   const auto units = [](double m) { return static_cast<int>(std::ceil(m / kUnit_m)); };
   const double half = width_m(road) / 2;
   const int whole = units(half + raised_m);
-  // pinches may say a little less than the limit
+  // fitting may lower the limit by kSlack_units
   const int at_cut = units(half + std::min(raised_m, kMinPavement_m)) + kSlack_units;
   return {whole, std::min(whole, at_cut), static_cast<int>(std::floor(min_half_width_m(road) / kUnit_m))};
 }
 
-// The limit of one side, with its cuts left whole; the most that the side loses.
+// Opens the limit of one side at junction cuts; returns the largest reduction.
 int open_at_cuts(const Widths& widths, const std::vector<std::int16_t>& from_cut, std::vector<std::int16_t>& side) {
   int most = 0;
   for (std::size_t i = 0; i < side.size(); ++i) {
@@ -170,7 +171,7 @@ int open_at_cuts(const Widths& widths, const std::vector<std::int16_t>& from_cut
   return most;
 }
 
-// How much of the road's length buildings stand on all the same; nothing where that is a door.
+// The length of the road that buildings still cover, 0 where that is a doorstep.
 double covered_m(const BuildingObstacles& beside, const Sampled& samples) {
   std::vector<std::int32_t> steps;
   for (const Obstacle& o : beside.obstacles) {

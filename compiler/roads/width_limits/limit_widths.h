@@ -1,12 +1,11 @@
-// Streets that are narrower than their class says, because buildings stand there.
+// Limits the width of streets where buildings stand closer than their class suggests.
 //
-//        ___________            1. each building beside a road says how far out its edge may go
-//        (find_building_obstacles)
-//       |           |           2. the limit opens and closes by kTaper; it goes on from road to road where they join
-//   ____\___________/____       3. at a junction's cuts the carriageway is whole, as the junction's outline is
-//    - - - - - - - - - -        4. what is said of every quarter metre becomes a few pinches (pinches)
+//        ___________            1. each building beside a road limits its edge (building_obstacles)
+//       |           |           2. the limit opens and closes by kTaper and continues across the joints of roads
+//   ____\___________/____       3. at a junction's cuts the carriageway keeps its full width, as its outline does
+//    - - - - - - - - - -        4. the limit at every quarter metre becomes a few points (fit_width_limits)
 //
-// squeeze.h says what of the road gives way.
+// narrowed_section.h applies the limits to the lanes.
 #pragma once
 
 #include <span>
@@ -19,18 +18,17 @@
 
 namespace citykiln::roads {
 
-/// The roads with what buildings leave of them: streets and paths; others stay as they are.
+/// Returns the roads with width limits, on streets and paths only.
 ///
-/// @param junctions   Of these roads; cut for roads at their whole width.
-/// @param footprints  In any order. Roofs, what hangs above kHeadroom_m and outlines that parts replace do not stand in
-///                    the way, nor what the axis itself runs into, so close to there.
+/// @param junctions  Of these roads at their full width.
+/// @param footprints  In any order. Open roofs, buildings with kHeadroom_m of clearance, outlines that parts replace,
+/// and buildings that the axis runs into (near that point) do not limit a road.
 ///
-/// Guarantees: edges stay out of footprints, but for the plane's snapping, wherever the least width (squeeze.h) and
-/// whole junctions allow it; no edge turns by more than kTaper a metre, nor steps by more than kUnit_m where two roads
-/// join; a road with no building in its strip stays as it is; what is decided at a place depends on nothing farther
-/// along the roads than 1 / kTaper times half the road's breadth and a block of 64 m, nor farther across than the
-/// breadth; the order of roads and footprints does not matter. Diagnosed, one a road: kRoadNarrowed, kBuildingOnRoad.
-/// Total. O(n log n).
+/// Guarantees: edges stay out of footprints, apart from snapping, wherever the minimum width (narrowed_section.h) and
+/// junction cuts allow; no edge turns by more than kTaper, nor steps by more than kUnit_m where two roads join; a road
+/// without a building in its strip stays unchanged; a limit depends on nothing farther along the roads than 1 / kTaper
+/// times half the road's width and a block of 64 m, nor farther across than max_offset_m(); the order of roads and
+/// footprints does not matter. Diagnosed, once a road: kRoadNarrowed, kBuildingOnRoad. Total. O(n log n).
 std::vector<Road> limit_widths(std::vector<Road> roads, std::span<const Junction> junctions,
                                std::span<const map::Footprint> footprints, Report& report);
 

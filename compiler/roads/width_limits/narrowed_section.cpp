@@ -8,15 +8,15 @@
 namespace citykiln::roads {
 namespace {
 
-// One side of a road, from the carriageway's middle to the outer edge.
+// One side of a road, measured from the carriageway's middle.
 struct Side {
   double carriageway_m, raised_m;
-  double paved_m = 0;  // of what is raised, without the verges outside of it
+  double paved_m = 0;  // the raised width without verges outside the pavement
 };
 
-// What is there, and what the carriageway keeps.
+// The full widths of both sides, and the minimum of the carriageway's half.
 struct Sides {
-  double middle_m;  // left of the axis
+  double middle_m;  // offset to the left of the axis
   Side left, right;
   double least_m;
 };
@@ -56,7 +56,7 @@ double half_at(std::span<const WidthLimit> width_limits, double along_m) {
   return half;
 }
 
-// The limit of one side from end to end, as corners of a line that begins and ends where nothing is narrowed.
+// The limit of one side as a polyline that begins and ends at the full width.
 std::vector<Vec2> profile_of(std::span<const WidthLimit> width_limits, double whole_m) {
   std::vector<Vec2> corners;
   const auto run_up = [&](const WidthLimit& p) { return std::max(0.0, whole_m - p.half_m) / kTaper; };
@@ -74,7 +74,7 @@ std::vector<Vec2> profile_of(std::span<const WidthLimit> width_limits, double wh
   return corners;
 }
 
-// Where the profile bends, and where it goes through a limit at which something else begins to give way.
+// Adds the distances where the limit bends or crosses a value at which the next part begins to narrow.
 void add_bends(std::span<const WidthLimit> width_limits, const Side& side, double least_m, std::vector<double>& bends) {
   const double kept = std::min(side.raised_m, kMinPavement_m);
   const std::array<double, 5> turns = {side.carriageway_m + side.raised_m, side.carriageway_m + side.paved_m,
@@ -94,20 +94,20 @@ bool is_soft(map::LaneKind kind) {
   return kind == LaneKind::kParking || kind == LaneKind::kShoulder || kind == LaneKind::kBuffer;
 }
 
-// Takes from a lane what it has, up to what is asked for.
+// Narrows a lane by up to what is asked and subtracts that from the request.
 void take(double& width_m, double& asked_m) {
   const double taken = std::min(width_m, asked_m);
   width_m -= taken, asked_m -= taken;
 }
 
-// Lanes beyond a kerb, outermost first.
+// Narrows the raised lanes of one side, outermost first.
 void squeeze_raised(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double asked_m) {
   for (std::size_t i = 0; i < lanes.size(); ++i)
     if (lanes[i]->kind == map::LaneKind::kBuffer || lanes[i]->kind == map::LaneKind::kVerge) take(*widths[i], asked_m);
   for (double* width : widths) take(*width, asked_m);
 }
 
-// The carriageway's lanes; each side asks for what it lost.
+// Narrows the carriageway's lanes by what each side lost.
 void squeeze_carriageway(std::span<const map::Lane* const> lanes, std::span<double* const> widths, double left_m,
                          double right_m) {
   for (std::size_t i = 0; i < lanes.size() && is_soft(lanes[i]->kind); ++i) take(*widths[i], left_m);
@@ -154,7 +154,7 @@ NarrowedSection narrowed_section_at(const Road& road, double along_m) {
   const RoadEdges edges = road_edges_at(road, along_m);
   NarrowedSection squeezed{edges.left_m, {}};
   for (const map::Lane& lane : road.section.lanes) squeezed.widths_m.push_back(lane.width_m);
-  // outermost first on either side, then left to right between the kerbs
+  // outermost first on the raised sides, left to right between the kerbs
   std::array<std::vector<const map::Lane*>, 3> lanes;
   std::array<std::vector<double*>, 3> widths;
   bool is_past_left_kerb = false;

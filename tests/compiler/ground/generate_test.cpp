@@ -80,6 +80,7 @@ TEST(Ground, EachInnerEdgeHasTwoFaces) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
   for (const Triangle& t : g.mesh.triangles)
     for (int i = 0; i < 3; ++i) ++faces[std::minmax(t[i], t[(i + 1) % 3])];
+  ASSERT_FALSE(faces.empty());
   for (const auto& [edge, count] : faces) {
     const Vec3 a = g.mesh.positions[edge.first], b = g.mesh.positions[edge.second];
     const bool on_border = (a.x == b.x && (a.x == 0 || a.x == 128)) || (a.y == b.y && (a.y == 0 || a.y == 128));
@@ -93,6 +94,7 @@ TEST(Ground, EachFaceHasTheSurfaceOnTop) {
     const auto surfaces = crossing_surfaces(seed, 20);
     const GroundMesh g = generate_cell(surfaces, GradedTerrain(rough_field({16, 16}, 20)), kCell, 0.5, report);
     const LandCoverIndex map = index_land_cover(surfaces, kCell);
+    ASSERT_FALSE(g.mesh.triangles.empty());
     double wrong_m2 = 0;
     for (std::size_t f = 0; f < g.mesh.triangles.size(); ++f) {
       const Triangle& t = g.mesh.triangles[f];
@@ -137,7 +139,7 @@ std::vector<Vec3> on_line_x(const GroundMesh& g, double x) {
   return points;
 }
 
-// A border that is off by nearly the tolerance once left slivers beside it off by more.
+// Slivers beside a border that is off by nearly the tolerance were once off by more.
 TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Heightfield field{{0, 0}, {64, 64}, 17, 17, {}, 0};
@@ -153,7 +155,7 @@ TEST(Ground, KeepsItsToleranceBesideCellBordersToo) {
   }
 }
 
-TEST(Ground, CellsMadeApartMeetVertexForVertex) {
+TEST(Ground, CellsGeneratedApartMeetVertexForVertex) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
     const auto surfaces = crossing_surfaces(seed, 40);
@@ -163,12 +165,13 @@ TEST(Ground, CellsMadeApartMeetVertexForVertex) {
     const GroundMesh west = generate_cell(surfaces, GradedTerrain(Heightfield(field)), kCell, 0.1, report);
     const GroundMesh east =
         generate_cell(trimmed, GradedTerrain(Heightfield(field)), {{128, 0}, {256, 128}}, 0.1, report);
+    EXPECT_GE(on_line_x(west, 128).size(), 2u);
     EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
   }
 }
 
-// A kerb that crosses x = 128 so steeply that it is bent along it, from its crossing to a garden's corner some grid
-// steps to the north.
+// A kerb that crosses x = 128 so steeply that snapping bends it along that line, from its crossing to a garden's corner
+// some grid steps to the north.
 std::vector<LandCoverPolygon> kerb_along_a_border(std::int64_t steps, double lean_m, bool is_in_the_west) {
   const auto surface = [](std::int64_t id, LandCoverClass of, std::uint32_t area_m2, Ring ring) {
     return LandCoverPolygon{{{OsmType::kWay, id}, 0}, of, area_m2, {std::move(ring)}};
@@ -182,7 +185,7 @@ std::vector<LandCoverPolygon> kerb_along_a_border(std::int64_t steps, double lea
           surface(3, LandCoverClass::kGarden, 900, {{128, corner_m}, {160, 112}, {96, 112}})};
 }
 
-GradedTerrain kerbed(std::span<const LandCoverPolygon> surfaces, const Box2& box) {
+GradedTerrain terrain_with_kerbs(std::span<const LandCoverPolygon> surfaces, const Box2& box) {
   roads::Road road = roads::made_road(1, {{128, -40}, {128, 168}}, 12, LandCoverClass::kResidentialRoad, 4, 4);
   road.profile = {{0, 20, 0}, {208, 24, 0}};
   return grade_terrain(rough_field({64, 64}, 16), {std::vector{road}, {}, surfaces, box.widened(kGrading_m)});
@@ -190,7 +193,7 @@ GradedTerrain kerbed(std::span<const LandCoverPolygon> surfaces, const Box2& box
 
 using MetEdge = std::pair<Vec3, Vec3>;
 
-// How often the edges on the line x = 128 are met, those straight up left out.
+// How often the edges on the line x = 128 occur, without vertical ones.
 std::map<MetEdge, int> met_on_line(std::span<const GroundMesh> cells) {
   std::map<MetEdge, int> met;
   for (const GroundMesh& cell : cells)
@@ -202,7 +205,7 @@ std::map<MetEdge, int> met_on_line(std::span<const GroundMesh> cells) {
   return met;
 }
 
-TEST(Ground, CellsMadeApartAreClosedWhereAKerbRunsAlongTheirBorder) {
+TEST(Ground, CellsGeneratedApartAreClosedWhereAKerbRunsAlongTheirBorder) {
   constexpr Box2 kEast{{128, 0}, {256, 128}};
   int steps_of_a_cell = 0;
   for (int round = 0; round < 64; ++round) {
@@ -210,7 +213,7 @@ TEST(Ground, CellsMadeApartAreClosedWhereAKerbRunsAlongTheirBorder) {
     const double tolerance_m = round < 32 ? 0.1 : 2.5;
     const auto cell = [&](const Box2& box) {
       Report report;
-      return generate_cell(surfaces, kerbed(surfaces, box), box, tolerance_m, report);
+      return generate_cell(surfaces, terrain_with_kerbs(surfaces, box), box, tolerance_m, report);
     };
     const std::vector cells = {cell(kCell), cell(kEast)};
     for (const auto& [edge, count] : met_on_line(cells)) {
@@ -222,7 +225,7 @@ TEST(Ground, CellsMadeApartAreClosedWhereAKerbRunsAlongTheirBorder) {
   EXPECT_GT(steps_of_a_cell, 10);
 }
 
-// The finer one's tolerance holds on the side between them, and what is certified still does.
+// On the side between both cells the finer tolerance holds, and the coarser cell keeps its own.
 TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Report report;
@@ -235,6 +238,7 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
     GradedNormals normals(graded);
     const GroundMesh east = generate_cell(prepare_cell(surfaces, graded, beside), normals, 1.6, sides, report);
     const GroundMesh coarse = generate_cell(surfaces, GradedTerrain(Heightfield(field)), beside, 1.6, report);
+    EXPECT_GE(on_line_x(west, 128).size(), 2u);
     EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed;
     EXPECT_EQ(on_line_x(coarse, 256), on_line_x(east, 256)) << "seed " << seed;
     EXPECT_LE(length(Vec2{east.error_m, east.border_error_m}), 1.6) << "seed " << seed;
@@ -245,8 +249,8 @@ TEST(Ground, CellsOfUnequalTolerancesMeetVertexForVertex) {
   }
 }
 
-// A road up there, as high as the ground never is, out of reach of the cell to the west.
-GradedTerrain carved_in_the_east(const Heightfield& field) {
+// A road higher than the ground anywhere, without influence on the cell to the west.
+GradedTerrain graded_in_the_east(const Heightfield& field) {
   roads::Road road;
   road.id = {{OsmType::kWay, 99}, 0};
   road.axis = {{170, -40}, {175, 60}, {168, 170}};
@@ -256,26 +260,27 @@ GradedTerrain carved_in_the_east(const Heightfield& field) {
   return grade_terrain(Heightfield(field), {std::vector{road}, {}, {}, Box2{{0, 0}, {256, 128}}.widened(kGrading_m)});
 }
 
-// One is measured against a triangulation, the other against the terrain itself.
-TEST(Ground, CarvedAndBareCellsMeetVertexForVertex) {
+// One cell is measured against a triangulation, the other against the terrain.
+TEST(Ground, CellsWithAndWithoutGradingMeetVertexForVertex) {
   constexpr Box2 kEast{{128, 0}, {256, 128}};
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Report report;
     const Heightfield field = rough_field(kSteps_m[seed % 5], 20);
-    const GradedTerrain graded = carved_in_the_east(field);
+    const GradedTerrain graded = graded_in_the_east(field);
     ASSERT_FALSE(has_grading(graded, kCell));
     ASSERT_TRUE(has_grading(graded, kEast));
     const auto surfaces = crossing_surfaces(seed, static_cast<int>(seed % 4) * 4);
     for (const double tolerance_m : {0.02, 0.5, 12.5}) {
       const GroundMesh west = generate_cell(surfaces, graded, kCell, tolerance_m, report);
       const GroundMesh east = generate_cell(surfaces, graded, kEast, tolerance_m, report);
+      EXPECT_GE(on_line_x(west, 128).size(), 2u);
       EXPECT_EQ(on_line_x(west, 128), on_line_x(east, 128)) << "seed " << seed << ", " << tolerance_m << " m";
     }
   }
 }
 
-// Its own triangles, and no point between samples: Delaunay prefers the field's diagonals, and others are turned round.
-TEST(Ground, AtFullDetailABareCellIsTheTerrain) {
+// The mesh is the field's own triangles, without points between samples.
+TEST(Ground, AtFullDetailACellWithoutGradingIsTheTerrain) {
   for (const Vec2 step_m : {Vec2{16, 16}, {8, 32}, {32, 16}}) {
     Report report;
     const GroundMesh g = generate_cell({}, GradedTerrain(rough_field(step_m, 40)), kCell, 0.02, report);
@@ -288,12 +293,12 @@ TEST(Ground, TerrainLinesLeaveNoVertexOnTheBorderThatHeightsDoNotAskFor) {
   Report report;
   EXPECT_EQ(generate_cell({}, GradedTerrain(rough_field({16, 16}, 20)), kCell, 41, report).mesh.triangles.size(), 2u);
   const Heightfield field = rough_field({16, 16}, 0.25);
-  const GroundMesh g = generate_cell({}, carved_in_the_east(field), {{128, 0}, {256, 128}}, 30, report);
+  const GroundMesh g = generate_cell({}, graded_in_the_east(field), {{128, 0}, {256, 128}}, 30, report);
   EXPECT_EQ(on_line_x(g, 128).size(), 2u);
 }
 
-// A pond with a notch in its shore about a sample of the terrain; a brook four metres lower beside it. Where the shore
-// is simplified the pond covers land over which the brook's height is known.
+// A pond with a notch in its shore about a sample of the terrain, and a brook four metres lower beside it. Where the
+// shore is simplified the pond covers land within the brook's influence.
 TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
   constexpr double kLevel_m = 10;
   LandCoverPolygon pond{{{OsmType::kWay, 1}, 0}, LandCoverClass::kLake, 800, {}};
@@ -309,6 +314,7 @@ TEST(Ground, PondsAreLevelBesideABrookHoweverTheirShoresAreSimplified) {
   for (const double tolerance_m : {0.1, 2.5}) {
     Report report;
     const GroundMesh g = generate_cell(surfaces, graded, kCell, tolerance_m, report);
+    EXPECT_GT(std::ranges::count(g.face_cover, 0u), 0);
     for (std::size_t f = 0; f < g.first_vertical; ++f) {
       if (g.face_cover[f] != 0) continue;
       for (const std::uint32_t v : g.mesh.triangles[f]) EXPECT_EQ(g.mesh.positions[v].z, kLevel_m) << tolerance_m;

@@ -30,14 +30,14 @@ roads::Road path(Profile profile) {
 // Down 4 m to an underpass and up again.
 Profile down_and_up() { return {{0, kAtEnds_m, 0}, {96, kInside_m, 0}, {160, kInside_m, 0}, {256, kAtEnds_m, 0}}; }
 
-// Crosses the path with a headroom of 2 m, which is too little: the land keeps lower than the path.
+// Crosses the path with a clearance of 2 m, which is too little: the land lies below the path.
 roads::Road low_bridge() {
   roads::Road road = roads::made_road(2, {{64, 32}, {64, 96}}, 6);
   road.profile = {{0, kInside_m + 2, 0}, {64, kInside_m + 2, 0}};
   return road;
 }
 
-// How far the path's faces lie from its profile where most.
+// The largest distance of the path's faces from its profile.
 double largest_gap_m(const roads::Road& road) {
   const std::vector surfaces{surface_of(road, {})};
   const std::vector roads{road}, decks{low_bridge()};

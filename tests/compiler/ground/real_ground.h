@@ -1,4 +1,4 @@
-// An extract and its heightmap, as the ground sees them.
+// An extract and its heightmap, read up to the ground's recipes.
 #pragma once
 
 #include <algorithm>

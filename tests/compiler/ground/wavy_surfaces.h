@@ -1,4 +1,4 @@
-// Surfaces with many corners, over each other and over the cell's border.
+// Overlapping polygons with many corners that cross the cell's border.
 #pragma once
 
 #include <cmath>

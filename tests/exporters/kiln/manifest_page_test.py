@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""exporters/kiln/MANIFEST.md is enough: a reader made of its words alone, down to its table of streams, reads what citykiln writes."""
+"""A reader written from exporters/kiln/MANIFEST.md alone reads what citykiln writes; the names of streams come from the page's table."""
 import ctypes
 import ctypes.util
 import math
@@ -9,12 +9,12 @@ import sys
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "properties"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "properties"))
 
 from citykiln_program import ROOT, ProgramTest, report_of  # noqa: E402
 
 GOLDEN = ROOT / "tests" / "golden"
-PAGE = (ROOT / "exporters" / "MANIFEST.md").read_text()
+PAGE = (ROOT / "exporters" / "kiln" / "MANIFEST.md").read_text()
 
 
 def stream_names():
@@ -309,13 +309,16 @@ class Page(ProgramTest):
         return Manifest((out / "scene.kiln").read_bytes()).chunks, report_of(out)
 
     def test_says_all_that_a_reader_needs(self):
-        for case in sorted(path.parent for path in GOLDEN.glob("*/args")):
+        cases = sorted(path.parent for path in GOLDEN.glob("*/args"))
+        self.assertTrue(cases)
+        for case in cases:
             chunks, report = self.read(case)
+            self.assertTrue(chunks, case.name)
             for tile, chunk in chunks.items():
-                unread = [name for name, stream in chunk.watercourses.items() if stream.at != len(stream.data)]
+                unread = [name for name, stream in chunk.streams.items() if stream.at != len(stream.data)]
                 self.assertEqual(unread, [], f"{case.name} {tile}")
             for kind in ("bridges", "tunnels", "buildings", "trees", "barriers", "lamps"):
-                # bridges and tunnels are in every chunk that they touch
+                # a bridge or tunnel is in every chunk that it touches
                 read = len({thing[0] for chunk in chunks.values() for thing in getattr(chunk, kind)})
                 self.assertEqual(read, report["counts"][kind], f"{case.name}: {kind}")
 

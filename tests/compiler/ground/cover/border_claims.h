@@ -1,5 +1,4 @@
-// What holds of a cell's borders, and of what stands for them after simplification. Asked by other means than the
-// code's.
+// Claims about a cell's borders and about simplified borders, checked by other means than the code's.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,13 +23,13 @@ inline std::vector<Border> borders_of(std::span<const LandCoverPolygon> surfaces
   return visible_borders(all, ring_joints(layers, all.arrangement, cell));
 }
 
-/// What lies at a place, by the border straight above it. The cell's own must be among them.
+/// Returns the polygon at a place, read from the border straight above it. The cell's own borders must be included.
 inline std::uint32_t surface_between(std::span<const Border> borders, Vec2 p) {
   const Border* above = nullptr;
   double least_m = 0;
   for (const Border& border : borders) {
     const Vec2 a = plane_point(border.a), b = plane_point(border.b);
-    // a is the western end; upright borders are passed by
+    // a is the western end; vertical borders are skipped
     if (p.x < a.x || p.x >= b.x) continue;
     const double rise_m = a.y + (b.y - a.y) * ((p.x - a.x) / (b.x - a.x)) - p.y;
     if (rise_m < 0 || (above != nullptr && rise_m >= least_m)) continue;
@@ -99,7 +98,7 @@ inline std::vector<BorderFace> faces_between(std::span<const Border> borders) {
         if (!f.is_constrained[i] && !seen[f.neighbours[i]]++) open.push_back(f.neighbours[i]);
       }
     }
-    EXPECT_EQ(labels.size(), 1u) << "a face has one label, whichever of its borders is asked";
+    EXPECT_EQ(labels.size(), 1u) << "a face has one label, whichever of its borders is read";
     faces.push_back({*labels.begin(), twice / 2 * 0x1p-20});
   }
   return faces;
@@ -111,13 +110,13 @@ inline std::map<std::uint32_t, int> faces_by_surface(const std::vector<BorderFac
   return count;
 }
 
-/// A run of old borders, between vertices that are still there: what one new border stands for.
+/// A run of old borders between vertices that were kept: what one new border replaces.
 struct OldRun {
   std::vector<GridPoint> points;  ///< The lesser end first.
   std::uint32_t left = 0, right = 0;
 };
 
-/// One for each new border, in their order; empty where there is none.
+/// Returns one run per new border, in their order; empty where there is none.
 inline std::vector<OldRun> runs_behind(std::span<const Border> old, std::span<const Border> now) {
   std::set<GridPoint> kept;
   for (const Border& b : now) kept.insert({b.a, b.b});
@@ -153,7 +152,7 @@ inline double distance_m(Vec2 p, Vec2 a, Vec2 b) {
   return distance(p, a + (b - a) * t);
 }
 
-/// Both ways, by samples.
+/// Returns the Hausdorff distance, by samples.
 inline double sampled_distance_m(const OldRun& run, const Border& now) {
   constexpr int kSamples = 20;
   const Vec2 a = plane_point(now.a), b = plane_point(now.b);
@@ -173,7 +172,7 @@ inline double sampled_distance_m(const OldRun& run, const Border& now) {
   return farthest;
 }
 
-/// All that simplify_borders promises of one cell, but for what needs a second run.
+/// Checks all guarantees of simplify_borders() for one cell that need no second run.
 inline void expect_simplified(std::span<const Border> old, const SimplifiedBorders& now, double tolerance_m,
                               const Box2& cell) {
   EXPECT_TRUE(no_two_cross(now.borders));

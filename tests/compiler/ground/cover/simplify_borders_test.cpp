@@ -55,7 +55,7 @@ std::set<Edge> arranged_again(std::span<const Border> borders) {
   return edges;
 }
 
-// A border that arrange() made may itself pass so close to a vertex that it would be bent when arranged again.
+// A border from arrange() may pass so close to a vertex that it would be bent if it were arranged again.
 TEST(SimplifyBorders, ArrangedAgainNewOnesAreTheSame) {
   int made = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -98,7 +98,7 @@ TEST(SimplifyBorders, WhatIsFixedStays) {
   EXPECT_LT(left.size(), degree.size());
 }
 
-// Of what is left, each vertex that is not fixed would make too large an error, or has another in its way.
+// Every vertex left that is not fixed would make too large an error, or has another in its way.
 TEST(SimplifyBorders, NothingMoreCouldGo) {
   constexpr double kTolerance_m = 1;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -107,7 +107,7 @@ TEST(SimplifyBorders, NothingMoreCouldGo) {
     const std::vector<OldRun> runs = runs_behind(borders, now);
     std::map<GridPoint, std::vector<std::size_t>> at;
     for (std::size_t i = 0; i < now.size(); ++i) at[now[i].a].push_back(i), at[now[i].b].push_back(i);
-    int asked = 0;
+    int checked = 0;
     for (const auto& [v, here] : at) {
       if (here.size() != 2 || now[here[0]].is_cell_border) continue;
       const auto other_end = [&, v = v](std::size_t i) { return now[i].a == v ? now[i].b : now[i].a; };
@@ -124,13 +124,13 @@ TEST(SimplifyBorders, NothingMoreCouldGo) {
         if (distance_m(plane_point(p), plane_point(a), plane_point(b)) < 2 * kQuantum_m) is_blocked = true;
       }
       EXPECT_TRUE(is_blocked || error_m > kTolerance_m - 1e-9);
-      ++asked;
+      ++checked;
     }
-    EXPECT_GT(asked, 100);
+    EXPECT_GT(checked, 100);
   }
 }
 
-// The cell's border, and what is given besides: rings with 1 inside and 0 outside.
+// The cell's border and further rings with 1 inside and 0 outside.
 std::vector<Border> borders_with(const std::vector<std::vector<Vec2>>& rings) {
   std::vector<Border> borders;
   const auto add = [&](Vec2 from, Vec2 to, std::uint32_t left, std::uint32_t right, bool is_cell_border) {
@@ -185,12 +185,13 @@ TEST(SimplifyBorders, AnIslandStaysInItsLake) {
 
 TEST(SimplifyBorders, NothingInNothingOut) { EXPECT_TRUE(simplify_borders({}, 1, nowhere).borders.empty()); }
 
-// what the tests of slivers rely on
+// The tests of slivers rely on this.
 TEST(BorderClaims, SurfaceBetweenIsThatOfTheFace) {
   const auto surfaces = wavy_surfaces(7, 30, 0.5);
   const Partition all = partition_all_rings(land_cover_near(surfaces, kCell), {}, {}, kCell);
   const auto borders = visible_borders(all, ring_joints(land_cover_near(surfaces, kCell), all.arrangement, kCell));
   const auto at = [&](std::uint32_t v) { return plane_point(all.triangulation.vertices()[v]); };
+  ASSERT_FALSE(all.face_cover.empty());
   for (std::size_t f = 0; f < all.face_cover.size(); ++f) {
     const auto& v = all.triangulation.faces()[f].vertices;
     EXPECT_EQ(surface_between(borders, (at(v[0]) + at(v[1]) + at(v[2])) * (1.0 / 3)), all.face_cover[f]);

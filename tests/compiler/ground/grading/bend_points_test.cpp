@@ -42,7 +42,7 @@ Shore made_shore() {
 
 Vec2 place(const Draw& draw, std::uint32_t i) { return {draw.between(0, 128, 2 * i), draw.between(0, 128, 2 * i + 1)}; }
 
-TEST(BendsAlong, AreTheSameWhicheverWayALineRuns) {
+TEST(BendPoints, AreTheSameWhicheverWayALineRuns) {
   const Shore shore = made_shore();
   const Draw draw(1, StableId{1}, "ends");
   std::size_t count = 0;
@@ -58,7 +58,7 @@ TEST(BendsAlong, AreTheSameWhicheverWayALineRuns) {
   EXPECT_GT(count, 200u);
 }
 
-TEST(BendsAlong, AreNoneWhereNothingIsCarvedHoweverTheTerrainBends) {
+TEST(BendPoints, AreNoneWithoutGradingHoweverTheTerrainBends) {
   Heightfield rough = slope();
   for (std::size_t i = 0; i < rough.heights.size(); ++i) rough.heights[i] += static_cast<std::int32_t>(i % 3) * 640;
   const GradedTerrain graded(std::move(rough));
@@ -79,8 +79,8 @@ TEST(BendsOnBorder, BothCellsHaveThem) {
   EXPECT_EQ(west, on_line(bend_points_on_border(in_east, {{128, 0}, {256, 128}}), x));
 }
 
-// Nowhere does this ground step, so it is followed everywhere, not only where it is looked at.
-TEST(ReferenceOfCell, FollowsTheCarvedGround) {
+// This ground has no steps, so the reference follows it everywhere, not only at its samples.
+TEST(ReferenceOfCell, FollowsTheGradedTerrain) {
   const Shore shore = made_shore();
   const Reference reference = reference_of_cell(shore.surfaces, shore.graded, kCell);
   const Draw draw(2, StableId{2}, "places");

@@ -10,12 +10,13 @@
 namespace citykiln::ground {
 namespace {
 
-TEST(GradedHeights, AreThoseOfTheGroundHoweverOftenTheyAreAskedFor) {
+TEST(GradedHeights, CachedHeightsEqualFreshOnes) {
   const GradedTerrain graded = road_over_hills({{{map::LaneKind::kDriving, map::LaneDirection::kBoth, 6}}, 3});
+  ASSERT_TRUE(has_grading(graded, {{-16, -16}, {16, 16}}));
   GradedHeights heights(graded);
   const Draw draw(1, StableId{36}, "places");
   for (std::uint32_t i = 0; i < 3000; ++i) {
-    // few places, on both sides of both axes, so that most come again
+    // few places, on both sides of both axes, so that most occur again
     const Vec2 p{std::floor(draw.between(-16, 16, 3 * i)), std::floor(draw.between(-16, 16, 3 * i + 1)) / 1024};
     EXPECT_EQ(draw.below(2, 3 * i + 2) == 0 ? heights.at(p).heights : heights.uncached_at(p), heights_at(graded, p));
     EXPECT_EQ(heights.at(p).terrain_m, map::height_m_at(graded.terrain, p));

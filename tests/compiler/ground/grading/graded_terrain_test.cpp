@@ -19,7 +19,7 @@ map::Heightfield level_at(double z_m) {
   return field;
 }
 
-// Waters of many levels, and a street whose junction is wider than it, some metres apart on either side of x = 128.
+// Waters of many levels, and a street with a wider junction, some metres apart on either side of x = 128.
 struct Made {
   std::vector<roads::Road> roads;
   std::vector<LandCoverPolygon> surfaces;
@@ -42,10 +42,10 @@ Made made() {
 
 TEST(GradedTerrain, TilesAgreeAllOverWhatBothMayBeAskedFor) {
   const Made both = made();
-  const auto carved = [&](const Box2& tile) {
+  const auto graded = [&](const Box2& tile) {
     return grade_terrain(level_at(16), {both.roads, {}, both.surfaces, tile.widened(kGrading_m)});
   };
-  const GradedTerrain west = carved(kWest), east = carved(kEast);
+  const GradedTerrain west = graded(kWest), east = graded(kEast);
   const Draw draw(1, StableId{1}, "places");
   int under_water = 0, on_roads = 0;
   for (std::uint32_t i = 0; i < 20000; i += 2) {

@@ -18,7 +18,7 @@ roads::Road street(double x, double z_m) {
   return road;
 }
 
-// Lines along streets, so far from x = 0.
+// Counts lines along streets at this x.
 long lines_along(const std::vector<roads::Road>& roads, double x) {
   map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
   const Box2 cell{{0, 0}, {128, 128}};
@@ -29,21 +29,21 @@ long lines_along(const std::vector<roads::Road>& roads, double x) {
   });
 }
 
-TEST(CarveLines, HaveTheTopAndTheFootOfWallsBetweenStreets) {
+TEST(GradingLines, HaveTheTopAndTheFootOfWallsBetweenStreets) {
   for (const double x : {44 + kWallTop_m, 44 + kWallFoot_m}) {
     EXPECT_GT(lines_along({street(40, 4), street(48.25, 0)}, x), 0) << x;
     EXPECT_EQ(lines_along({street(40, 0.3125), street(48.25, 0)}, x), 0) << x;
   }
 }
 
-TEST(CarveLines, HaveTheAxisOfARoadWhereItTwists) {
+TEST(GradingLines, HaveTheAxisOfARoadWhereItTwists) {
   roads::Road road = street(40, 1);
   EXPECT_EQ(lines_along({road}, 40), 0);
   road.profile.back().tilt = 0.25;
   EXPECT_GT(lines_along({road}, 40), 0);
 }
 
-// Lines that go across x from so far on one side to so far on the other, no farther.
+// Counts lines that cross x and extend at most this far to both sides.
 long lines_across(const std::vector<roads::Road>& roads, double x, double most_m) {
   map::Heightfield flat{{-256, -256}, {64, 64}, 9, 9, std::vector<std::int32_t>(81), 0};
   const Box2 cell{{0, 0}, {128, 128}};
@@ -55,8 +55,8 @@ long lines_across(const std::vector<roads::Road>& roads, double x, double most_m
   });
 }
 
-// a path that meets a street of another height has its heights mixed with the street's before it gets there
-TEST(CarveLines, GoAcrossNarrowPathsWhereTheirHeightsAreMixed) {
+// a path that meets a street of another height is blended with the street before it gets there
+TEST(GradingLines, GoAcrossNarrowPathsWhereTheirHeightsAreMixed) {
   roads::Road path = street(40, 0);
   path.section = {{{map::LaneKind::kFoot, map::LaneDirection::kBoth, 1}}, 0.5};
   const long alone = lines_across({path}, 40, 1);
@@ -79,8 +79,8 @@ std::set<double> crossings_of_axis(const map::Heightfield& terrain, const Box2& 
   return crossings;
 }
 
-// a hill that ends at every distance from the border of two cells, of which the eastern becomes level land
-TEST(CarveLines, CrossACommonBorderInBothCells) {
+// a hill that ends at every distance from the common border, so that the eastern cell becomes level
+TEST(GradingLines, CrossACommonBorderInBothCells) {
   const Box2 west{{-128, 0}, {0, 128}}, east{{0, 0}, {128, 128}};
   for (int column = 4; column < 20; ++column) {
     map::Heightfield terrain{{-260, -256}, {24, 40}, 24, 14, std::vector<std::int32_t>(24 * 14), 0};

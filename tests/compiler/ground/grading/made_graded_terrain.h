@@ -1,4 +1,4 @@
-// A road over uneven hills, carved.
+// A graded road over uneven hills.
 #pragma once
 
 #include <utility>

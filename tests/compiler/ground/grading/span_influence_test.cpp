@@ -30,13 +30,15 @@ const Box2 kBox{{-128, -128}, {128, 128}};
 // Land at 20 m, a road at 10 m from the west to x = 0.
 struct Scene {
   std::vector<roads::Road> roads = {road({{-60, 0}, {0, 0}}, 10)}, decks, bores;
-  GradedTerrain carved() const { return grade_terrain(level_at(20), {roads, {}, {}, kBox, false, decks, bores}); }
+  GradedTerrain graded_terrain() const {
+    return grade_terrain(level_at(20), {roads, {}, {}, kBox, false, decks, bores});
+  }
 };
 
 TEST(SpanInfluenceIndex, LandKeepsBelowDecks) {
   Scene scene;
   scene.decks = {road({{0, 0}, {60, 0}}, 10)};
-  const GradedTerrain graded = scene.carved();
+  const GradedTerrain graded = scene.graded_terrain();
   for (double x = 2; x < 58; x += 1)
     for (const double y : {-3.0, 0.0, 2.5}) EXPECT_LE(land_m(graded, {x, y}), 10 - kDeckClearance_m);
   // at its very end it meets the road
@@ -47,18 +49,18 @@ TEST(SpanInfluenceIndex, LandKeepsBelowDecks) {
 TEST(SpanInfluenceIndex, LandCoversBores) {
   Scene scene;
   scene.bores = {road({{0, 0}, {60, 0}}, 10)};
-  const GradedTerrain graded = scene.carved();
+  const GradedTerrain graded = scene.graded_terrain();
   const double roof_m = 10 + bore_height_m(scene.bores[0]) + kBoreCover_m;
   for (double x = 0; x < 60; x += 1)
     for (const double y : {-3.0, 0.0, 2.5}) EXPECT_GE(land_m(graded, {x, y}), roof_m) << x;
-  // before the mouth the road is in a cutting again
+  // in front of the mouth the road is in a cutting again
   EXPECT_NEAR(land_m(graded, {-20, 3}), 10, 0.01);
 }
 
 TEST(SpanInfluenceIndex, LandIsContinuousAboutMouths) {
   Scene scene;
   scene.bores = {road({{0, 0}, {60, 0}}, 10)}, scene.decks = {road({{-60, 0}, {-100, 0}}, 10)};
-  const GradedTerrain graded = scene.carved();
+  const GradedTerrain graded = scene.graded_terrain();
   constexpr double kStep_m = 0.01, kSteepest = 12;
   for (double x = -90; x < 30; x += 0.37)
     for (double y = -20; y < 20; y += 0.41) {
@@ -72,7 +74,7 @@ TEST(SpanInfluenceIndex, RoadsOverABoreKeepTheirLand) {
   Scene scene;
   scene.bores = {road({{0, 0}, {60, 0}}, 0)};
   scene.roads = {road({{30, -60}, {30, 60}}, 15)};
-  const GradedTerrain graded = scene.carved();
+  const GradedTerrain graded = scene.graded_terrain();
   EXPECT_NEAR(land_m(graded, {33, 0}), 15, 0.01);
 }
 

@@ -1,4 +1,4 @@
-// References to measure against: of random borders and heights, and of a grid.
+// References of random borders and heights, and of a grid.
 #pragma once
 
 #include <cmath>

@@ -19,7 +19,7 @@ constexpr HeightLayer kLayer = HeightLayer::kCarriageway;
 Vec2 place_of(const Reference& r, std::uint32_t v) { return plane_point(r.triangulation.vertices()[v]); }
 double height_of(const Reference& r, std::uint32_t v) { return r.heights[v][static_cast<std::size_t>(kLayer)]; }
 
-// Straight from the definition: every face is asked.
+// By definition: looks at every face.
 double height_by_all_faces(const Reference& r, Vec2 p) {
   double best_inside = -1e300, z = 0;
   for (const DelaunayFace& f : r.triangulation.faces()) {
@@ -61,8 +61,8 @@ double worst_by_all_edges(const Reference& r, Vec3 a, Vec3 b) {
   return worst;
 }
 
-// Places that edges of meshes start and end at: vertices of the reference, points on its edges, on lines of its grid,
-// on the cell's border, anywhere.
+// Random ends of mesh edges: vertices of the reference, points on its edges, on grid lines, on the cell's border,
+// anywhere.
 Vec3 random_end(const Reference& r, const Draw& draw, std::uint32_t i) {
   const std::uint32_t v = draw.below(static_cast<std::uint32_t>(r.heights.size()), 8 * i);
   const Vec2 anywhere{draw.between(r.cell.min.x, r.cell.max.x, 8 * i + 1),
@@ -82,6 +82,7 @@ Vec3 random_end(const Reference& r, const Draw& draw, std::uint32_t i) {
 
 TEST(Reference, HeightIsExactAtVertices) {
   const Reference r = random_reference(kCell, 1, 60, 30);
+  ASSERT_FALSE(r.heights.empty());
   for (std::uint32_t v = 0; v < r.heights.size(); ++v)
     EXPECT_EQ(height_m_at(r, place_of(r, v), kLayer), height_of(r, v));
 }
@@ -146,6 +147,7 @@ TEST(Reference, NoSampleAlongAnEdgeIsWorse) {
 TEST(Reference, AnEdgeOfItsOwnHasNoError) {
   const Reference r = random_reference(kCell, 4, 60, 30);
   const auto at = [&](std::uint32_t v) { return at_height(place_of(r, v), height_of(r, v)); };
+  ASSERT_FALSE(r.triangulation.faces().empty());
   for (const DelaunayFace& f : r.triangulation.faces())
     for (int i = 0; i < 3; ++i)
       EXPECT_EQ(worst_on_edge(r, at(f.vertices[i]), at(f.vertices[(i + 1) % 3]), kLayer).error_m, 0);
@@ -154,12 +156,15 @@ TEST(Reference, AnEdgeOfItsOwnHasNoError) {
 TEST(Reference, BothWaysAlongAnEdgeAreTheSame) {
   const Reference r = random_reference(kCell, 5, 60, 30);
   const Draw draw(5, StableId{12}, "edges");
+  double largest_m = 0;
   for (std::uint32_t i = 0; i < 400; i += 2) {
     const Vec3 a = random_end(r, draw, i), b = random_end(r, draw, i + 1);
     const WorstPoint there = worst_on_edge(r, a, b, kLayer), back = worst_on_edge(r, b, a, kLayer);
     EXPECT_EQ(there.error_m, back.error_m);
     EXPECT_EQ(there.at, back.at);
+    largest_m = std::max(largest_m, there.error_m);
   }
+  EXPECT_GT(largest_m, 0);
 }
 
 // Two cells that share a border, with the same vertices on it and different ones inside.
@@ -182,6 +187,7 @@ TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
     return reference_of(triangulated(arrangement), std::move(heights), cell);
   };
   const Reference left = reference(across, west), right = reference(more, east);
+  double largest_m = 0;
   for (std::uint32_t i = 0; i < 200; ++i) {
     const Vec3 a{0, snapped(draw.between(384, 512, 1000 + 2 * i)), 3},
         b{0, snapped(draw.between(384, 512, 1001 + 2 * i)), 5};
@@ -190,7 +196,9 @@ TEST(Reference, OnACommonBorderBothCellsFindTheSame) {
     EXPECT_EQ(one.at, other.at);
     EXPECT_EQ(height_m_at(left, in_plan(a), kLayer), height_m_at(right, in_plan(a), kLayer));
     EXPECT_TRUE(one.error_m == 0 || one.at.x == 0);
+    largest_m = std::max(largest_m, one.error_m);
   }
+  EXPECT_GT(largest_m, 0);
 }
 
 WorstPoint worst_for(const Reference& reference, Vec3 a, Vec3 b) {
@@ -198,7 +206,7 @@ WorstPoint worst_for(const Reference& reference, Vec3 a, Vec3 b) {
   return worst_on_shared_edge(reference, end(a), end(b), kLayer);
 }
 
-// Bit for bit: a cell with carving and one without share their border.
+// Bit for bit: a graded and an ungraded cell share their border.
 TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
   for (const Vec2 step_m : {Vec2{16, 16}, {17, 11}, {9.5, 15}, {60, 88}, {92, 13}}) {
     const Draw draw(8, StableId{15}, "edges");
@@ -207,8 +215,8 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
       field.heights.push_back(static_cast<std::int32_t>(draw.between(0, 3000, 5000 + i)));
     const Box2 cell{{-37, -20}, {91, 108}};
     const GradedTerrain graded{map::Heightfield(field)};
-    GradedHeights carved(graded);
-    Partition all = partition_all_rings({}, grading_lines(carved, cell), {}, cell);
+    GradedHeights cache(graded);
+    Partition all = partition_all_rings({}, grading_lines(cache, cell), {}, cell);
     std::vector<Heights> heights;
     for (const GridPoint p : all.triangulation.vertices()) heights.push_back(heights_at(graded, plane_point(p)));
     const Reference triangulated = reference_of(std::move(all.triangulation), std::move(heights), cell);
@@ -224,7 +232,7 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
       const WorstPoint other = worst_for(bare, end(from, z), end(to, 7));
       EXPECT_EQ(one.error_m, other.error_m);
       EXPECT_EQ(one.at, other.at);
-      // and no farther off the terrain than its diagonals were moved, on slopes of the terrain of less than 6 to 1
+      // and no farther off the terrain than its diagonals were moved, on slopes below 6 to 1
       const double most_m = 0x1p-11 * (6 + std::abs(z - 7) / std::abs(to - from));
       EXPECT_NEAR(other.error_m, worst_on_edge(field, end(from, z), end(to, 7)).error_m, most_m);
     }
@@ -234,6 +242,7 @@ TEST(Reference, AlongBordersTheTerrainItselfFindsWhatItsTriangulationFinds) {
 TEST(Reference, WorstInsideIsThatOfAllVertices) {
   const Reference r = random_reference(kCell, 7, 60, 30);
   const Draw draw(7, StableId{14}, "triangles");
+  double largest_m = 0;
   for (std::uint32_t i = 0; i < 900; i += 3) {
     std::array<Vec3, 3> corners = {random_end(r, draw, i), random_end(r, draw, i + 1), random_end(r, draw, i + 2)};
     const double area = cross(in_plan(corners[1] - corners[0]), in_plan(corners[2] - corners[0]));
@@ -251,7 +260,9 @@ TEST(Reference, WorstInsideIsThatOfAllVertices) {
       worst = std::max(worst, std::abs(z - height_of(r, v)));
     }
     EXPECT_NEAR(worst_inside(r, corners, kLayer).error_m, worst, 1e-9);
+    largest_m = std::max(largest_m, worst);
   }
+  EXPECT_GT(largest_m, 0);
 }
 
 TEST(Reference, LayersAreTheirOwn) {
@@ -288,7 +299,7 @@ TEST(Reference, OfAGridItAgreesWithTheField) {
     const double area = cross(in_plan(corners[1] - corners[0]), in_plan(corners[2] - corners[0]));
     if (area == 0) continue;
     if (area < 0) std::swap(corners[1], corners[2]);
-    // the field's own looks at vertices on the triangle's edges too; here those belong to the edges
+    // the field's version includes vertices on the triangle's edges; here they belong to the edges
     double of_field = worst_inside(field, corners).error_m, ours = worst_inside(r, corners, kLayer).error_m;
     for (int k = 0; k < 3; ++k) {
       of_field = std::max(of_field, worst_on_edge(field, corners[k], corners[(k + 1) % 3]).error_m);

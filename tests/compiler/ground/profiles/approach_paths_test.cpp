@@ -10,7 +10,7 @@ namespace {
 using map::Passage;
 constexpr auto kFootway = map::LandCoverClass::kPavedFootPath;
 
-// A foot bridge over x from 0 to 20, and what leads on from its end.
+// A foot bridge over x from 0 to 20, and paths from its end.
 std::vector<bool> led_on_by(std::vector<map::Track> paths) {
   map::Features f;
   f.tracks = {track(1, {{0, 0}, {20, 0}}, kFootway, Passage::kBridge, 1)};

@@ -29,7 +29,7 @@ struct Line {
 
 TEST(GradeLimits, NothingBeyondTheirReachChangesABit) {
   const Line line(4096);
-  // too steep for ever
+  // too steep everywhere
   const auto z_m = line.heights([](double x) { return x * 0.3; });
   const auto other_m =
       line.heights([](double x) { return x * 0.3 + (x > kGradeInfluence_m + 16 ? (x - 528) * 0.4 : 0); });
@@ -59,6 +59,7 @@ TEST(GradeLimits, NothingMovesFartherThanAllowedAndNothingBreaksOff) {
   const Line line(4096);
   const auto z_m = line.heights([](double x) { return std::abs(x) < 700 ? x * 0.5 : x > 0 ? 350 : -350; });
   const auto limited = limit_grades(line.graph, z_m);
+  ASSERT_GT(limited.size(), 100u);
   for (std::uint32_t n = 0; n < limited.size(); ++n) {
     EXPECT_LE(std::abs(limited[n] - z_m[n]), kMaxEarthwork_m / 2);
     for (const Leg& leg : line.graph.legs_of(n)) EXPECT_LE(std::abs(limited[n] - limited[leg.to]), 0.6 * leg.length_m);
@@ -74,6 +75,7 @@ TEST(GradeLimits, OnlyStreetsMayBeSteeperWhereTheyAreAllowedTo) {
         line.heights([&](double x) { return 1.25 * limit * std::abs(x) / 2 + (x > 0 ? limit * x / 2 : 0); });
     std::vector<double> steepness;
     for (const GraphNode& node : line.graph.nodes) steepness.push_back(node.at.x > 0 ? 1.5 : 1);
+    ASSERT_FALSE(z_m.empty());
     const bool is_rail = surface == map::LandCoverClass::kRailway;
     EXPECT_EQ(limit_grades(line.graph, z_m, steepness) == z_m, !is_rail);
     EXPECT_NE(limit_grades(line.graph, z_m), z_m);

@@ -10,9 +10,9 @@
 
 namespace citykiln::ground {
 
-/// Heights of a function of the plane about the origin.
-inline map::Heightfield index_road_influence(const std::function<double(double, double)>& height_m,
-                                             double half_m = 2048, double step_m = 64) {
+/// Returns a heightfield about the origin with the heights of a function.
+inline map::Heightfield field_from(const std::function<double(double, double)>& height_m, double half_m = 2048,
+                                   double step_m = 64) {
   const int n = static_cast<int>(2 * half_m / step_m) + 1;
   map::Heightfield field{{-half_m, -half_m}, {step_m, step_m}, n, n, {}, 0};
   for (int j = 0; j < n; ++j)
@@ -22,11 +22,11 @@ inline map::Heightfield index_road_influence(const std::function<double(double, 
   return field;
 }
 
-/// Hills of some 300 m, with noise of some metres as of a radar's samples.
+/// Hills of some 300 m, with noise of some metres like radar samples.
 inline map::Heightfield hilly_field(std::uint64_t seed, double hills_m, double noise_m, double half_m = 2048) {
   const Draw draw(seed, StableId{1}, "hills");
   std::uint32_t next = 0;
-  return index_road_influence(
+  return field_from(
       [&](double x, double y) {
         const auto wave = [](double v) { return v - std::floor(v); };
         const auto bump = [&](double v) { return 4 * wave(v) * (1 - wave(v)); };
@@ -35,7 +35,7 @@ inline map::Heightfield hilly_field(std::uint64_t seed, double hills_m, double n
       half_m);
 }
 
-/// A way; a node of the map has the id of its place.
+/// A way; the id of a map node follows from its place.
 inline map::Track track(std::int64_t id, Polyline axis,
                         map::LandCoverClass surface = map::LandCoverClass::kResidentialRoad,
                         map::Passage passage = map::Passage::kGround, int layer = 0) {

@@ -1,4 +1,4 @@
-// Where ways cross each other: bridges, tunnels, and what leads up and down to them.
+// Profiles where ways cross: bridges, tunnels and their approaches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ TEST(Profiles, ABridgeClearsWhatItCrossesAndItsApproachesKeepTheirLimit) {
     for (const auto upper : {kStreet, LandCoverClass::kMotorwayRoad, LandCoverClass::kRailway}) {
       for (const double slope : {0.0, 0.01}) {
         const Planned p = planned(crossing(Passage::kBridge, layer, upper),
-                                  index_road_influence([&](double x, double) { return 40 + x * slope; }));
+                                  field_from([&](double x, double) { return 40 + x * slope; }));
         EXPECT_GE(gap_m(p), kClearanceOverRoad_m - 0.1);
         EXPECT_LE(gap_m(p), kClearanceOverRoad_m + 0.6);
         EXPECT_EQ(p.measures.over_m, 0);
@@ -45,13 +45,12 @@ TEST(Profiles, ABridgeClearsWhatItCrossesAndItsApproachesKeepTheirLimit) {
     }
   }
   const Planned p = planned(crossing(Passage::kBridge, 1, kStreet, LandCoverClass::kRailway),
-                            index_road_influence([](double, double) { return 40; }));
+                            field_from([](double, double) { return 40; }));
   EXPECT_GE(gap_m(p), kClearanceOverRail_m - 0.1);
 }
 
 TEST(Profiles, ARampEndsOnASlopeToo) {
-  const Planned p =
-      planned(crossing(Passage::kBridge, 1), index_road_influence([](double x, double) { return 300 + 0.12 * x; }));
+  const Planned p = planned(crossing(Passage::kBridge, 1), field_from([](double x, double) { return 300 + 0.12 * x; }));
   EXPECT_GE(gap_m(p), kClearanceOverRoad_m - 0.3);
   for (const double at : {400.0, 600.0}) {
     EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 770 - at), 300 - 0.12 * (at + 30), 0.3);
@@ -70,11 +69,12 @@ TEST(Profiles, OnlyWhatIsLiftedAgainMayBeSteeper) {
       f.tracks.push_back(std::move(t));
     }
     const map::Heightfield hills = hilly_field(seed, 40, 6);
-    const Planned p = planned(f, index_road_influence([&](double x, double y) {
+    const Planned p = planned(f, field_from([&](double x, double y) {
                                 return x < 0 ? height_m_at(hills, {x, y}) : 120 + 0.17 * std::max(0.0, x - 100);
                               }));
     EXPECT_GE(height_m(p.profiles.off_ground[0], 30) - height_m(p.profiles.roads.back().profile, 800),
               kClearanceOverRoad_m - kShortfallMargin_m);
+    ASSERT_GT(streets, 0u);
     for (std::size_t i = 0; i < streets; ++i) {
       const Profile& profile = p.profiles.roads[i].profile;
       const double limit = grade_rule_of(p.profiles.roads[i].surface).limit;
@@ -87,20 +87,19 @@ TEST(Profiles, OnlyWhatIsLiftedAgainMayBeSteeper) {
 }
 
 TEST(Profiles, ATunnelGoesBelowWhatItCrossesWithItsApproaches) {
-  const Planned p = planned(crossing(Passage::kTunnel, 0), index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(crossing(Passage::kTunnel, 0), field_from([](double, double) { return 40; }));
   EXPECT_LE(gap_m(p), -kClearanceOverRoad_m + 0.1);
   EXPECT_NEAR(height_m(p.profiles.roads.back().profile, 800), 40, 0.01);
   EXPECT_EQ(p.measures.over_m, 0);
 }
 
-TEST(Profiles, ATunnelThatGoesDownIsDiagnosed) {
-  const Planned flat = planned(crossing(Passage::kTunnel, 0), index_road_influence([](double, double) { return 40; }));
+TEST(Profiles, ATunnelThatIsLoweredIsReported) {
+  const Planned flat = planned(crossing(Passage::kTunnel, 0), field_from([](double, double) { return 40; }));
   const auto found = std::ranges::find(flat.report.diagnoses(), Code::kTunnelLowered, &Diagnosis::code);
   ASSERT_NE(found, flat.report.diagnoses().end());
   EXPECT_EQ(found->object, (OsmId{OsmType::kWay, 2}));
   EXPECT_NEAR(found->size, kClearanceOverRoad_m, 0.5);
-  const Planned bridge =
-      planned(crossing(Passage::kBridge, 1), index_road_influence([](double, double) { return 40; }));
+  const Planned bridge = planned(crossing(Passage::kBridge, 1), field_from([](double, double) { return 40; }));
   EXPECT_EQ(bridge.report.counts().count(Code::kTunnelLowered), 0u);
 }
 
@@ -109,7 +108,7 @@ TEST(Profiles, ALongTunnelGoesDownBetweenItsMouthsAlone) {
   f.tracks[0] = track(1, {{-800, 0}, {-300, 0}});
   f.tracks[1] = track(2, {{-300, 0}, {300, 0}}, kStreet, Passage::kTunnel, -1);
   f.tracks[2] = track(3, {{300, 0}, {800, 0}});
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_NEAR(height_m(p.profiles.off_ground[0], 300), 33, 0.5);
   EXPECT_NEAR(height_m(p.profiles.roads[0].profile, 490), 40, 0.1);
 }
@@ -118,7 +117,8 @@ TEST(Profiles, ABridgeThatCrossesNothingIsNoHump) {
   for (const int layer : {-2, 0, 1, 5}) {
     map::Features f = crossing(Passage::kBridge, layer);
     f.tracks.pop_back();
-    const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+    const Planned p = planned(f, field_from([](double, double) { return 40; }));
+    ASSERT_FALSE(p.profiles.off_ground[0].empty());
     for (const Knot& k : p.profiles.off_ground[0]) EXPECT_EQ(k.z_m, 40);
   }
 }
@@ -126,16 +126,22 @@ TEST(Profiles, ABridgeThatCrossesNothingIsNoHump) {
 TEST(Profiles, AShortTunnelInFlatLandIsNoPit) {
   map::Features f = crossing(Passage::kTunnel, -1);
   f.tracks.pop_back();
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_GT(height_m(p.profiles.off_ground[0], 30), 40 - kTunnelCover_m);
-  for (const roads::Road& road : p.profiles.roads)
+  ASSERT_FALSE(p.profiles.roads.empty());
+  for (const roads::Road& road : p.profiles.roads) {
+    EXPECT_FALSE(road.profile.empty());
     for (const Knot& k : road.profile) EXPECT_EQ(k.z_m, 40);
+  }
 }
 
 TEST(Profiles, ALayerWithoutABridgeIsGround) {
-  const Planned p = planned(crossing(Passage::kGround, 3), index_road_influence([](double, double) { return 40; }));
-  for (const roads::Road& road : p.profiles.roads)
+  const Planned p = planned(crossing(Passage::kGround, 3), field_from([](double, double) { return 40; }));
+  ASSERT_FALSE(p.profiles.roads.empty());
+  for (const roads::Road& road : p.profiles.roads) {
+    EXPECT_FALSE(road.profile.empty());
     for (const Knot& k : road.profile) EXPECT_EQ(k.z_m, 40);
+  }
 }
 
 TEST(Profiles, ABridgeRunsStraightOverAValley) {
@@ -143,8 +149,7 @@ TEST(Profiles, ABridgeRunsStraightOverAValley) {
   f.tracks[0] = track(1, {{-800, 0}, {-200, 0}});
   f.tracks[1] = track(2, {{-200, 0}, {200, 0}}, kStreet, Passage::kBridge, 1);
   f.tracks[2] = track(3, {{200, 0}, {800, 0}});
-  const Planned p =
-      planned(f, index_road_influence([](double x, double) { return std::abs(x) >= 192 ? 100 + x / 40 : 40; }));
+  const Planned p = planned(f, field_from([](double x, double) { return std::abs(x) >= 192 ? 100 + x / 40 : 40; }));
   for (double at = 0; at <= 400; at += 8)
     EXPECT_NEAR(height_m(p.profiles.off_ground[0], at), 100 + (at - 200) / 40, 2.0) << at;
 }
@@ -161,7 +166,7 @@ TEST(Profiles, AStackClearsStoreyByStorey) {
     f.tracks.push_back(track(10 * k + 11, {at(-150), at(150)}, kStreet, Passage::kBridge, k + 1));
     f.tracks.push_back(track(10 * k + 12, {at(150), at(800)}));
   }
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   for (int k = 0; k < 3; ++k)
     EXPECT_GE(height_m(p.profiles.off_ground[static_cast<std::size_t>(k)], 150),
               40 + kClearanceOverRoad_m * (k + 1) - 0.2);
@@ -171,12 +176,12 @@ TEST(Profiles, AStackClearsStoreyByStorey) {
 
 constexpr auto kFootway = LandCoverClass::kPavedFootPath;
 
-TEST(Profiles, DiagnoseAClearanceThatIsNotMet) {
-  // it comes down on paths too long to climb with it
+TEST(Profiles, ReportAClearanceThatIsNotMet) {
+  // the bridge ends on paths too long to rise with it
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
   f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
   f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.report.counts().at(Code::kClearanceNotMet), 1u);
   EXPECT_EQ(p.measures.shortfalls, 1u);
   EXPECT_NEAR(p.measures.largest_shortfall_m, kClearanceOverRoad_m - 0.06 * 30, 0.5);
@@ -185,7 +190,7 @@ TEST(Profiles, DiagnoseAClearanceThatIsNotMet) {
 TEST(Profiles, ABridgesEndThatMeetsNothingMayRise) {
   map::Features f = crossing(Passage::kBridge, 1, LandCoverClass::kMotorwayRoad);
   f.tracks.erase(f.tracks.begin());
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.report.counts().at(Code::kBridgeWithoutGround), 1u);
   EXPECT_EQ(p.report.counts().count(Code::kClearanceNotMet), 0u);
   EXPECT_GT(p.profiles.off_ground[0].front().z_m, 43);
@@ -205,12 +210,13 @@ map::Features footbridge(Passage passage, int layer) {
 
 TEST(Profiles, StepsClimbToTheirFootbridgeAndGoDownToTheirUnderpass) {
   for (const auto& [passage, layer] : {std::pair(Passage::kBridge, 1), std::pair(Passage::kTunnel, -1)}) {
-    const Planned p = planned(footbridge(passage, layer), index_road_influence([](double, double) { return 40; }));
+    const Planned p = planned(footbridge(passage, layer), field_from([](double, double) { return 40; }));
     EXPECT_EQ(p.measures.crossings, 1u);
     EXPECT_LE(p.measures.largest_shortfall_m, kShortfallMargin_m);
     const double rise_m = height_m(p.profiles.off_ground[0], 0) - 40;
     EXPECT_GT(rise_m * layer, 1.5);
     // the street stays, the steps join the deck and the ground
+    ASSERT_FALSE(p.profiles.roads[4].profile.empty());
     for (const Knot& k : p.profiles.roads[4].profile) EXPECT_EQ(k.z_m, 40);
     EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 16), 40 + rise_m, kKnotError_m);
     EXPECT_NEAR(height_m(p.profiles.roads[1].profile, 0), 40, 0.5);
@@ -224,7 +230,7 @@ TEST(Profiles, AFootbridgeGoesStraightFromCrestToCrest) {
               track(2, {{-60, 0}, {60, 0}}, kFootway, Passage::kBridge, 1),
               track(3, {{60, 0}, {90, 0}}, LandCoverClass::kSteps), track(4, {{-40, -300}, {-40, 300}}),
               track(5, {{40, -300}, {40, 300}})};
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.measures.shortfalls, 0u);
   for (double at = 20; at <= 100; at += 4) EXPECT_GT(height_m(p.profiles.off_ground[0], at), 44.7) << at;
 }
@@ -233,6 +239,7 @@ TEST(Profiles, PathsThatNeedNotClimbKeepNone) {
   map::Features f = footbridge(Passage::kBridge, 1);
   f.tracks.pop_back();
   const Planned p = planned(f, hilly_field(3, 40, 4));
+  ASSERT_FALSE(p.profiles.roads.empty());
   for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
 }
 
@@ -241,7 +248,7 @@ TEST(Profiles, APathGoesDownUnderABridgeThatCannotRise) {
   f.tracks[0] = track(1, {{-1400, 0}, {-30, 0}}, kFootway);
   f.tracks[2] = track(3, {{30, 0}, {1400, 0}}, kFootway);
   f.tracks[3] = track(4, {{0, -100}, {0, 100}}, kFootway);
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.measures.shortfalls, 0u);
   EXPECT_LT(height_m(p.profiles.roads[2].profile, 100), 39);
   EXPECT_NEAR(height_m(p.profiles.roads[2].profile, 0), 40, kKnotError_m);
@@ -254,21 +261,21 @@ TEST(Profiles, ATunnelGoesDownUnderABridgeThatCannotRise) {
   f.tracks[3] = track(4, {{0, -800}, {0, -30}});
   f.tracks.push_back(track(5, {{0, -30}, {0, 30}}, kStreet, Passage::kTunnel, -1));
   f.tracks.push_back(track(6, {{0, 30}, {0, 800}}));
-  const Planned p = planned(f, index_road_influence([](double, double) { return 40; }));
+  const Planned p = planned(f, field_from([](double, double) { return 40; }));
   EXPECT_EQ(p.measures.shortfalls, 0u);
 }
 
 TEST(Profiles, WhatComesDownBesideALineDoesNotPassOverIt) {
-  // a bridge ends on its own street, a lane's width beside another
+  // a bridge that ends on its own street, a lane's width beside another
   map::Features f;
   f.tracks = {track(1, {{-300, 4}, {-30, 4}}), track(2, {{-30, 4}, {30, 4}}, kStreet, Passage::kBridge, 1),
               track(3, {{30, 4}, {300, 4}}), track(4, {{20, 0}, {300, 0}})};
-  EXPECT_EQ(planned(f, index_road_influence([](double, double) { return 40; })).measures.crossings, 0u);
-  // all along, it does
+  EXPECT_EQ(planned(f, field_from([](double, double) { return 40; })).measures.crossings, 0u);
+  // along its whole length it crosses
   f.tracks[3] = track(4, {{-300, 0}, {300, 0}});
   f.tracks[1] = track(2, {{-30, 4}, {-10, 40}, {10, 40}, {30, 4}}, kStreet, Passage::kBridge, 1);
   f.tracks.push_back(track(5, {{-300, 38}, {300, 38}}));
-  EXPECT_GE(planned(f, index_road_influence([](double, double) { return 40; })).measures.crossings, 1u);
+  EXPECT_GE(planned(f, field_from([](double, double) { return 40; })).measures.crossings, 1u);
 }
 
 TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
@@ -276,7 +283,7 @@ TEST(Profiles, AFootbridgeComesDownOnItsPaths) {
   f.tracks = {track(1, {{-100, 0}, {-40, 0}}, LandCoverClass::kPavedFootPath),
               track(2, {{-40, 0}, {40, 0}}, LandCoverClass::kPavedFootPath, Passage::kBridge, 1),
               track(3, {{40, 0}, {100, 0}}, LandCoverClass::kPavedFootPath), track(4, {{0, -300}, {0, 300}})};
-  const map::Heightfield heights = index_road_influence([](double x, double) { return 40 + x / 50; });
+  const map::Heightfield heights = field_from([](double x, double) { return 40 + x / 50; });
   const Planned p = planned(f, heights);
   EXPECT_NEAR(p.profiles.off_ground[0].front().z_m, height_m_at(heights, {-40, 0}), kProfileQuantum_m);
   EXPECT_NEAR(p.profiles.off_ground[0].back().z_m, height_m_at(heights, {40, 0}), kProfileQuantum_m);
@@ -292,7 +299,7 @@ TEST(Profiles, BridgesClearStandingWater) {
   lake.level_m = 39.5;
   Report report;
   const auto roads = roads::plan(f, report);
-  const map::Heightfield heights = index_road_influence([](double, double) { return 40; });
+  const map::Heightfield heights = field_from([](double, double) { return 40; });
   const Profiles p = plan_profiles(f, roads, {}, {}, std::span(&lake, 1), heights, report);
   EXPECT_GE(height_m(p.off_ground[0], 30), 39.5 + kClearanceOverWater_m - 0.05);
 }

@@ -31,26 +31,30 @@ double largest_difference_m(const Profile& a, const Profile& b, double length_m)
 TEST(Profiles, KeepTheGradeLimitsOfTheirClasses) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Planned p = planned(street_grid(seed, 10), hilly_field(seed, 40, 6));
+    EXPECT_GT(p.measures.length_m, 0);
     EXPECT_EQ(p.measures.over_m, 0) << "seed " << seed;
     EXPECT_EQ(p.report.counts().count(Code::kTooSteep), 0u);
   }
 }
 
-TEST(Profiles, DiagnoseWhatStaysTooSteep) {
+TEST(Profiles, ReportWhatStaysTooSteep) {
   map::Features f;
   f.tracks = {track(1, {{-900, 0}, {900, 0}})};
-  const Planned p = planned(f, index_road_influence([](double x, double) { return x * 0.6; }));
+  const Planned p = planned(f, field_from([](double x, double) { return x * 0.6; }));
   EXPECT_EQ(p.report.counts().at(Code::kTooSteep), 1u);
   const auto found = std::ranges::find(p.report.diagnoses(), Code::kTooSteep, &Diagnosis::code);
   EXPECT_NEAR(found->size, 0.6, 0.1);
 }
 
 TEST(Profiles, AreEquallyHighWhereWaysShareANode) {
-  for (std::uint64_t seed = 0; seed < 30; ++seed)
-    EXPECT_LE(planned(street_grid(seed, 10), hilly_field(seed, 150, 10)).measures.largest_jump_m, kKnotError_m) << seed;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const ProfileMeasures measures = planned(street_grid(seed, 10), hilly_field(seed, 150, 10)).measures;
+    EXPECT_GT(measures.knots, 0u);
+    EXPECT_LE(measures.largest_jump_m, kKnotError_m) << seed;
+  }
 }
 
-// Knots lie an eighth of a metre apart: one has to do for the meeting and for the end.
+// Knots lie on multiples of 1/8 m: one serves both the junction and the end.
 TEST(Profiles, AreEquallyHighWhereAWayEndsJustBeyondANode) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const map::Heightfield heights = hilly_field(seed, 150, 10);
@@ -59,7 +63,9 @@ TEST(Profiles, AreEquallyHighWhereAWayEndsJustBeyondANode) {
       f.tracks = {track(1, {{-200, 50}, {0, 0}, {200, -70}}),
                   track(2, {{3, 22.109375}, {0, 0}, {0, -end / 128}}, LandCoverClass::kServiceRoad),
                   track(3, {{end / 128, 0}, {0, 0}, {-20, -90}}, LandCoverClass::kServiceRoad)};
-      EXPECT_LE(planned(f, heights).measures.largest_jump_m, kKnotError_m) << seed;
+      const ProfileMeasures measures = planned(f, heights).measures;
+      EXPECT_GT(measures.knots, 0u);
+      EXPECT_LE(measures.largest_jump_m, kKnotError_m) << seed;
     }
   }
 }
@@ -67,6 +73,7 @@ TEST(Profiles, AreEquallyHighWhereAWayEndsJustBeyondANode) {
 TEST(Profiles, LieOnTheGridsOfTheManifestAndRiseAlongTheWay) {
   const map::Features f = street_grid(5, 10);
   const Planned p = planned(f, hilly_field(5, 60, 6));
+  ASSERT_FALSE(p.profiles.roads.empty());
   for (const roads::Road& road : p.profiles.roads) {
     ASSERT_GE(road.profile.size(), 2u);
     EXPECT_EQ(road.profile.front().at_m, 0);
@@ -82,8 +89,8 @@ TEST(Profiles, LieOnTheGridsOfTheManifestAndRiseAlongTheWay) {
   }
 }
 
-// Points of the arms up to their cuts: on the axis, and to either side of it at the cut; in between the tilt comes from
-// that at the place, which is that of the mean direction.
+// Points of the arms up to their cuts: on the axis, and at the cut to either side of it. Between them the tilt at the
+// place, in the mean direction, is interpolated.
 std::vector<Vec3> points_of(const roads::Junction& junction, std::span<const roads::Arm> arms,
                             std::span<const roads::Road> roads) {
   std::vector<Vec3> points;
@@ -105,7 +112,7 @@ std::vector<Vec3> points_of(const roads::Junction& junction, std::span<const roa
   return points;
 }
 
-// The largest distance to the plane through three of them that are far apart.
+// Returns the largest distance to the plane through three points that are far apart.
 double bulge_m(const std::vector<Vec3>& points) {
   const Vec3 a = points.front();
   Vec3 b = a, normal{};
@@ -138,13 +145,16 @@ TEST(Profiles, JunctionsArePlanesNoSteeperThanAllowed) {
 }
 
 TEST(Profiles, OfFlatLandAtZeroAreEmpty) {
-  const Planned p = planned(street_grid(1, 10), index_road_influence([](double, double) { return 0; }));
+  const Planned p = planned(street_grid(1, 10), field_from([](double, double) { return 0; }));
+  ASSERT_FALSE(p.profiles.roads.empty());
   for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
 }
 
 TEST(Profiles, OfFlatLandElsewhereAreTwoKnotsAndThoseOfMeetings) {
-  const Planned p = planned(street_grid(1, 10), index_road_influence([](double, double) { return 250; }));
+  const Planned p = planned(street_grid(1, 10), field_from([](double, double) { return 250; }));
+  ASSERT_FALSE(p.profiles.roads.empty());
   for (const roads::Road& road : p.profiles.roads) {
+    EXPECT_GE(road.profile.size(), 1u);
     EXPECT_LE(road.profile.size(), 10u);
     for (const Knot& k : road.profile) EXPECT_EQ(std::pair(k.z_m, k.tilt), std::pair(250.0, 0.0));
   }
@@ -155,6 +165,7 @@ TEST(Profiles, FootPathsHaveNone) {
   f.tracks = {track(1, {{-50, 0}, {50, 0}}, LandCoverClass::kFootPath),
               track(2, {{0, -50}, {0, 50}}, LandCoverClass::kSteps)};
   const Planned p = planned(f, hilly_field(1, 40, 4));
+  ASSERT_FALSE(p.profiles.roads.empty());
   for (const roads::Road& road : p.profiles.roads) EXPECT_TRUE(road.profile.empty());
 }
 
@@ -171,7 +182,7 @@ TEST(Profiles, DoNotDependOnTheOrderOfTracks) {
   EXPECT_EQ(one.profiles.off_ground[1], two.profiles.off_ground[0]);
 }
 
-// Streets along 8 km; what is far is changed: heights, ways, tags.
+// Streets along 8 km; heights, ways and tags far away are changed.
 TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
   constexpr double kFrom_m = kProfileRadius_m;
   const auto ladder = [](bool is_other) {
@@ -210,7 +221,7 @@ TEST(Profiles, DoNotDependOnWhatLiesBeyondTheirReach) {
   }
 }
 
-TEST(Profiles, ASpikeOfTheHeightmapMovesThemByEightMetresAtMost) {
+TEST(Profiles, ASummitAtOneVertexMovesThemByEightMetresAtMost) {
   const Draw draw(1, StableId{9}, "spikes");
   double largest = 0;
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
@@ -237,7 +248,7 @@ TEST(Profiles, FollowTheGroundWithoutItsNoise) {
   const auto slope = [](double x) { return 300 + x * 0.04; };
   const Draw draw(4, StableId{3}, "noise");
   std::uint32_t next = 0;
-  const auto noisy = index_road_influence([&](double x, double) { return slope(x) + draw.between(-6, 6, next++); });
+  const auto noisy = field_from([&](double x, double) { return slope(x) + draw.between(-6, 6, next++); });
   const Profile profile = planned(f, noisy).profiles.roads[0].profile;
   double squares = 0, rough = 0;
   for (double at = 0; at < 1800; at += 4) {

@@ -1,4 +1,4 @@
-// What profiles of real places keep of their promises, as a table.
+// Measures profiles of real places against their guarantees, as a table.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -72,7 +72,7 @@ TEST_P(ProfilesReal, MeetWithoutJumpsAndKeepTheirLimits) {
   const ProfileMeasures measures = measure_profiles(features, profiles);
   print(measures, took_s);
   EXPECT_GT(measures.length_m, 0);
-  // paths take heights of streets as they are written: rounded twice
+  // paths use stored heights of streets: rounded twice
   EXPECT_LE(measures.largest_jump_m, 2 * 0.01);
   EXPECT_LE(measures.over_m, place.most_over * measures.length_m);
 }

@@ -1,4 +1,4 @@
-// Land and water made up for tests.
+// Made-up terrain and water.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline LandCoverPolygon made_water(std::int64_t id, map::LandCoverClass surface,
   return {{{OsmType::kWay, id}, 0}, surface, area_m2, {std::move(ring)}};
 }
 
-/// Of 32 edges about a point.
+/// A shore of 32 edges about a point.
 inline Ring made_shore(Vec2 centre, double radius_m) {
   Ring ring;
   for (int i = 0; i < 8; ++i) ring.push_back(centre + Vec2{radius_m, -radius_m + radius_m * i / 4});

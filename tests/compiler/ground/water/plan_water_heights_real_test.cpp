@@ -21,7 +21,7 @@ struct RealPlace {
 
 void PrintTo(const RealPlace& place, std::ostream* os) { *os << place.map; }
 
-struct LevelWatersReal : testing::TestWithParam<RealPlace> {
+struct PlanWaterHeightsReal : testing::TestWithParam<RealPlace> {
   void SetUp() override {
     if (!std::filesystem::exists(data_path(GetParam().map))) GTEST_SKIP() << "no extracts in " << CITYKILN_DATA;
   }
@@ -36,7 +36,7 @@ struct LevelWatersReal : testing::TestWithParam<RealPlace> {
   }
 };
 
-TEST_P(LevelWatersReal, NoRiverRises) {
+TEST_P(PlanWaterHeightsReal, NoRiverRises) {
   const RealGround ground = read();
   Report report;
   const Waters waters = plan_water_heights(ground.surfaces, ground.streams, ground.covered, ground.heights, report);
@@ -50,7 +50,7 @@ TEST_P(LevelWatersReal, NoRiverRises) {
              after.deepest_below_land_m, after.highest_above_land_m);
 }
 
-TEST_P(LevelWatersReal, LakesStandAtTheirShores) {
+TEST_P(PlanWaterHeightsReal, LakesStandAtTheirShores) {
   const RealGround ground = read();
   Report report;
   const Waters waters = plan_water_heights(ground.surfaces, ground.streams, ground.covered, ground.heights, report);
@@ -62,7 +62,7 @@ TEST_P(LevelWatersReal, LakesStandAtTheirShores) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, LevelWatersReal,
+INSTANTIATE_TEST_SUITE_P(Places, PlanWaterHeightsReal,
                          testing::Values(RealPlace{"andorra/andorra-2023.osm.pbf", "andorra/N42E001.hgt", 500, 200},
                                          RealPlace{"andorra/andorra-2013.osm.gz", "andorra/N42E001.hgt", 100, 50},
                                          RealPlace{"monaco/monaco-2016-cadastre.osm.pbf", "monaco/N43E007.hgt", 10, 3},

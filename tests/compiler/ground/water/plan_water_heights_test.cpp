@@ -26,7 +26,7 @@ double largest(const Report& report, Code code) {
   return size;
 }
 
-// Falls to the south, and is rough.
+// Rough terrain that falls to the south.
 map::Heightfield rough_land(std::uint64_t seed, double fall, double rough_m) {
   const Draw draw(seed, StableId{7}, "land");
   return made_land([&](Vec2 p) {
@@ -35,7 +35,7 @@ map::Heightfield rough_land(std::uint64_t seed, double fall, double rough_m) {
   });
 }
 
-// Lines between points of a lattice that others use too, in whatever direction: meetings, partings, circles.
+// Lines between points of a common lattice, in any direction: with junctions, forks and cycles.
 std::vector<roads::Strip> random_network(std::uint64_t seed, int count) {
   const Draw draw(seed, StableId{8}, "streams");
   std::vector<roads::Strip> streams;
@@ -65,13 +65,14 @@ std::vector<LandCoverPolygon> random_lakes(std::uint64_t seed, int count) {
   return lakes;
 }
 
-TEST(LevelWaters, RiversNeverRiseInAnyNetwork) {
+TEST(PlanWaterHeights, RiversNeverRiseInAnyNetwork) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const map::Heightfield land = rough_land(seed, seed % 3 * 0.03, 5.0 * static_cast<double>(seed % 5));
     Report report;
     const Waters waters = plan_water_heights(random_lakes(seed, static_cast<int>(seed % 7)),
                                              random_network(seed, 3 + static_cast<int>(seed % 30)), {}, land, report);
     const WaterMeasures measures = measure_waters(waters.surfaces, waters.streams, land);
+    EXPECT_GT(measures.streams, 0u);
     EXPECT_EQ(measures.streams_that_rise, 0u) << seed << ": " << measures.largest_rise_m;
     for (const LandCoverPolygon& s : waters.surfaces)
       if (s.surface == LandCoverClass::kSea) {
@@ -80,7 +81,7 @@ TEST(LevelWaters, RiversNeverRiseInAnyNetwork) {
   }
 }
 
-TEST(LevelWaters, RiversHaveALakesLevelWithinIt) {
+TEST(PlanWaterHeights, RiversHaveALakesLevelWithinIt) {
   const map::Heightfield land = rough_land(3, 0.02, 3);
   Report report;
   const Waters waters =
@@ -98,7 +99,7 @@ TEST(LevelWaters, RiversHaveALakesLevelWithinIt) {
   EXPECT_LT(profile.back().z_m, level_m - 10);
 }
 
-TEST(LevelWaters, OrderDoesNotMatter) {
+TEST(PlanWaterHeights, OrderDoesNotMatter) {
   const map::Heightfield land = rough_land(5, 0.01, 6);
   std::vector<LandCoverPolygon> lakes = random_lakes(5, 6);
   std::vector<roads::Strip> streams = random_network(5, 25);
@@ -112,11 +113,12 @@ TEST(LevelWaters, OrderDoesNotMatter) {
   EXPECT_TRUE(first.streams == second.streams);
 }
 
-TEST(LevelWaters, NoLakeStandsAboveMostOfItsShore) {
+TEST(PlanWaterHeights, NoLakeStandsAboveMostOfItsShore) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const map::Heightfield land = rough_land(seed, 0.05, 20);
     Report report;
     const Waters waters = plan_water_heights(random_lakes(seed + 100, 4), {}, {}, land, report);
+    EXPECT_GT(std::ranges::count(waters.surfaces, LandCoverClass::kLake, &LandCoverPolygon::surface), 0);
     for (const LandCoverPolygon& lake : waters.surfaces) {
       if (lake.surface != LandCoverClass::kLake) continue;
       double below = 0, all = 0;
@@ -126,20 +128,20 @@ TEST(LevelWaters, NoLakeStandsAboveMostOfItsShore) {
   }
 }
 
-TEST(LevelWaters, TreesSpikesAndPitsOnAShoreDoNotMoveALake) {
+TEST(PlanWaterHeights, TreesSpikesAndPitsOnAShoreDoNotMoveALake) {
   const auto plain = [](Vec2 p) { return 500 + 0.02 * std::abs(p.x - 2000) + 0.02 * std::abs(p.y - 2000); };
   const std::vector<LandCoverPolygon> lake = {made_water(1, LandCoverClass::kLake, made_shore({2000, 2000}, 400))};
   Report report;
   const double level_m = *plan_water_heights(lake, {}, {}, made_land(plain), report).surfaces[0].level_m;
   const auto rough = [&](Vec2 p) {
-    if (p.x == 1600 && p.y == 1984) return 900.0;          // a spike
-    if (p.x == 2016 && p.y == 2400) return -32768.0 / 64;  // a void that nobody filled
+    if (p.x == 1600 && p.y == 1984) return 900.0;          // a summit
+    if (p.x == 2016 && p.y == 2400) return -32768.0 / 64;  // a void that was not filled
     return plain(p) + (p.x > 2300 ? 25 : 0);               // trees on the east shore
   };
   EXPECT_NEAR(*plan_water_heights(lake, {}, {}, made_land(rough), report).surfaces[0].level_m, level_m, 1.5);
 }
 
-TEST(LevelWaters, ANodeInTheSkyIsLeftOutOfItsLake) {
+TEST(PlanWaterHeights, ANodeInTheSkyIsLeftOutOfItsLake) {
   const map::Heightfield land = made_land([](Vec2 p) { return 200 + 0.3 * p.y; });
   Ring shore = made_shore({2000, 2000}, 64);
   const Ring whole = shore;
@@ -152,7 +154,7 @@ TEST(LevelWaters, ANodeInTheSkyIsLeftOutOfItsLake) {
   EXPECT_NEAR(*spiked.surfaces[0].level_m, *plain.surfaces[0].level_m, 2);
 }
 
-TEST(LevelWaters, WatersThatShareABorderShareALevelUnlessADamPartsThem) {
+TEST(PlanWaterHeights, WatersThatShareABorderShareALevelUnlessADamPartsThem) {
   const Ring west = {{1000, 1000}, {1500, 1000}, {1500, 1500}, {1000, 1500}};
   const Ring east = {{1500, 1000}, {2000, 1000}, {2000, 1500}, {1500, 1500}};
   const std::vector<LandCoverPolygon> both = {made_water(1, LandCoverClass::kLake, west),
@@ -165,7 +167,7 @@ TEST(LevelWaters, WatersThatShareABorderShareALevelUnlessADamPartsThem) {
   EXPECT_GT(*parted.surfaces[0].level_m, *parted.surfaces[1].level_m + kDam_m);
 }
 
-TEST(LevelWaters, DocksAtTheSeaAreAtItsLevel) {
+TEST(PlanWaterHeights, DocksAtTheSeaAreAtItsLevel) {
   const Ring sea = {{0, 0}, {2000, 0}, {2000, 1500}, {0, 1500}},
              dock = {{2000, 0}, {2500, 0}, {2500, 1500}, {2000, 1500}};
   const auto level_of_dock = [&](double quay_m) {
@@ -180,7 +182,7 @@ TEST(LevelWaters, DocksAtTheSeaAreAtItsLevel) {
   EXPECT_EQ(level_of_dock(40), 40);
 }
 
-TEST(LevelWaters, ARiverMappedUphillIsTurned) {
+TEST(PlanWaterHeights, ARiverMappedUphillIsTurned) {
   const map::Heightfield land = rough_land(4, 0.05, 2);
   Report report;
   const Waters waters =
@@ -192,7 +194,7 @@ TEST(LevelWaters, ARiverMappedUphillIsTurned) {
   EXPECT_EQ(count_of(report, Code::kRiverOffTerrain), 0u);
 }
 
-TEST(LevelWaters, ARiverThatRunsInACircleLiesLevel) {
+TEST(PlanWaterHeights, ARiverThatRunsInACircleLiesLevel) {
   Report report;
   const Waters moat = plan_water_heights({}, {made_stream(1, {{1000, 1000}, {1100, 1000}, {1100, 1100}, {1000, 1000}})},
                                          {}, rough_land(4, 0, 2), report);
@@ -200,13 +202,14 @@ TEST(LevelWaters, ARiverThatRunsInACircleLiesLevel) {
   EXPECT_EQ(count_of(report, Code::kWaterwayCycle), 1u);
 }
 
-TEST(LevelWaters, APitInTheLandSinksNoRiverForLong) {
+TEST(PlanWaterHeights, APitInTheLandSinksNoRiverForLong) {
   const auto even = [](Vec2 p) { return 100 + 0.01 * p.y; };
   const auto pitted = [&](Vec2 p) { return even(p) - (p.x == 1600 && p.y == 2016 ? 80 : 0); };
   const std::vector<roads::Strip> river = {made_stream(1, {{1600, 3900}, {1600, 100}})};
   Report report;
   const Profile plain = plan_water_heights({}, river, {}, made_land(even), report).streams[0].profile;
   const Profile sunk = plan_water_heights({}, river, {}, made_land(pitted), report).streams[0].profile;
+  ASSERT_FALSE(plain.empty() || sunk.empty());
   for (double at_m = 0; at_m <= 3800; at_m += 10) {
     const double off_m = std::abs(knot_at(plain, at_m).z_m - knot_at(sunk, at_m).z_m);
     EXPECT_LE(off_m, kAboveCost * 64 * 0.01 + 0.1) << at_m;
@@ -216,12 +219,12 @@ TEST(LevelWaters, APitInTheLandSinksNoRiverForLong) {
   }
 }
 
-TEST(LevelWaters, AnEvenFallHasNoSteps) {
+TEST(PlanWaterHeights, AnEvenFallHasNoSteps) {
   Report report;
   const Waters waters = plan_water_heights({}, {made_stream(1, {{1010, 3900}, {1300, 100}})}, {},
                                            made_land([](Vec2 p) { return 100 + 0.03125 * p.y; }), report);
   EXPECT_LE(waters.streams[0].profile.size(), 3u);
-  // and on rough land no more than the roughness between neighbouring knots
+  // and on rough terrain no more than the roughness between neighbouring knots
   const map::Heightfield rough = rough_land(11, 0.05, 3);
   const Profile p =
       plan_water_heights({}, {made_stream(1, {{1010, 3900}, {1300, 100}})}, {}, rough, report).streams[0].profile;
@@ -229,7 +232,7 @@ TEST(LevelWaters, AnEvenFallHasNoSteps) {
     EXPECT_LT((p[i].z_m - p[i + 1].z_m) / (p[i + 1].at_m - p[i].at_m), 0.2);
 }
 
-TEST(LevelWaters, CulvertsPassTheirHeightOn) {
+TEST(PlanWaterHeights, CulvertsPassTheirHeightOn) {
   const map::Heightfield land = made_land([](Vec2 p) { return p.y > 2000 ? 50.0 : 60.0; });
   const std::vector<roads::Strip> two = {made_stream(1, {{1000, 3000}, {1000, 2100}}),
                                          made_stream(2, {{1000, 1900}, {1000, 500}})};
@@ -239,7 +242,7 @@ TEST(LevelWaters, CulvertsPassTheirHeightOn) {
   EXPECT_GE(waters.streams[0].profile.back().z_m, waters.streams[1].profile.front().z_m);
 }
 
-TEST(LevelWaters, LandAwayFromWaterDoesNotMatter) {
+TEST(PlanWaterHeights, LandAwayFromWaterDoesNotMatter) {
   const std::vector<LandCoverPolygon> lake = {made_water(1, LandCoverClass::kLake, made_shore({1000, 1000}, 200))};
   const std::vector<roads::Strip> river = {made_stream(2, {{1000, 3000}, {1010, 1800}, {1000, 1100}})};
   const auto even = [](Vec2 p) { return 100 + 0.01 * p.y; };
@@ -251,7 +254,7 @@ TEST(LevelWaters, LandAwayFromWaterDoesNotMatter) {
   EXPECT_TRUE(a.streams == b.streams);
 }
 
-TEST(LevelWaters, WithoutHeightsNothingIsWritten) {
+TEST(PlanWaterHeights, WithoutHeightsNothingIsWritten) {
   const std::vector<LandCoverPolygon> lakes = random_lakes(5, 6);
   const std::vector<roads::Strip> streams = random_network(5, 25);
   Report report;
@@ -261,7 +264,7 @@ TEST(LevelWaters, WithoutHeightsNothingIsWritten) {
   EXPECT_TRUE(report.diagnoses().empty());
 }
 
-TEST(LevelWaters, AreasWithoutAxisAreLevelOthersHaveTheReachOfTheirBanks) {
+TEST(PlanWaterHeights, AreasWithoutAxisAreLevelOthersHaveTheReachOfTheirBanks) {
   const map::Heightfield land = rough_land(6, 0.002, 1);
   const Ring with = {{1000, 3900}, {900, 100}, {1300, 100}, {1400, 3900}},
              without = {{2000, 2000}, {2300, 2000}, {2300, 2400}};

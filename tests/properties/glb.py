@@ -1,0 +1,31 @@
+"""Reads a .glb file, independently of the product."""
+import json
+import struct
+from pathlib import Path
+
+FORMATS = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+
+
+class Glb:
+    """The JSON chunk as `gltf`, the binary chunk as `buffer`."""
+
+    def __init__(self, path):
+        data = Path(path).read_bytes()
+        size = struct.unpack_from("<I", data, 12)[0]
+        self.gltf, self.buffer = json.loads(data[20:20 + size]), data[28 + size:]
+
+    def values(self, accessor):
+        """The elements of an accessor, each a tuple."""
+        accessor = self.gltf["accessors"][accessor]
+        view = self.gltf["bufferViews"][accessor["bufferView"]]
+        form = "<" + FORMATS[accessor["componentType"]] * WIDTHS[accessor["type"]]
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        stride = view.get("byteStride", struct.calcsize(form))
+        return [struct.unpack_from(form, self.buffer, start + i * stride) for i in range(accessor["count"])]
+
+    def osm_ids(self):
+        """The OSM id of each feature, from the tile's property table."""
+        table = self.gltf["extensions"]["EXT_structural_metadata"]["propertyTables"][0]
+        view = self.gltf["bufferViews"][table["properties"]["id"]["values"]]
+        return struct.unpack_from(f"<{table['count']}Q", self.buffer, view.get("byteOffset", 0))
