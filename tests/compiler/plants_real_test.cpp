@@ -79,11 +79,11 @@ TEST(PlantsReal, StandInNoRoadRailBuildingOrWater) {
   }
 }
 
-TEST(PlantsReal, AreTheSameWhateverTheTiles) {
+TEST(PlantsReal, DoNotDependOnTiles) {
   if (!std::filesystem::exists(kData)) GTEST_SKIP() << "no data";
   for (const Extract& extract : kExtracts) {
     const std::vector<Plant> large = plants_of(scene_of(extract, 1024)), small = plants_of(scene_of(extract, 256));
-    ASSERT_FALSE(large.empty()) << extract.map;
+    EXPECT_FALSE(large.empty()) << extract.map;
     std::vector<Plant> differing;
     std::ranges::set_symmetric_difference(large, small, std::back_inserter(differing));
     EXPECT_TRUE(differing.empty()) << extract.map << ": " << differing.size() << " of " << large.size() << ", one at "
