@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +17,7 @@ namespace {
 
 std::string class_of(map::LandCoverClass surface) { return std::string(map::values_of(surface).name); }
 
-std::vector<Ring> rings_of(const Polygon& polygon) {
+std::vector<Ring> copy_rings(const Polygon& polygon) {
   std::vector<Ring> rings = {polygon.outer};
   rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
   return rings;
@@ -33,7 +35,7 @@ Layer roads_of(const map::Features& features) {
 Layer areas_of(const map::Features& features) {
   Layer layer;
   for (const map::AreaFeature& area : features.areas) {
-    layer.push_back({area.id, class_of(area.surface), GeometryKind::kPolygon, rings_of(area.polygon)});
+    layer.push_back({area.id, class_of(area.surface), GeometryKind::kPolygon, copy_rings(area.polygon)});
   }
   return layer;
 }
@@ -44,7 +46,7 @@ Layer buildings_of(const map::Features& features) {
     layer.push_back({building.id,
                      building.is_part ? "Part" : "Building",
                      GeometryKind::kPolygon,
-                     rings_of(building.polygon),
+                     copy_rings(building.polygon),
                      {},
                      0,
                      building.min_height_m,
@@ -78,7 +80,7 @@ void add_junctions(std::span<const roads::Junction> junctions, std::span<const r
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
-      layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, rings_of(polygon), network.tile, 0, 0,
+      layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, copy_rings(polygon), network.tile, 0, 0,
                        0, network.layer, passage_name(network.passage)});
   }
 }
@@ -93,8 +95,6 @@ Layer junctions_of(const map::Features& features) {
   return layer;
 }
 
-std::string name_of(scene::TileKey tile) { return fmt::format("{}_{}", tile.x, tile.y); }
-
 Layer roads_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks) {
@@ -103,7 +103,7 @@ Layer roads_of(const scene::Scene& scene) {
                        class_of(road.surface),
                        GeometryKind::kLine,
                        {road.axis},
-                       name_of(chunk.tile),
+                       to_string(chunk.tile),
                        roads::width_m(road)});
     }
   }
@@ -114,7 +114,7 @@ Layer roads_of(const scene::Scene& scene) {
 Layer junctions_of(const scene::Scene& scene) {
   Layer layer;
   for (const scene::Chunk& chunk : scene.chunks)
-    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, {name_of(chunk.tile)}, layer);
+    add_junctions(scene::anchored_junctions(scene.header, chunk), chunk.roads, {to_string(chunk.tile)}, layer);
   return layer;
 }
 
@@ -127,7 +127,7 @@ Layer areas_of(const scene::Scene& scene) {
       for (const Ring& ring : surface.rings) {
         const char* hole = signed_area_m2(ring) < 0 ? "Hole" : "";
         layer.push_back(
-            {surface.id, class_of(surface.surface) + hole, GeometryKind::kPolygon, {ring}, name_of(chunk.tile)});
+            {surface.id, class_of(surface.surface) + hole, GeometryKind::kPolygon, {ring}, to_string(chunk.tile)});
       }
     }
   }
@@ -139,7 +139,7 @@ Layer buildings_of(const scene::Scene& scene) {
   for (const scene::Chunk& chunk : scene.chunks) {
     for (const buildings::Building& building : chunk.buildings) {
       layer.push_back({building.id, building.stands_on_ground ? "Building" : "Raised", GeometryKind::kPolygon,
-                       rings_of(building.footprint), name_of(chunk.tile), 0, building.bottom_m,
+                       copy_rings(building.footprint), to_string(chunk.tile), 0, building.bottom_m,
                        building.top_m - building.bottom_m});
     }
   }
@@ -156,7 +156,7 @@ Layer plants_of(const scene::Scene& scene) {
                        plants::name_of(tree.species_mix),
                        GeometryKind::kPoint,
                        {{tree.at}},
-                       name_of(chunk.tile),
+                       to_string(chunk.tile),
                        0,
                        0,
                        tree.height_m});
@@ -232,6 +232,7 @@ Result<Layer> layer_of(const map::Features& features, const std::string& name) {
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) { return layer_named(scene, name); }
 
 std::string geojson_of(const Layer& layer, const map::Plane& plane, const std::vector<std::string>& attributions) {
+  assert(std::ranges::none_of(layer, [](const LayerFeature& f) { return f.parts.empty(); }));
   std::string out =
       R"({"type":"FeatureCollection","attribution":)" + nlohmann::json(attributions).dump() + ",\"features\":[";
   for (std::size_t i = 0; i < layer.size(); ++i) {

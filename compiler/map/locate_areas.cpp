@@ -98,11 +98,14 @@ std::vector<AreaFeature> locate_areas(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    const PlantTags plant_tags = growth_on(context, area, row->surface);
+    PlantTags plant_tags = growth_on(context, area, row->surface);
+    const LandCoverClass surface = refined(context, area.tags, row->surface, plant_tags);
+    // a forest's class states its leaf type
+    if (surface != row->surface && row->surface == LandCoverClass::kForest) plant_tags.leaves = LeafType::kUnknown;
     for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       areas.push_back({.id = {area.from, polygon.part},
                        .polygon = polygon.polygon,
-                       .surface = refined(context, area.tags, row->surface, plant_tags),
+                       .surface = surface,
                        .area_m2 = polygon.area_m2,
                        .plant_tags = plant_tags});
     });

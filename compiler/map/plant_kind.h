@@ -6,30 +6,12 @@
 
 namespace citykiln::map {
 
-/// Plants that look alike. Other genera map to the kind they resemble (taxa.inc).
+/// The species that tags name: kUnknown, then one enumerator for each block of species.inc, in its order. Genera
+/// without a species of their own map to the one that looks most similar.
 enum class PlantKind : std::uint8_t {
   kUnknown,
-  kFruitTree,
-  kBeech,
-  kBirch,
-  kBush,
-  kCypress,
-  kFir,
-  kLime,
-  kMaple,
-  kOak,
-  kPalm,
-  kPine,
-  kPlane,
-  kPoplar,
-  kSpruce,
-  kWillow,
-  kVine,
-  kGrass,
-  kGrain,
-  kMaize,
-  kFern,
-  kHonda  ///< No genus: Honda's trees, used by RPForest's scenes.
+#define SPECIES(name, ...) name,
+#include "lsystems/species/species.inc"
 };
 
 enum class LeafType : std::uint8_t { kUnknown, kBroad, kNeedle, kMixed, kPalm };

@@ -6,8 +6,8 @@
 
 namespace citykiln::map {
 
-/// Returns the kind by genus, species, taxon, trees, crop and produce in the languages of taxa.inc; the leaf type by
-/// leaf_type, leaf_cycle and the older wood=* and type=*; and sizes. Diagnosed: kBadTagValue for unreadable sizes.
+/// By genus, species, taxon, trees, crop and produce, by the taxa of lsystems/species/species.inc; leaves by leaf_type,
+/// leaf_cycle and the older wood=* and type=*; else by the kind. Sizes that cannot be read are diagnosed kBadTagValue.
 PlantTags read_plant_tags(const ReadContext& context, OsmId id, source::Range tags);
 
 /// Returns height or est_height in metres; 0: untagged.

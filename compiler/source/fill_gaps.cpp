@@ -199,6 +199,7 @@ std::vector<int> nearest_known(int count, IsKnown is_known) {
 }  // namespace
 
 Raster fill_voids(Raster raster, Report& report) {
+  assert(raster.has_all_samples());
   Grid grid = grid_of(raster);
   if (grid.voids.empty()) return raster;
   solve(grid);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "compiler/contract/result.h"
 #include "compiler/source/raster.h"
@@ -18,6 +20,10 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// has no columns and no rows. Errors: a missing or unreadable file, a picture without bounds, an encoding that does
 /// not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
+
+/// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
+/// voids. The result has the order of the specs. Errors: those of read_raster().
+Result<std::vector<Raster>> read_heightmaps(std::span<const RasterSpec> specs, const LonLatBox* window, Report& report);
 
 /// Returns the transformation from longitude and latitude (WGS84 degrees) to the raster's own system, by GDAL/PROJ; the
 /// identity if system_wkt is empty. Not safe to call from two threads.

@@ -1,6 +1,7 @@
 #include "compiler/verify/measure_heights.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -49,13 +50,13 @@ Footing footing_of(const scene::Chunk& chunk, const Box2& box, const ground::Gra
 HeightMeasures measures_of(const scene::Scene& scene, const scene::Chunk& chunk) {
   const Box2 box = scene::box_of(scene.header, chunk.tile);
   const ground::GradedTerrain graded = scene::graded_terrain_of(scene.header, chunk, kFine_m);
-  return {measure_grades(scene.header, chunk),
-          {},
-          road_faces_of(chunk, box, graded),
-          measure_rises(chunk),
-          lakes_of(chunk, box, graded),
-          footing_of(chunk, box, graded),
-          {}};
+  return {.grades = measure_grades(scene.header, chunk),
+          .jumps = {},
+          .road_faces = road_faces_of(chunk, box, graded),
+          .rises = measure_rises(chunk),
+          .lakes = lakes_of(chunk, box, graded),
+          .footing = footing_of(chunk, box, graded),
+          .clearances = {}};
 }
 
 void add(HeightMeasures& sum, const HeightMeasures& tile) {
@@ -70,6 +71,7 @@ void add(HeightMeasures& sum, const HeightMeasures& tile) {
 }  // namespace
 
 HeightMeasures measure_heights(const scene::Scene& scene, int threads) {
+  assert(threads >= 0);
   const auto tiles = for_each_slot<HeightMeasures>(scene.chunks.size(), threads,
                                                    [&](std::size_t i) { return measures_of(scene, scene.chunks[i]); });
   HeightMeasures sum;

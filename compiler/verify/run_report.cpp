@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -167,13 +168,13 @@ bool balances(const Json& account) {
 RunRecord record_of(const Json& report) {
   RunRecord record;
   for (const Json& tile : report.at("tiles")) {
-    record.tiles.push_back({{tile.at("file"), tile.at("bytes")},
-                            {tile.at("x"), tile.at("y")},
-                            tile.at("level"),
-                            tile.at("tolerance_m"),
-                            tile.at("error_m"),
-                            tile.at("triangles"),
-                            tile.at("instances")});
+    record.tiles.push_back({.file = {tile.at("file"), tile.at("bytes")},
+                            .tile = {tile.at("x"), tile.at("y")},
+                            .level = tile.at("level"),
+                            .tolerance_m = tile.at("tolerance_m"),
+                            .error_m = tile.at("error_m"),
+                            .triangles = tile.at("triangles"),
+                            .instances = tile.at("instances")});
   }
   record.instances_as_nodes = report.at("instancing") == "nodes";
   // reports of older versions have no such key
@@ -196,6 +197,7 @@ std::uint64_t WrittenFiles::bytes() const {
 
 std::string report_json(const scene::Header& header, const scene::Scene& scene, const Report& report,
                         const WrittenFiles& written, const Outputs& outputs, const HeightReport& heights) {
+  assert(std::ranges::all_of(written.tiles, [&](const WrittenTile& t) { return t.level < outputs.ladder_m.size(); }));
   Json json;
   json["program"] = "citykiln " CITYKILN_VERSION;
   json["attribution"] = header.attributions;
@@ -220,6 +222,7 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
 }
 
 std::string timing_json(std::span<const StageCost> costs, int threads) {
+  assert(threads >= 0);
   Json stages = Json::array();
   double seconds = 0;
   std::uint64_t peak_bytes = 0;

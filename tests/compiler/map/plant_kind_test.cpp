@@ -11,7 +11,7 @@ namespace {
 TEST(KindNamed, KnowsGenusSpeciesAndCommonNames) {
   const std::pair<const char*, PlantKind> names[] = {{"Tilia", PlantKind::kLime},
                                                      {"Tilia cordata", PlantKind::kLime},
-                                                     {"Prunus avium", PlantKind::kFruitTree},
+                                                     {"Prunus avium", PlantKind::kApple},
                                                      {"BETULA", PlantKind::kBirch},
                                                      {"Winterlinde", PlantKind::kLime},
                                                      {"Amerikanische Linde", PlantKind::kLime},
@@ -22,14 +22,14 @@ TEST(KindNamed, KnowsGenusSpeciesAndCommonNames) {
                                                      {"Hainbuche", PlantKind::kBeech},
                                                      {"Eberesche", PlantKind::kMaple},
                                                      {"Gemeine Esche", PlantKind::kMaple},
-                                                     {"Kirsche", PlantKind::kFruitTree},
+                                                     {"Kirsche", PlantKind::kApple},
                                                      {"Pappel", PlantKind::kPoplar},
-                                                     {"Mangueira (Mangifera indica)", PlantKind::kFruitTree},
+                                                     {"Mangueira (Mangifera indica)", PlantKind::kApple},
                                                      {"\u00c9rable sycomore", PlantKind::kMaple},
                                                      {"alzina", PlantKind::kOak},
-                                                     {"apple_trees", PlantKind::kFruitTree},
+                                                     {"apple_trees", PlantKind::kApple},
                                                      {"grape", PlantKind::kVine},
-                                                     {"wheat;maize", PlantKind::kGrain}};
+                                                     {"wheat;maize", PlantKind::kWheat}};
   for (const auto& [name, kind] : names) EXPECT_EQ(kind_named(name), kind) << name;
 }
 
@@ -66,7 +66,7 @@ TEST(PlantTags, OfAreasIsTreesCropAndLeaves) {
     r4 0:0 90:0 90:90 0:90 natural=wood wood=deciduous
     r5 0:0 90:0 90:90 0:90 landuse=residential crop=maize)");
   ASSERT_EQ(f.areas.size(), 5u);
-  EXPECT_EQ(f.areas[0].plant_tags.kind, PlantKind::kFruitTree);
+  EXPECT_EQ(f.areas[0].plant_tags.kind, PlantKind::kApple);
   EXPECT_EQ(f.areas[1].plant_tags.kind, PlantKind::kMaize);
   EXPECT_EQ(f.areas[2].surface, LandCoverClass::kNeedleLeavedForest);
   EXPECT_EQ(f.areas[3].surface, LandCoverClass::kBroadLeavedForest);
