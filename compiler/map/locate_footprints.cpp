@@ -32,24 +32,16 @@ std::vector<Footprint> locate_footprints(const ReadContext& context) {
       continue;
     }
     const std::vector<LocatedPolygon> polygons = located(context, area);
-    if (polygons.empty()) {
-      context.report.drop(account, Code::kDegenerateRing, area.from);
-      continue;
-    }
-    account.split += polygons.size() - 1;
     const bool is_part = says_yes(part) && !says_yes(outline);
-    Footprint footprint = described(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
+    Footprint footprint;
+    if (!polygons.empty())
+      footprint = read_building_tags(context, area.from, area.tags, is_part ? part : outline, polygons.front().area_m2);
     footprint.is_part = is_part;
-    for (const LocatedPolygon& polygon : polygons) {
-      if (polygon.polygon.outer.empty() || !box_of(polygon.polygon.outer).touches(context.region)) {
-        context.report.drop(account, Code::kOutsideBounds, area.from);
-        continue;
-      }
-      ++account.out;
+    for_each_near_polygon(context, area.from, polygons, account, [&](const LocatedPolygon& polygon) {
       footprint.id = {area.from, polygon.part};
       footprint.polygon = polygon.polygon;
       footprints.push_back(footprint);
-    }
+    });
   }
   context.report.account("map", "footprint") = account;
   mark_outlines(footprints);

@@ -45,7 +45,7 @@ struct GroundSampler {
   CrossLine crossing(Vec2 p, Vec2 left, const ground::LandCoverPolygon& surface) const {
     CrossLine c{snapped(p + left * left_m), snapped(p - left * right_m)};
     const ground::FaceHeight height = ground::face_height_of(surface);
-    const auto ground_m = [&](Vec2 at) { return of(ground::heights_at(ground, at), height); };
+    const auto ground_m = [&](Vec2 at) { return layer_height_m(ground::heights_at(ground, at), height); };
     c.z_m = c.low_m = ground_m(p);
     for (const Vec2 edge : {c.left, c.right}) {
       c.z_m = std::max(c.z_m, ground_m(p + (edge - p) * kNearEdge));

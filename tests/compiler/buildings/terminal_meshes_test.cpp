@@ -147,13 +147,13 @@ TEST(TerminalMeshes, HaveTextureCoordinatesInMetres) {
 
 TEST(TerminalMeshes, AreTotalForDegenerateFaces) {
   grammars::Derivation derivation;
-  derivation.looks.emplace_back();
+  derivation.appearances.emplace_back();
   auto& faces = derivation.terminals.emplace_back().faces;
   faces.resize(3);
   faces[1].outer = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   faces[2].outer = {{0, 0, 0}, {1, 0, 1}, {1, 0, 0}, {0, 0, 1}};
   EXPECT_LE(terminal_meshes(derivation, {}).size(), 1u);
-  derivation.looks[0].name = "stone";
+  derivation.appearances[0].name = "stone";
   EXPECT_LE(terminal_meshes(derivation, {}).size(), 1u);
 }
 
