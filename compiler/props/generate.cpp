@@ -57,11 +57,6 @@ void add_profile(Mesh& mesh, Vec3 at, Vec2 side, double height_m) {
     mesh.positions.push_back(corner);
 }
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
-}
-
 }  // namespace
 
 GeneratedProp generate(const Barrier& barrier, const ground::GradedTerrain& ground, double tolerance_m) {

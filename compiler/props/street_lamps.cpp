@@ -57,10 +57,6 @@ double offset_m(const Road& road, Side side) {
   return edge_m + kBeyondEdge_m;
 }
 
-bool stands_in(const Box2& box, Vec2 p) {
-  return p.x >= box.min.x && p.y >= box.min.y && p.x < box.max.x && p.y < box.max.y;
-}
-
 // A straight piece of a road: `length_m` is what start_along_m counts it as.
 struct Piece {
   Vec2 a, b;
@@ -100,7 +96,8 @@ void add_lamps(std::vector<StreetLamp>& lamps, const Road& road, const Piece& pi
   if (piece.length_m <= 0 || !box_of(std::array{piece.a, piece.b}).touches(reach)) return;
   const Numbers numbers = numbers_near(piece, lighting, reach);
   for (std::int64_t number = numbers.first; number < numbers.end; ++number)
-    if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); stands_in(box, lamp.at)) lamps.push_back(lamp);
+    if (const StreetLamp lamp = lamp_on(road, piece, lighting, number); box.contains_half_open(lamp.at))
+      lamps.push_back(lamp);
 }
 
 // A road that matters to what is nearer to its axis than `reach_m`, and the box where that may be.

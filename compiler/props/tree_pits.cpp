@@ -119,11 +119,6 @@ bool is_even(const TreePit& pit, const ground::GradedTerrain& ground) {
   return !strays(pit.at, (z_m[0] + z_m[2]) / 2) && !strays(pit.at, (z_m[1] + z_m[3]) / 2);
 }
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
-}
-
 MaterialMesh soil_of(const TreePit& pit, const ground::GradedTerrain& ground, double side_m) {
   MaterialMesh soil{{}, Material::kEarth, materials::kNoTint, pit.feature};
   for (const Vec2 p : corners_of(pit, side_m)) soil.mesh.positions.push_back(on_ground(ground, p, kSoil_m));

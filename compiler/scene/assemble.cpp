@@ -72,13 +72,6 @@ struct Sorted {
       barriers, lamps;
 };
 
-Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
-  Box2 box;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) box.grow(p);
-  return box;
-}
-
 Box2 box_of_road(const roads::Road& road) {
   return citykiln::box_of(road.axis).widened(max_offset_m(road) + kRoadHalo_m - kHalo_m);
 }
@@ -122,9 +115,9 @@ Vec2 anchor_of(const buildings::Building& building) { return citykiln::box_of(bu
 
 Sorted sort_by_tile(const TileGrid& grid, const Recipes& recipes, std::span<const ground::LandCoverPolygon> junctions) {
   const auto stands = [](const auto& object) { return object.at; };
-  return {by_touch(grid, std::span(recipes.surfaces), box_of_surface),
+  return {by_touch(grid, std::span(recipes.surfaces), ground::box_of),
           by_touch(grid, std::span(recipes.roads), box_of_road),
-          by_touch(grid, junctions, box_of_surface),
+          by_touch(grid, junctions, ground::box_of),
           by_touch(grid, std::span(recipes.watercourses), box_of_strip),
           by_touch(grid, std::span(recipes.buildings),
                    [](const buildings::Building& b) { return citykiln::box_of(b.footprint.outer); }),
@@ -153,7 +146,7 @@ std::vector<Object> pick(const std::vector<Object>& objects, const std::vector<s
 }
 
 bool covers_tile(const ground::LandCoverPolygon& surface, const Box2& tile) {
-  return box_of_surface(surface).touches(tile.widened(1));
+  return ground::box_of(surface).touches(tile.widened(1));
 }
 
 // A junction whose arms the chunk's roads can tell.

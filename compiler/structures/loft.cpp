@@ -8,11 +8,6 @@
 namespace citykiln::structures {
 namespace {
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  mesh.triangles.push_back({a, b, c});
-  mesh.triangles.push_back({a, c, d});
-}
-
 std::uint32_t first_of_next(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.positions.size()); }
 
 // A convex ring, seen from above; upside down where it is a floor.

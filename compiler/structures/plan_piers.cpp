@@ -31,13 +31,6 @@ constexpr int kWaterPriority = 50, kPathPriority = 70;
 
 double quarters(double v) { return std::floor(v * 4 + 0.5) / 4; }
 
-Box2 box_of_surface(const ground::LandCoverPolygon& surface) {
-  Box2 box;
-  for (const Ring& ring : surface.rings)
-    for (const Vec2 p : ring) box.grow(p);
-  return box;
-}
-
 // A straight piece of a deck as seen from above it.
 struct DeckPiece {
   std::uint32_t bridge = 0;
@@ -63,7 +56,7 @@ Site site_of(std::span<const Span> bridges, const ground::GradedTerrain& graded,
   Site site{graded, {}, {}, {}, {}};
   std::vector<Box2> boxes;
   for (const ground::LandCoverPolygon& s : standing) {
-    const Box2 box = box_of_surface(s);
+    const Box2 box = ground::box_of(s);
     if (box.is_empty() || map::values_of(s.surface).priority < kWaterPriority) continue;
     site.standing.push_back(&s);
     boxes.push_back(box);
