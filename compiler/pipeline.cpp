@@ -15,9 +15,9 @@
 #include "compiler/ground/profiles/plan_profiles.h"
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
 #include "compiler/plants/plan.h"
 #include "compiler/props/plan.h"
-#include "compiler/roads/junctions/layers.h"
 #include "compiler/roads/plan.h"
 #include "compiler/roads/width_limits/limit_widths.h"
 #include "compiler/scene/assemble.h"
@@ -80,8 +80,6 @@ Result<CompileResult> compile(const CompileSpec& spec, const OnProgress& on_prog
   recipes.roads = roads::plan(features, report);
   recipes.junctions = roads::plan_junctions(recipes.roads, report);
   recipes.roads = roads::limit_widths(std::move(recipes.roads), recipes.junctions, features.footprints, report);
-  // junctions off the ground are counted in the ledger; they have no recipes yet
-  roads::plan_layers(features, report);
   timer.enter("land cover and water");
   recipes.surfaces = ground::plan(features, report);
   recipes.watercourses = ground::plan_streams(features, report);

@@ -84,8 +84,8 @@ struct Wall {
 Wall front_of(const buildings::Building& building) {
   const Ring& ring = building.footprint.outer;
   std::size_t front = 0;
-  for (std::size_t i = 0; i < building.fronts.size(); ++i)
-    if (building.fronts[i].faces_street && !building.fronts[front].faces_street) front = i;
+  for (std::size_t i = 0; i < building.facade_edges.size(); ++i)
+    if (building.facade_edges[i].faces_street && !building.facade_edges[front].faces_street) front = i;
   const Vec2 from = ring[front], to = ring[(front + 1) % ring.size()], along = unit(to - from);
   return {(from + to) * 0.5, along, left_of(along) * -1};
 }

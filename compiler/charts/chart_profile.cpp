@@ -11,7 +11,9 @@
 #include "compiler/ground/profiles/profile_knots.h"
 #include "compiler/ground/water/plan_water_heights.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
 #include "compiler/roads/plan.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_osm.h"
 #include "compiler/source/read_raster.h"
 

@@ -37,7 +37,7 @@ double seconds_once(const std::vector<Road>& part, int threads) {
   Report ignored;
   const std::clock_t begin = std::clock();
   const std::vector<roads::Junction> junctions = roads::plan_junctions(part, ignored);
-  const auto outlines = roads::outline(junctions, part, threads);
+  const auto outlines = roads::outline_junctions(junctions, part, threads);
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 

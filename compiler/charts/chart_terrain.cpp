@@ -10,6 +10,8 @@
 #include "compiler/contract/for_each_slot.h"
 #include "compiler/ground/generate.h"
 #include "compiler/map/locate.h"
+#include "compiler/map/resample.h"
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::charts {

@@ -65,10 +65,6 @@ Layer plants_of(const map::Features& features) {
   return layer;
 }
 
-std::string name_of(map::Passage passage) {
-  return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
-}
-
 // The place of a network: its tile if it is a piece, its layer, and its passage if it is off the ground.
 struct Network {
   std::string tile;
@@ -79,13 +75,13 @@ struct Network {
 // Adds junction outlines in the order of the junctions, with the ids of their main roads.
 void add_junctions(std::span<const roads::Junction> junctions, std::span<const roads::Road> roads,
                    const Network& network, Layer& layer) {
-  const auto outlines = roads::outline(junctions, roads, 0);
+  const auto outlines = roads::outline_junctions(junctions, roads, 0);
   const auto arms = roads::arms_of(junctions, roads);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const roads::Road& main = roads::main_road(roads, arms[j]);
     for (const Polygon& polygon : outlines[j])
       layer.push_back({main.id, class_of(main.surface), GeometryKind::kPolygon, copy_rings(polygon), network.tile, 0, 0,
-                       0, network.layer, name_of(network.passage)});
+                       0, network.layer, passage_name(network.passage)});
   }
 }
 
@@ -227,6 +223,10 @@ void write_properties(std::string& out, const LayerFeature& feature) {
 }
 
 }  // namespace
+
+std::string passage_name(map::Passage passage) {
+  return passage == map::Passage::kBridge ? "bridge" : passage == map::Passage::kTunnel ? "tunnel" : "";
+}
 
 Result<Layer> layer_of(const map::Features& features, const std::string& name) { return layer_named(features, name); }
 Result<Layer> layer_of(const scene::Scene& scene, const std::string& name) { return layer_named(scene, name); }

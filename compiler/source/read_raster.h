@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/contract/report.h"
 #include "compiler/contract/result.h"
 #include "compiler/source/raster.h"
 
@@ -21,11 +20,6 @@ Result<RasterSpec> parse_raster_spec(std::string_view text);
 /// has no columns and no rows. Errors: a missing or unreadable file, a picture without bounds, an encoding that does
 /// not fit the bands.
 Result<Raster> read_raster(const RasterSpec& spec, const LonLatBox* window);
-
-/// Fills voids smoothly: each connected hole becomes the solution of Laplace's equation with its boundary samples, or 0
-/// without any. Diagnosed kVoidFilled with the number of samples. Cannot fail. Deterministic: multigrid cycles in fixed
-/// order. Cost: about 0.4 s for a hole of a million samples.
-Raster fill_voids(Raster raster, Report& report);
 
 /// Reads heightmaps and mends them: joins files of one grid (join_rasters.h), removes spikes (spikes_to_voids.h), fills
 /// voids. The result has the order of the specs. Errors: those of read_raster().

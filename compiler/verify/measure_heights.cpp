@@ -25,8 +25,9 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
     for (const Ring& ring : surface.rings)
       for (const Vec2 p : ring)
         if (box.contains(p))
-          deviation_m = std::max(deviation_m,
-                                 std::abs(of(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
+          deviation_m =
+              std::max(deviation_m,
+                       std::abs(layer_height_m(heights_at(graded, p), ground::HeightLayer::kWater) - *surface.level_m));
     ++lakes.waters;
     lakes.not_level += deviation_m > kQuantum_m;
     if (deviation_m > lakes.largest_m) lakes.largest_m = deviation_m, lakes.worst = surface.id.osm;
@@ -36,7 +37,7 @@ Lakes lakes_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedT
 
 RoadFaces road_faces_of(const scene::Chunk& chunk, const Box2& box, const ground::GradedTerrain& graded) {
   return measure_road_faces(chunk, box, true, [&](const roads::Road&, Vec2 p) -> std::vector<double> {
-    return {of(heights_at(graded, p), ground::HeightLayer::kRoad)};
+    return {layer_height_m(heights_at(graded, p), ground::HeightLayer::kRoad)};
   });
 }
 

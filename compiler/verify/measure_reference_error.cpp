@@ -29,7 +29,7 @@ ReferenceErrors measure_reference_errors(const ground::GradedTerrain& graded,
         surface == ground::kNoLandCover ? ground::FaceHeight{} : face_height_of(surfaces[surface]);
     if (face.level_m) continue;
     const double deviation_m =
-        std::abs(of(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
+        std::abs(layer_height_m(heights_at(graded, p), face.layer) - height_m_at(reference_at(p), p, face.layer));
     ++reference_errors.places, reference_errors.over += deviation_m > 2 * ground::kReferenceError_m;
     if (deviation_m > reference_errors.largest_m) reference_errors.largest_m = deviation_m, reference_errors.at = p;
   }

@@ -86,12 +86,6 @@ Json counts_of(const scene::Scene& scene) {
           {"lamps", different(scene, &scene::Chunk::lamps)}};
 }
 
-/// Adds counts of objects that are planned but not stored in the manifest.
-void add_planned_counts(const Report& report, Json& counts) {
-  const auto planned = report.ledger().find("roads/junction_off_ground");
-  if (planned != report.ledger().end()) counts["junctions_off_ground"] = planned->second.out;
-}
-
 Json levels_of(const WrittenFiles& written, const Outputs& outputs) {
   Json levels = Json::array();
   for (std::size_t n = 0; n < outputs.ladder_m.size(); ++n) {
@@ -216,7 +210,6 @@ std::string report_json(const scene::Header& header, const scene::Scene& scene, 
   json["instancing"] = outputs.instances_as_nodes ? "nodes" : "ext";
   json["compress"] = name_of(outputs.compress);
   json["counts"] = counts_of(scene);
-  add_planned_counts(report, json["counts"]);
   json["levels"] = levels_of(written, outputs);
   json["heights"] = heights_of(heights);
   json["bytes"] = written.bytes();

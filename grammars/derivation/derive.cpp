@@ -1,6 +1,8 @@
 #include "grammars/derivation/derive.h"
 
 #include <algorithm>
+#include <cassert>
+#include <tuple>
 
 #include "grammars/derivation/execute.h"
 #include "grammars/language/lexer.h"
@@ -8,74 +10,74 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr std::size_t kMostTroubles = 1000;  // a mistake in a loop says the same thing a million times in new words
+constexpr std::size_t kMostWarnings = 1000;  // of different texts: a mistake in a loop can produce a million
 
-std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> order_of(TextPosition place) {
-  return {place.file, place.line, place.column};
+auto order_of(const Warning& warning) {
+  return std::tuple(warning.position.file, warning.position.line, warning.position.column);
 }
 
 Shape first_shape(Run& run) {
   Shape shape = run.initial;
-  // a birth of its own, so that the start's dice are not the attributes'
+  // with an id other than the building's, which attributes draw from
   run.nodes.push_back({0, "start", 0});
-  shape.in_split.since = shape.in_comp.since = 0;
+  shape.in_split.since_node = shape.in_comp.since_node = 0;
   return shape;
 }
 
-// A house's. What asks for more finds it; what asks for less has taken no memory that is touched.
-void make_room(Run& run) {
+// Reserves the usual size of a house.
+void reserve_tables(Run& run) {
   constexpr std::size_t kTerminals = 256, kShapes = 1024;
-  run.out.terminals.reserve(kTerminals), run.notes.reserve(kTerminals);
+  run.out.terminals.reserve(kTerminals), run.origins.reserve(kTerminals);
   run.nodes.reserve(kShapes);
   run.memo.entries.reserve(kTerminals);
   run.tables.textures.reserve(kTerminals);
 }
 
-Outcome begin(Run& run) {
+NodeTrace begin(Run& run) {
   const std::string& start = run.options.start.empty() ? run.program.start : run.options.start;
   const auto rule = run.program.rule_of.find(start);
   if (rule == run.program.rule_of.end()) return end_as_terminal(run, first_shape(run), start, 0);
   const Rule& first = run.program.rules[rule->second];
-  // a start rule asks for nothing that nobody gives; missing arguments are zero
-  return apply_rule(run, first_shape(run), first, Frame(first.parameters.size(), Value(0.0)), 1, 0);
+  // parameters of a start rule are zero
+  return apply_rule(run, first_shape(run), first, Slots(first.parameters.size(), Value(0.0)), 1, 0);
 }
 
-void tell_ids(Run& run) {
-  for (std::size_t i = 0; i < run.notes.size(); ++i) run.out.terminals[i].id = run.id_of(run.notes[i].birth);
-  for (std::size_t i = 0; i < run.report_births.size(); ++i) run.out.reports[i].shape = run.id_of(run.report_births[i]);
+void set_ids(Run& run) {
+  for (std::size_t i = 0; i < run.origins.size(); ++i) run.out.terminals[i].id = run.id_of(run.origins[i].node);
+  for (std::size_t i = 0; i < run.report_nodes.size(); ++i) run.out.reports[i].shape = run.id_of(run.report_nodes[i]);
 }
 
-void sort_troubles(Run& run) {
+void collect_warnings(Run& run) {
   for (auto& [key, warning] : run.warnings) run.out.warnings.push_back(std::move(warning));
-  std::stable_sort(run.out.warnings.begin(), run.out.warnings.end(),
-                   [](const Warning& a, const Warning& b) { return order_of(a.place) < order_of(b.place); });
+  std::ranges::stable_sort(run.out.warnings, {}, order_of);
 }
 
 }  // namespace
 
-StableId Run::id_of(std::uint32_t birth) {
+StableId Run::id_of(std::uint32_t node) {
   if (ids.size() < nodes.size()) ids.resize(nodes.size());
-  if (ids[birth] != StableId{}) return ids[birth];
-  const DerivationNode& born = nodes[birth];
-  const StableId parent = birth == 0 ? initial.id : id_of(born.parent);
-  return ids[birth] = stable_id(parent, born.name, born.ordinal);
+  if (ids[node] != StableId{}) return ids[node];
+  const DerivationNode& child = nodes[node];
+  const StableId parent = node == 0 ? initial.id : id_of(child.parent);
+  return ids[node] = stable_id(parent, child.name, child.ordinal);
 }
 
-void Run::depends_on(std::uint32_t since) {
-  for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].birth >= since;) memo.open[i].repeats = false;
+void Run::depends_on(std::uint32_t since_node) {
+  for (std::size_t i = memo.open.size(); i-- > 0 && memo.open[i].node >= since_node;)
+    memo.open[i].is_repeatable = false;
 }
 
-void Run::record_draw(const RandomDraw& thrown) {
-  if (!memo.open.empty()) throws.push_back(thrown);
+void Run::record_draw(const RandomDraw& draw) {
+  if (!memo.open.empty()) draws.push_back(draw);
 }
 
-void Run::warning(TextPosition place, const std::string& message) {
+void Run::warn(TextPosition position, const std::string& message) {
   depends_on(0);
-  ++troubles_told;
-  const std::string key = position_text(program.files[place.file], place);
+  ++warnings_raised;
+  const std::string key = position_text(program.files[position.file], position);
   const auto found = warnings.find({key, message});
   if (found != warnings.end()) return void(++found->second.times);
-  if (warnings.size() < kMostTroubles) warnings[{key, message}] = {place, message, 1};
+  if (warnings.size() < kMostWarnings) warnings[{key, message}] = {position, message, 1};
 }
 
 bool Run::spend(std::uint64_t steps) {
@@ -83,11 +85,11 @@ bool Run::spend(std::uint64_t steps) {
   return out.steps <= options.limits.steps;
 }
 
-void Run::hit(LimitKind kind, const std::string& rule, TextPosition place) {
+void Run::hit(LimitKind kind, const std::string& rule, TextPosition position) {
   depends_on(0);
   for (LimitHit& hit : out.limits)
     if (hit.kind == kind) return void(++hit.times);
-  out.limits.push_back({kind, rule, place, 1});
+  out.limits.push_back({kind, rule, position, 1});
 }
 
 std::uint32_t Run::path(std::uint32_t parent, const std::string& rule) {
@@ -108,12 +110,12 @@ void Run::add_path(std::uint32_t parent, const std::string& rule) {
   first_below.push_back(0);
 }
 
-std::uint32_t Run::appearance_index(std::uint32_t look) {
-  looks_in_out.resize(tables.looks.size());
-  std::uint32_t& in_out = looks_in_out[look];
+std::uint32_t Run::appearance_index(std::uint32_t appearance) {
+  appearances_in_out.resize(tables.appearances.size());
+  std::uint32_t& in_out = appearances_in_out[appearance];
   if (in_out == 0) {
-    out.looks.push_back(tables.looks[look]);
-    in_out = static_cast<std::uint32_t>(out.looks.size());
+    out.appearances.push_back(tables.appearances[appearance]);
+    in_out = static_cast<std::uint32_t>(out.appearances.size());
   }
   return in_out - 1;
 }
@@ -143,18 +145,19 @@ Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId
 }
 
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options) {
+  assert(options.tolerance_m >= 0);
   Run run{program, options, initial};
   run.attributes.resize(program.attributes.size());
   run.attribute_under_way.resize(program.attributes.size());
   run.constants.resize(program.functions.size());
   run.add_path(0, "");
   run.memo.bodies.resize(program.bodies);
-  run.reaches.first_of.resize(program.bodies);
+  run.bounds.first_of.resize(program.bodies);
   run.out.shapes = 1;
-  make_room(run);
+  reserve_tables(run);
   begin(run);
-  sort_troubles(run);
-  if (options.ids) tell_ids(run);
+  collect_warnings(run);
+  if (options.ids) set_ids(run);
   for (const Terminal& terminal : run.out.terminals) run.out.error_m = std::max(run.out.error_m, terminal.error_m);
   return std::move(run.out);
 }
@@ -166,13 +169,14 @@ std::string path_name(const Derivation& derivation, std::uint32_t path) {
 }
 
 std::string warning_line(const Program& program, const Warning& warning) {
-  const std::string line = position_text(program.files[warning.place.file], warning.place) + ": " + warning.message;
+  const std::string line =
+      position_text(program.files[warning.position.file], warning.position) + ": " + warning.message;
   return warning.times == 1 ? line : line + " (" + std::to_string(warning.times) + " times)";
 }
 
 std::string limit_line(const Program& program, const LimitHit& hit) {
   constexpr const char* kNames[] = {"depth", "shapes", "steps"};
-  return position_text(program.files[hit.place.file], hit.place) + ": the limit of " +
+  return position_text(program.files[hit.position.file], hit.position) + ": the limit of " +
          kNames[static_cast<std::size_t>(hit.kind)] + " ended " + std::to_string(hit.times) +
          " shapes, the first of rule " + hit.rule;
 }

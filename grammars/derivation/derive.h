@@ -1,8 +1,8 @@
-// From a program and a shape to what a building is made of.
+// Derives a building from a program and its first shape.
 //
-//   Lot ─ extrude, comp(f) ─┬─ Facade ─ split(y) ─┬─ Floor ─ split(x) ─┬─ Wall          every leaf is a terminal;
-//                           ├─ Facade ─ …         └─ Floor ─ …         ├─ Window ─ …    at a tolerance, so is every
-//                           └─ Roof                                    └─ Wall          node that moves less
+//   Lot ─ extrude, comp(f) ─┬─ Facade ─ split(y) ─┬─ Floor ─ split(x) ─┬─ Wall          Every leaf is a terminal. At a
+//                           ├─ Facade ─ …         └─ Floor ─ …         ├─ Window ─ …    tolerance, so is every node
+//                           └─ Roof                                    └─ Wall          that moves the surface less.
 #pragma once
 
 #include <cstdint>
@@ -18,52 +18,53 @@
 
 namespace citykiln::grammars {
 
-/// Counts, not seconds, so that every machine stops at the same shape. Chosen some twenty times above what our largest
-/// building asks for.
+/// Limits are counts rather than seconds, so that every machine stops at the same shape. They are about twenty times
+/// what the largest shipped building needs.
 struct Limits {
-  int depth = 96;                    ///< Rules in each other.
-  std::uint64_t shapes = 200'000;    ///< Of the whole derivation, terminals and others.
-  std::uint64_t steps = 20'000'000;  ///< Operations, values computed and vertices touched.
+  int depth = 96;                    ///< Nested rules.
+  std::uint64_t shapes = 200'000;    ///< All shapes of the derivation.
+  std::uint64_t steps = 20'000'000;  ///< Operations, evaluated values and processed vertices.
 };
 
 struct DeriveOptions {
-  std::string start;                        ///< The rule to begin with; "" for the program's own.
-  std::map<std::string, Value> attributes;  ///< Take the place of `attr` values of these names.
+  std::string start;                        ///< The first rule; "" for the start rule of the program.
+  std::map<std::string, Value> attributes;  ///< Values of `attr` by name; constants cannot be replaced.
   std::uint64_t seed = 0;
-  double tolerance_m = 0;   ///< 0: all detail. Else a node that moves the surface by no more ends as its own surface.
-  bool keep_start = false;  ///< The start rule's own node is never cut: what it tells apart keeps its looks.
-  bool keep_appearances = false;  ///< No cut where something wider than the tolerance looks otherwise.
-  bool ids = true;     ///< Terminals and reports have theirs, and their paths; without, they have neither, and that
-                       ///< is quicker: what looks the same is copied wherever it came about.
-  bool copies = true;  ///< Shapes that are the same but for a motion are derived once.
-  /// Where the rules alone bound what a node moves, it ends at once, and looks as it is: the detail it stands for is
-  /// not derived, so nothing is counted, reported or looked at there. With keep_appearances, only where nothing that
-  /// comes of it may look otherwise; and what a split makes no wider than the tolerance goes to its neighbour, if the
-  /// rules alone bound what either moves.
-  bool ahead = false;
+  double tolerance_m = 0;   ///< 0 for all detail; else nodes that move the surface by at most this are simplified.
+  bool keep_start = false;  ///< The node of the start rule is never simplified.
+  /// A node is simplified only if everything in it that is wider than the tolerance has one appearance.
+  bool keep_appearances = false;
+  /// Terminals and reports get ids and paths. Without them more nodes are equal, and derivation is faster.
+  bool ids = true;
+  bool memoise = true;  ///< Shapes that differ by a rigid motion only are derived once (memo.h).
+  /// A node is simplified before it is derived if displacement_bound.h bounds what it moves. It keeps its own
+  /// appearance, and its detail is not counted and makes no reports or warnings. With keep_appearances this applies
+  /// only where no descendant may change the appearance; pieces of a split that are no wider than the tolerance are
+  /// then merged into a neighbour (merge_pieces.h).
+  bool prune_early = false;
   Limits limits;
-  Occlusion occlusion;  ///< None: nothing stands near.
-  RoofBuilder roofs;    ///< None: plain_roof().
+  Occlusion occlusion;  ///< Null: nothing stands near.
+  RoofBuilder roofs;    ///< Null: form_roofs() at 0.01 m.
 };
 
-/// A rule in which a shape came about; 0 is the start.
+/// A rule on the way from the start to a terminal. Path 0 is the root.
 struct PathNode {
   std::uint32_t parent = 0;
   std::string rule;
 };
 
 struct Terminal {
-  StableId id{};            ///< Descent: stable_id(parent's, name, which of its kind).
-  std::string name;         ///< The shape's name where it ended: "Wall".
-  std::uint32_t path = 0;   ///< Into Derivation::paths.
-  std::uint32_t look = 0;   ///< Into Derivation::looks.
-  std::vector<Face> faces;  ///< Plane metres; empty of an asset. Where the street runs is not told any more.
+  StableId id{};                 ///< stable_id(id of the parent, name, ordinal among its children).
+  std::string name;              ///< The name of the shape: "Wall".
+  std::uint32_t path = 0;        ///< Index into Derivation::paths.
+  std::uint32_t appearance = 0;  ///< Index into Derivation::appearances.
+  std::vector<Face> faces;       ///< Plane metres; empty for an asset. Face::street_edges have no meaning.
   std::optional<TextureProjection> texture;
-  std::string asset;  ///< i("…"): the instance that fills the scope; "" for none.
+  std::string asset;  ///< The instance of i("…") that fills the scope; "" for none.
   Scope scope;
-  bool cut = false;    ///< Ended by the tolerance: stands for all that its rule would have made.
-  double error_m = 0;  ///< If cut: between `faces` and what they stand for, Hausdorff, both ways.
-  double out_m = 0;    ///< If cut: no point of what they stand for lies farther from `faces`.
+  bool simplified = false;  ///< Ended by the tolerance: replaces all that its rule would have made.
+  double error_m = 0;       ///< If simplified: an upper bound of the Hausdorff distance between both surfaces.
+  double out_m = 0;         ///< If simplified: no point of the detailed surface is farther from `faces`.
 };
 
 /// One report(name, value).
@@ -73,56 +74,57 @@ struct Reported {
   StableId shape{};
 };
 
-/// Something a rule asked for that cannot be, and what was done instead. Once a place and text.
+/// A request of a rule that cannot be carried out, and what was done instead. One for each position and text.
 struct Warning {
-  TextPosition place;
+  TextPosition position;
   std::string message;
   std::uint64_t times = 0;
 };
 
 enum class LimitKind : std::uint8_t { kDepth, kShapes, kSteps };
 
-/// The first place where a limit ended a shape.
+/// The first rule at which a limit ended a shape.
 struct LimitHit {
   LimitKind kind = LimitKind::kDepth;
   std::string rule;
-  TextPosition place;
-  std::uint64_t times = 0;  ///< How many shapes it ended.
+  TextPosition position;
+  std::uint64_t times = 0;  ///< The number of shapes that the limit ended.
 };
 
 struct Derivation {
-  std::vector<Terminal> terminals;  ///< In the rules' order, depth first.
+  std::vector<Terminal> terminals;  ///< Depth first, in the order of the rules.
   std::vector<PathNode> paths;
-  std::vector<Appearance> looks;
-  std::vector<Reported> reports;  ///< Of all detail, at any tolerance.
+  std::vector<Appearance> appearances;
+  std::vector<Reported> reports;  ///< Of all detail, at any tolerance, except in nodes pruned early.
   std::vector<std::string> printed;
-  std::vector<Warning> warnings;  ///< By place.
-  std::vector<LimitHit> limits;   ///< At most one a kind.
+  std::vector<Warning> warnings;  ///< Sorted by position.
+  std::vector<LimitHit> limits;   ///< At most one of each kind.
   std::uint64_t shapes = 0, steps = 0;
-  std::uint64_t copied = 0;  ///< Of `shapes`, those that were not derived but copied.
-  double error_m = 0;        ///< The largest of the terminals': between this and the derivation at tolerance 0.
+  std::uint64_t copied = 0;  ///< The number of `shapes` that were copied instead of derived.
+  double error_m = 0;  ///< The largest error of the terminals: bounds the distance to the derivation at tolerance 0.
 };
 
-/// A footprint as the first shape: level at `height_m`; scope x along edge `front` of the outer ring, y up, z outward
-/// of that edge. `street` lists the edges that run along the street. Of fewer than three corners: no faces.
+/// The first shape of a footprint: horizontal at `height_m`; scope x along edge `front` of the outer ring, y up, z
+/// outward from that edge. `street` lists the edges along the street. Fewer than three corners give no faces.
 Shape lot(const Polygon& footprint, double height_m, std::size_t front, StableId id,
           const std::vector<std::size_t>& street = {});
 
 /// Applies rules until only terminals are left.
 ///
-/// Guarantees: the same bytes for the same arguments on any machine; chance is drawn by (seed, shape's id, purpose,
-/// index), so no shape's dice depend on another's. At a tolerance, the union of all terminals' surfaces lies within
-/// error_m ≤ tolerance_m of that at tolerance 0, Hausdorff, both ways; instances count as their scopes. Total: what
-/// cannot be is a trouble and does nothing; limits end shapes as terminals of their own, and
-/// keep the stack under 2 MB. Cost: that of all detail, at any tolerance, but once for each kind of shape where
-/// `copies`, and not below what is known `ahead`.
+/// @param options  tolerance_m >= 0.
+/// Guarantees: the same result for the same arguments on any machine. A random number depends only on the seed, the id
+/// of its shape, its purpose and its index there. At a tolerance, the Hausdorff distance between the union of all
+/// terminals and that at tolerance 0 is at most error_m <= tolerance_m; an asset counts as its scope.
+/// Bad input: what cannot be done is a warning and has no effect; a limit ends shapes as terminals of their own, and
+/// the stack stays under 2 MB.
+/// Cost: that of all detail at any tolerance, less what `memoise` and `prune_early` save.
 Derivation derive(const Program& program, const Shape& initial, const DeriveOptions& options);
 
 /// "Lot/Facade/Floor".
 std::string path_name(const Derivation& derivation, std::uint32_t path);
 /// "old_town_house.cga:12:5: message".
 std::string warning_line(const Program& program, const Warning& warning);
-/// "old_town_house.cga:12:5: the depth limit ended 3 shapes, first of rule Floor".
+/// "old_town_house.cga:12:5: the limit of depth ended 3 shapes, the first of rule Floor".
 std::string limit_line(const Program& program, const LimitHit& hit);
 
 }  // namespace citykiln::grammars

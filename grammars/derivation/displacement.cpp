@@ -1,6 +1,7 @@
 #include "grammars/derivation/displacement.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grammars/shapes/small_vector.h"
@@ -10,13 +11,7 @@ namespace {
 
 constexpr double kLeastArea_m2 = 1e-9;
 
-double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 ab = b - a;
-  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
-  return length(p - (a + ab * t));
-}
-
-// the farthest point's distance; where one is as far as `enough_m` the others are not looked at
+// The largest distance, or at least `enough_m` if one is as large: then the other points are skipped.
 template <typename Distance>
 double farthest_m(std::span<const Vec3> points, double enough_m, Distance distance_m) {
   double farthest_m = 0;
@@ -34,7 +29,7 @@ bool is_convex(std::span<const Vec3> ring, Vec3 normal) {
   return n >= 3;
 }
 
-// 0 inside of the prism over the ring, so that only the height over its plane is left
+// Over the ring the distance is the height above its plane, else that to the nearest edge.
 double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
   double nearest_m = kUnbounded_m;
   bool over = true;
@@ -49,12 +44,12 @@ double distance_to_convex_m(Vec3 p, std::span<const Vec3> ring, Vec3 normal) {
 double farthest_from_face_m(std::span<const Vec3> points, std::span<const Vec3> ring, double enough_m) {
   const Vec3 area_m2 = area_vector_m2(ring);
   const Vec3 normal = unit(area_m2);
-  // a face without area has no prism over it, but edges
+  // a face without area has edges only
   if (length(area_m2) < kLeastArea_m2 || !is_convex(ring, normal)) return kUnbounded_m;
   return farthest_m(points, enough_m, [&](Vec3 p) { return distance_to_convex_m(p, ring, normal); });
 }
 
-// what is no less than `enough_m` may be less than it is
+// The largest distance of the points from the sibling; results of at least `enough_m` may be too small.
 double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, double enough_m) {
   const std::size_t n = sibling.vertices.size();
   double best_m = sibling.filled ? farthest_from_face_m(points, sibling.vertices, enough_m) : kUnbounded_m;
@@ -66,17 +61,16 @@ double farthest_from_m(std::span<const Vec3> points, const ChildTrace& sibling, 
   return best_m;
 }
 
-// Of so many siblings on either side one is surely near; a comp() of thousands of faces would look at millions of
-// pairs.
+// A comp() of thousands of faces would otherwise compare millions of pairs.
 constexpr std::size_t kNearestSiblings = 256;
 
-// from a vanished surface to what became of its siblings, those that stand next to it among the children
+// From a vanished surface to the results of its siblings.
 double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> children) {
   const std::size_t first = vanished - std::min(vanished, kNearestSiblings);
   const std::size_t end = std::min(children.size(), vanished + kNearestSiblings + 1);
   double best_m = kUnbounded_m;
   for (const ChildTrace& sibling : children.subspan(first, end - first)) {
-    // one that is worse than the best for itself need not be measured
+    // the distance to the result is at least own.back_m
     if (sibling.vanished || sibling.own.back_m >= best_m) continue;
     const double enough_m = best_m - sibling.own.back_m;
     best_m = std::min(best_m, farthest_from_m(children[vanished].vertices, sibling, enough_m) + sibling.own.back_m);
@@ -87,6 +81,7 @@ double distance_to_siblings_m(std::size_t vanished, std::span<const ChildTrace> 
 }  // namespace
 
 Displacement affine_displacement(std::span<const Face> from, std::span<const Face> to) {
+  assert(from.empty() || vertex_count(from) == vertex_count(to));
   const Ring3 a = vertices_of(from), b = vertices_of(to);
   double farthest_m = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) farthest_m = std::max(farthest_m, length(b[i] - a[i]));
@@ -108,7 +103,7 @@ Ring3 vertices_of(std::span<const Face> faces) {
   return vertices;
 }
 
-NodeTrace together(std::span<const ChildTrace> children) {
+NodeTrace combine(std::span<const ChildTrace> children) {
   NodeTrace node;
   SmallVector<double, 8> back_of_group_m;
   for (std::size_t i = 0; i < children.size(); ++i) {
@@ -121,7 +116,7 @@ NodeTrace together(std::span<const ChildTrace> children) {
     back_m = std::max(back_m, child.before.back_m + own_m);
   }
   node.moved.back_m = kUnbounded_m;
-  // a number without children is no group
+  // numbers without children are no groups
   for (const double back_m : back_of_group_m)
     if (back_m >= 0) node.moved.back_m = std::min(node.moved.back_m, back_m);
   if (node.vanished) node.moved = {};

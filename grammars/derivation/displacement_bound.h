@@ -1,9 +1,9 @@
-// How far a body can move a surface, known before anything is derived of it.
+// Bounds from the rules alone, before a derivation, how far a body can move a surface.
 //
-// What displacement.h measures is bounded here from the rules alone: numbers are intervals, of a case all branches
-// count whose condition may hold, and what cannot be bounded is infinite. Known are flat faces that look along their
-// scope's z or y, as facades, lots and their parts do, and prisms over them; looks, extrude, t, comp, split, setback
-// and successors.
+// This is an abstract interpretation of the rules: numbers are intervals, every branch of a case counts whose condition
+// may hold, and what cannot be bounded is infinite. It bounds what displacement.h measures. Each operation has its rule
+// in the `bound` column of operations.inc, expressions share the operators and functions of evaluate.h. Bounded are
+// planar faces whose normal is along the scope's z or y, as facades, lots and their parts have, and prisms over them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace citykiln::grammars {
 struct Run;
 struct Execution;
 
-/// A number that lies somewhere between two; infinite where nothing is known.
+/// An interval that contains a number; infinite if nothing is known of it.
 struct NumberRange {
   double low = -kUnbounded_m, high = kUnbounded_m;
   bool operator==(const NumberRange&) const = default;
@@ -30,41 +30,40 @@ using NumberRanges = std::vector<NumberRange>;
 
 struct DisplacementBound {
   Displacement moved = {kUnbounded_m, kUnbounded_m};
-  bool stays = false;  ///< Something surely comes of it; else `moved.back_m` says nothing.
+  bool survives = false;  ///< The result surely has a surface; else `moved.back_m` has no meaning.
 };
 
-/// For KnownBound: whatever they are.
+/// For KnownBound::attributes: whatever they are.
 inline constexpr std::uint32_t kAnyAttributes = ~0u;
 
-/// What a body may move of a shape with these attributes (Shape::attributes) that is given these arguments.
+/// The bound of a body for shapes with these attributes (Shape::attributes) and these arguments.
 struct KnownBound {
   std::uint32_t attributes = 0;
   NumberRanges arguments;
-  DisplacementBound reach;
-  std::uint32_t next = 0;  ///< Of the same body: 1 + where BoundTable::found has it; 0 for the last.
+  DisplacementBound bound;
+  std::uint32_t next = 0;  ///< 1 + index into BoundTable::found of the next of the same body; 0 for the last.
 };
 
-/// What has been found so far.
+/// The bounds found so far.
 struct BoundTable {
   std::vector<KnownBound> found;
-  std::vector<std::uint32_t> first_of;  ///< By Body::number: 1 + the newest of `found`; 0 for none.
-  std::uint32_t looks = 0;              ///< Bodies and values looked at; after so many, everything is unbounded.
+  std::vector<std::uint32_t> first_of;  ///< By Body::number: 1 + index of the newest in `found`; 0 for none.
+  std::uint32_t evaluations = 0;        ///< Of bodies and values; beyond a limit everything is unbounded.
 };
 
-/// The bound for a body applied to a face that looks along its scope's z or y; nothing is derived and no dice are
-/// thrown. Safe: what the derivation measures is never more, unless a limit ends it. What moves more than the tolerance
-/// may be unbounded here. O(bodies that it may come to until that is known), once.
+/// The bound of a body applied to a face for which is_flat() holds. Derives nothing and draws no random numbers.
+/// Guarantee: the measured displacement is never larger, unless a limit ends the derivation. What moves more than the
+/// tolerance may be unbounded. O(bodies that the body can lead to), once for each kind of arguments.
 DisplacementBound displacement_bound(Execution& execution, const NumberRanges& arguments, const Body& body);
 
-/// What the node was given, for displacement_bound() of bodies in it.
+/// The parameters and locals of the node, for displacement_bound() of bodies in it.
 NumberRanges ranges_of(const Execution& execution);
 
-/// True for one flat face that looks along its scope's z or y: what displacement_bound() knows.
+/// True for one planar face whose normal is along the scope's z or y.
 bool is_flat(const Shape& shape);
 
-/// What the body may move the node's shape, if that is known to be within the tolerance, so that the node need not be
-/// derived (DeriveOptions::ahead). std::nullopt also for bodies that divide nothing: what they name is looked at in its
-/// turn.
+/// The bound of what the body moves the node's shape, if it is within the tolerance, so that the node need not be
+/// derived (DeriveOptions::prune_early). std::nullopt also for bodies that divide nothing: their successors are tried.
 std::optional<Displacement> bound_within_tolerance(Execution& execution, const Body& body);
 
 }  // namespace citykiln::grammars

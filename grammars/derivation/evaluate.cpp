@@ -1,6 +1,7 @@
 #include "grammars/derivation/evaluate.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -12,71 +13,66 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr double kEver = std::numeric_limits<double>::infinity();
-
-/// A throw of the dice, of which only matters between which bounds it lies.
+/// A random number that is only compared with bounds.
 struct Drawn {
   double value = 0;  ///< unit · scale.
   double scale = 1;
   std::uint32_t index = 0;
 };
 
-struct Outcomes {
-  double low = -kEver, high = kEver;
+/// An interval of Drawn::value.
+struct DrawRange {
+  double low = -HUGE_VAL, high = HUGE_VAL;
 };
 
-double thrown(Context& context, std::uint32_t index) {
-  const RandomSource& dice = context.dice;
-  const StableId id = dice.of_shape ? context.run.id_of(dice.birth) : context.run.initial.id;
-  return Draw(context.run.options.seed, id, dice.purpose).unit(index);
+double unit_at(Context& context, std::uint32_t index) {
+  const RandomSource& random = context.random;
+  const StableId id = random.of_shape ? context.run.id_of(random.node) : context.run.initial.id;
+  return Draw(context.run.options.seed, id, random.purpose).unit(index);
 }
 
 Drawn draw(Context& context, double scale) {
-  RandomSource& dice = context.dice;
-  const std::uint32_t index = dice.next++;
-  return {thrown(context, index) * scale, scale, index};
+  RandomSource& random = context.random;
+  const std::uint32_t index = random.next++;
+  return {unit_at(context, index) * scale, scale, index};
 }
 
-// any throw within these bounds would have led to the same
-void tell(Context& context, const Drawn& drawn, Outcomes same) {
-  const RandomSource& dice = context.dice;
-  if (dice.of_shape) context.run.record_draw({dice.birth, drawn.index, drawn.scale, same.low, same.high});
+// Records that every number in the interval would have the same effect.
+void record(Context& context, const Drawn& drawn, DrawRange same) {
+  const RandomSource& random = context.random;
+  if (random.of_shape) context.run.record_draw({random.node, drawn.index, drawn.scale, same.low, same.high});
 }
 
-double finite(double number, TextPosition place, Context& context) {
+double finite(double number, TextPosition position, Context& context) {
   if (std::isfinite(number)) return number;
-  context.run.warning(place, "the value is not a number or too large");
+  context.run.warn(position, "the value is not a number or too large");
   constexpr double kLargest = std::numeric_limits<double>::max();
   return std::isnan(number) ? 0.0 : std::clamp(number, -kLargest, kLargest);
 }
 
-// one that needs no work, and so makes no copy
+// The number, if it is stored and needs no evaluation; else null. Avoids a copy of a Value.
 const double* plain_number(const Expression& expression, const Context& context) {
   if (expression.kind == ExpressionKind::kLiteral) return std::get_if<double>(&expression.value);
   if (expression.kind != ExpressionKind::kName) return nullptr;
-  if (expression.target == Target::kLocal && expression.index < context.frame.size())
-    return std::get_if<double>(&context.frame[expression.index]);
+  if (expression.target == Target::kLocal && expression.index < context.slots.size())
+    return std::get_if<double>(&context.slots[expression.index]);
   const bool is_attribute = expression.target == Target::kAttribute && context.shape.attributes == 0;
   if (!is_attribute || !context.run.attributes[expression.index]) return nullptr;
   return std::get_if<double>(&*context.run.attributes[expression.index]);
 }
 
-// a value that needs no other kind than the caller's: what `+` adds may be texts
-bool is_arithmetic(const Expression& e) {
-  return e.kind == ExpressionKind::kBinary && std::string_view("-*/%").find(e.text[0]) != std::string_view::npos;
-}
-bool is_condition(const Expression& e) {
-  return e.kind == ExpressionKind::kBinary && std::string_view("&|=!<>").find(e.text[0]) != std::string_view::npos;
-}
+// Binary operators whose result is a number for all operands; kAdd may join strings.
+bool is_arithmetic(const Expression& e) { return e.op >= Operator::kSubtract; }
+bool is_condition(const Expression& e) { return e.op >= Operator::kOr && e.op <= Operator::kGreaterOrEqual; }
 double result(const Expression& arithmetic, Context& context);
 bool holds(const Expression& condition, Context& context);
 
-// counts the step and the depth
+// Calls `make` within the limits of steps and depth, else returns `otherwise`.
 template <typename Result, typename Make>
 Result within(const Expression& expression, Context& context, Result otherwise, Make make) {
   if (!context.run.spend(1)) return otherwise;
   if (context.depth >= kMostDepth) {
-    context.run.warning(expression.place, "values ask for each other without end");
+    context.run.warn(expression.position, "values refer to each other without end");
     return otherwise;
   }
   ++context.depth;
@@ -91,7 +87,7 @@ double number_at(const Expression& expression, Context& context) {
   if (is_arithmetic(expression)) return within(expression, context, 0.0, [&] { return result(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<double>(value))
-    context.run.warning(expression.place, std::string("expected a float, found a ") + kind_name(value));
+    context.run.warn(expression.position, std::string("expected a float, found a ") + kind_name(value));
   return number_of(value);
 }
 
@@ -99,7 +95,7 @@ bool truth_at(const Expression& expression, Context& context) {
   if (is_condition(expression)) return within(expression, context, false, [&] { return holds(expression, context); });
   const Value value = evaluate(expression, context);
   if (!std::holds_alternative<bool>(value))
-    context.run.warning(expression.place, std::string("expected a bool, found a ") + kind_name(value));
+    context.run.warn(expression.position, std::string("expected a bool, found a ") + kind_name(value));
   return truth_of(value);
 }
 
@@ -111,14 +107,14 @@ double random_number(Context& context, const double* n, std::size_t given) {
 bool is_drawn(Context& context, double share) {
   const Drawn drawn = draw(context, 1);
   const bool is_below = drawn.value < share;
-  tell(context, drawn, is_below ? Outcomes{-kEver, share} : Outcomes{share, kEver});
+  record(context, drawn, is_below ? DrawRange{-HUGE_VAL, share} : DrawRange{share, HUGE_VAL});
   return is_below;
 }
 
 bool occluded(Context& context, OcclusionQuery query) {
   const Occlusion& occlusion = context.run.options.occlusion;
-  if (occlusion && context.dice.of_shape) context.run.depends_on(0);
-  // a look at all points of the shape
+  if (occlusion && context.random.of_shape) context.run.depends_on(0);
+  // a query tests every point of the shape
   context.run.spend(vertex_count(context.shape.faces) * 2);
   return occlusion && occlusion(query, context.shape);
 }
@@ -126,14 +122,14 @@ bool occluded(Context& context, OcclusionQuery query) {
 Value call_builtin(std::size_t row, const Value* v, const double* n, const std::string* s, std::size_t given,
                    Context& context) {
   std::size_t at = 0;
-#define FUNCTION(name, arguments, computes, text) \
+#define FUNCTION(name, arguments, kind, computes, text) \
   if (row == at++) return Value(computes);
 #include "grammars/language/functions.inc"
 #undef FUNCTION
   return 0.0;
 }
 
-// reads the arguments as the table's letters say
+// Evaluates the arguments and converts them as the letters of the table say.
 Value evaluate_builtin(const Expression& call, Context& context) {
   const char* letters = builtin_functions()[call.index].arguments;
   Value v[3];
@@ -144,67 +140,67 @@ Value evaluate_builtin(const Expression& call, Context& context) {
     if (*letters == '/') ++letters;
     const char letter = *letters++;
     const bool fits = letter == 'v' || letter == "nbs"[v[i].index()];
-    if (!fits) context.run.warning(call.operands[i].place, "a value of another kind than '" + call.text + "' asks for");
+    if (!fits) context.run.warn(call.operands[i].position, "an argument of '" + call.text + "' has the wrong type");
     n[i] = number_of(v[i]);
     if (letter == 's') s[i] = text_of(v[i]);
   }
   const Value value = call_builtin(call.index, v, n, s, call.operands.size(), context);
-  return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.place, context) : value;
+  return std::holds_alternative<double>(value) ? finite(std::get<double>(value), call.position, context) : value;
 }
 
-// what is worth the same for all shapes is evaluated once, if nothing is to be told of it; its steps count each time
+// A constant function is evaluated once, unless it raises warnings; its steps count each time.
 Value constant_value(std::uint32_t index, Context& context) {
   Run& run = context.run;
   std::optional<ConstantValue>& known = run.constants[index];
   if (known) return run.spend(known->steps) ? known->value : Value(0.0);
   const auto steps = [&] { return run.out.steps - run.attribute_steps; };
-  const std::uint64_t before = steps(), told = run.troubles_told;
-  Frame none;
-  Context inner{run, context.shape, none, context.dice, context.depth};
+  const std::uint64_t before = steps(), raised_before = run.warnings_raised;
+  Slots none;
+  Context inner{run, context.shape, none, context.random, context.depth};
   Value value = evaluate(run.program.functions[index].value, inner);
-  if (run.troubles_told == told && run.spend(0)) run.constants[index] = {value, steps() - before};
+  if (run.warnings_raised == raised_before && run.spend(0)) run.constants[index] = {value, steps() - before};
   return value;
 }
 
 [[gnu::noinline]] Value evaluate_function(const Expression& call, Context& context) {
   const Function& function = context.run.program.functions[call.index];
   if (function.is_constant) return constant_value(call.index, context);
-  Frame frame;
-  frame.reserve(call.operands.size());
-  for (const Expression& operand : call.operands) frame.push_back(evaluate(operand, context));
-  Context inner{context.run, context.shape, frame, context.dice, context.depth};
+  Slots slots;
+  slots.reserve(call.operands.size());
+  for (const Expression& operand : call.operands) slots.push_back(evaluate(operand, context));
+  Context inner{context.run, context.shape, slots, context.random, context.depth};
   return evaluate(function.value, inner);
 }
 
-Value look_value(const std::string& name, const Appearance& look) {
+Value material_value(const std::string& name, const Appearance& appearance) {
 #define MATERIAL_TEXT(key, member) \
-  if (name == key) return look.member;
+  if (name == key) return appearance.member;
 #define MATERIAL_NUMBER(key, member) \
-  if (name == key) return look.member;
+  if (name == key) return appearance.member;
 #include "grammars/language/material_values.inc"
 #undef MATERIAL_TEXT
 #undef MATERIAL_NUMBER
   return 0.0;
 }
 
-// the first shape to have been given what the value tells; ~0 if it is the shape's own
-std::uint32_t given_to(const Shape& shape, std::size_t row) {
-  constexpr DependsOn kTold[] = {
-#define SHAPE_VALUE(key, told_of, computes, text) told_of,
+// The node at which the value was assigned (Run::depends_on); ~0 if it depends on the shape alone.
+std::uint32_t assigned_at(const Shape& shape, std::size_t row) {
+  constexpr DependsOn kDependsOn[] = {
+#define SHAPE_VALUE(key, depends_on, computes, text) depends_on,
 #include "grammars/language/shape_values.inc"
 #undef SHAPE_VALUE
   };
-  if (kTold[row] == DependsOn::kPlace) return 0;
-  if (kTold[row] == DependsOn::kSplit) return shape.in_split.since;
-  return kTold[row] == DependsOn::kComp ? shape.in_comp.since : ~0u;
+  if (kDependsOn[row] == DependsOn::kPosition) return 0;
+  if (kDependsOn[row] == DependsOn::kSplit) return shape.in_split.since_node;
+  return kDependsOn[row] == DependsOn::kComp ? shape.in_comp.since_node : ~0u;
 }
 
 Value shape_value(const Expression& name, Context& context) {
   const Shape& shape = context.shape;
-  if (name.index == ~0u) return look_value(name.text, context.run.tables.looks[shape.look]);
-  if (context.dice.of_shape) context.run.depends_on(given_to(shape, name.index));
+  if (name.index == ~0u) return material_value(name.text, context.run.tables.appearances[shape.appearance]);
+  if (context.random.of_shape) context.run.depends_on(assigned_at(shape, name.index));
   std::size_t at = 0;
-#define SHAPE_VALUE(key, told_of, computes, text) \
+#define SHAPE_VALUE(key, depends_on, computes, text) \
   if (name.index == at++) return Value(computes);
 #include "grammars/language/shape_values.inc"
 #undef SHAPE_VALUE
@@ -214,7 +210,7 @@ Value shape_value(const Expression& name, Context& context) {
 Value evaluate_name(const Expression& name, Context& context) {
   switch (name.target) {
     case Target::kLocal:
-      return name.index < context.frame.size() ? context.frame[name.index] : Value(0.0);
+      return name.index < context.slots.size() ? context.slots[name.index] : Value(0.0);
     case Target::kAttribute:
       return attribute_value(name.index, context);
     case Target::kFunction:
@@ -230,15 +226,15 @@ Value evaluate_name(const Expression& name, Context& context) {
 }
 
 Value evaluate_unary(const Expression& unary, Context& context) {
-  if (unary.text == "!") return !truth_at(unary.operands[0], context);
+  if (unary.op == Operator::kNot) return !truth_at(unary.operands[0], context);
   const double number = number_at(unary.operands[0], context);
-  return unary.text == "-" ? -number : number;
+  return unary.op == Operator::kNegate ? -number : number;
 }
 
-// as strings where one is a string, else as numbers; a float equals no bool
-int compared(const Value& a, const Value& b, TextPosition place, Context& context) {
+// Compares as strings if one is a string, else as numbers; < 0, 0 or > 0. Values of different kinds raise a warning.
+int compared(const Value& a, const Value& b, TextPosition position, Context& context) {
   if (a.index() != b.index())
-    context.run.warning(place, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
+    context.run.warn(position, std::string("compares a ") + kind_name(a) + " with a " + kind_name(b));
   if (std::holds_alternative<std::string>(a) || std::holds_alternative<std::string>(b)) {
     const int order = text_of(a).compare(text_of(b));
     return order < 0 ? -1 : order > 0 ? 1 : 0;
@@ -247,16 +243,14 @@ int compared(const Value& a, const Value& b, TextPosition place, Context& contex
   return x < y ? -1 : x > y ? 1 : 0;
 }
 
-bool holds(const Expression& binary, int order) {
-  const char sign = binary.text[0];
-  if (sign == '=') return order == 0;
-  if (sign == '!') return order != 0;
-  const bool or_equal = binary.text.size() > 1;
-  if (or_equal && order == 0) return true;
-  return sign == '<' ? order < 0 : order > 0;
+bool holds(Operator comparison, int order) {
+  const auto is = [&](Operator a, Operator b) { return comparison == a || comparison == b; };
+  if (order == 0) return comparison == Operator::kEqual || is(Operator::kLessOrEqual, Operator::kGreaterOrEqual);
+  if (comparison == Operator::kNotEqual) return true;
+  return order < 0 ? is(Operator::kLess, Operator::kLessOrEqual) : is(Operator::kGreater, Operator::kGreaterOrEqual);
 }
 
-/// The operands, where both are numbers that need no work.
+/// Both operands, if they are stored numbers.
 struct Numbers {
   const double* a = nullptr;
   const double* b = nullptr;
@@ -268,58 +262,58 @@ Numbers plain_numbers(const Expression& binary, Context& context) {
   return {plain_number(binary.operands[0], context), plain_number(binary.operands[1], context)};
 }
 
-// texts that double in every function would fill the memory before a limit sees them
+// Strings that double in every function would fill the memory before a limit applies.
 constexpr std::size_t kLongestText = 4096;
 
 Value add_text(const Expression& binary, const Value& a, const Value& b, Context& context) {
   std::string text = text_of(a) + text_of(b);
   if (text.size() > kLongestText) {
-    context.run.warning(binary.place, "a text of more than 4096 bytes");
+    context.run.warn(binary.position, "a text of more than 4096 bytes");
     text.resize(kLongestText);
   }
   return text;
 }
 
-double divided(double a, double b, TextPosition place, Context& context) {
+double divided(double a, double b, TextPosition position, Context& context) {
   if (b != 0) return a / b;
-  context.run.warning(place, "division by zero");
+  context.run.warn(position, "division by zero");
   return 0;
 }
 
-double remainder_of(double a, double b, TextPosition place, Context& context) {
-  const double quotient = divided(a, b, place, context);
+double remainder_of(double a, double b, TextPosition position, Context& context) {
+  const double quotient = divided(a, b, position, context);
   return a - b * (quotient < 0 ? std::ceil(quotient) : std::floor(quotient));
 }
 
 double arithmetic(const Expression& binary, double a, double b, Context& context) {
-  switch (binary.text[0]) {
-    case '+':
-      return finite(a + b, binary.place, context);
-    case '-':
-      return finite(a - b, binary.place, context);
-    case '*':
-      return finite(a * b, binary.place, context);
-    case '/':
-      return finite(divided(a, b, binary.place, context), binary.place, context);
+  switch (binary.op) {
+    case Operator::kAdd:
+      return finite(a + b, binary.position, context);
+    case Operator::kSubtract:
+      return finite(a - b, binary.position, context);
+    case Operator::kMultiply:
+      return finite(a * b, binary.position, context);
+    case Operator::kDivide:
+      return finite(divided(a, b, binary.position, context), binary.position, context);
     default:
-      return finite(remainder_of(a, b, binary.place, context), binary.place, context);
+      return finite(remainder_of(a, b, binary.position, context), binary.position, context);
   }
 }
 
 double result(const Expression& binary, Context& context) {
-  // the left one draws first, whatever the compiler prefers
+  // the left operand first, since both may draw random numbers
   const double left = number_at(binary.operands[0], context);
   return arithmetic(binary, left, number_at(binary.operands[1], context), context);
 }
 
 bool holds(const Expression& binary, Context& context) {
   const Expression &left = binary.operands[0], &right = binary.operands[1];
-  if (binary.text[0] == '&') return truth_at(left, context) && truth_at(right, context);
-  if (binary.text[0] == '|') return truth_at(left, context) || truth_at(right, context);
+  if (binary.op == Operator::kAnd) return truth_at(left, context) && truth_at(right, context);
+  if (binary.op == Operator::kOr) return truth_at(left, context) || truth_at(right, context);
   if (const Numbers plain = plain_numbers(binary, context))
-    return context.run.spend(2) && holds(binary, *plain.a < *plain.b ? -1 : *plain.a > *plain.b);
+    return context.run.spend(2) && holds(binary.op, *plain.a < *plain.b ? -1 : *plain.a > *plain.b);
   const Value a = evaluate(left, context);
-  return holds(binary, compared(a, evaluate(right, context), binary.place, context));
+  return holds(binary.op, compared(a, evaluate(right, context), binary.position, context));
 }
 
 Value evaluate_sum(const Expression& sum, Context& context) {
@@ -345,39 +339,39 @@ Value evaluate_case(const Expression& cases, Context& context) {
 }
 
 Value evaluate_chance(const Expression& chances, Context& context) {
-  const Drawn dice = draw(context, 100);
-  double sum = 0, least = -kEver;
+  const Drawn drawn = draw(context, 100);
+  double sum = 0, least = -HUGE_VAL;
   std::size_t i = 0;
   for (; i + 1 < chances.operands.size(); i += 2) {
     sum += number_at(chances.operands[i], context);
-    if (dice.value < sum) {
-      tell(context, dice, {least, sum});
+    if (drawn.value < sum) {
+      record(context, drawn, {least, sum});
       return evaluate(chances.operands[i + 1], context);
     }
     least = std::max(least, sum);
   }
-  tell(context, dice, {least, kEver});
+  record(context, drawn, {least, HUGE_VAL});
   return i < chances.operands.size() ? evaluate(chances.operands[i], context) : Value(0.0);
 }
 
 Value evaluate_with(const Expression& with, Context& context) {
   for (std::size_t i = 0; i + 1 < with.operands.size(); ++i) {
     Value value = evaluate(with.operands[i], context);
-    context.frame.resize(std::max<std::size_t>(context.frame.size(), with.index + i + 1), Value(0.0));
-    context.frame[with.index + i] = std::move(value);
+    context.slots.resize(std::max<std::size_t>(context.slots.size(), with.index + i + 1), Value(0.0));
+    context.slots[with.index + i] = std::move(value);
   }
   return evaluate(with.operands.back(), context);
 }
 
-// attributes draw from the building's own dice, by name
+// The value of an attribute at the start. Its random numbers belong to the building and to the attribute's name.
 Value initial_value(std::uint32_t index, Context& context) {
   Run& run = context.run;
   const Attribute& attribute = run.program.attributes[index];
   const auto given = run.options.attributes.find(attribute.name);
   const std::string purpose = "attr " + attribute.name;
-  RandomSource dice{purpose.c_str(), 0, false};
-  Frame frame;
-  Context inner{run, run.initial, frame, dice, context.depth};
+  RandomSource random{.purpose = purpose.c_str(), .of_shape = false};
+  Slots slots;
+  Context inner{run, run.initial, slots, random, context.depth};
   if (given == run.options.attributes.end() || attribute.is_const) return evaluate(attribute.value, inner);
   return given->second;
 }
@@ -385,12 +379,13 @@ Value initial_value(std::uint32_t index, Context& context) {
 }  // namespace
 
 Value attribute_value(std::uint32_t index, Context& context) {
+  assert(index < context.run.program.attributes.size());
   Run& run = context.run;
   const AttributeSet& changed = run.tables.attribute_sets[context.shape.attributes];
   if (const auto found = changed.find(index); found != changed.end()) return found->second;
   if (run.attributes[index]) return *run.attributes[index];
   if (run.attribute_under_way[index]) {
-    run.warning(run.program.attributes[index].place, "the attribute's value asks for itself");
+    run.warn(run.program.attributes[index].position, "the attribute's value refers to itself");
     return 0.0;
   }
   run.attribute_under_way[index] = true;
@@ -402,8 +397,8 @@ Value attribute_value(std::uint32_t index, Context& context) {
 }
 
 double draw_unit(Context& context) {
-  if (context.dice.of_shape) context.run.depends_on(0);
-  return thrown(context, context.dice.next++);
+  if (context.random.of_shape) context.run.depends_on(0);
+  return unit_at(context, context.random.next++);
 }
 
 namespace {
@@ -440,25 +435,26 @@ Value evaluate(const Expression& expression, Context& context) {
 namespace {
 
 int drawn_branch(const Body& body, Context& context) {
-  const Drawn dice = draw(context, 100);
+  const Drawn drawn = draw(context, 100);
   double sum = 0;
-  Outcomes same;
+  DrawRange same;
   int chosen = -1;
   for (std::size_t i = 0; i < body.branches.size() && chosen < 0; ++i) {
     const Branch& branch = body.branches[i];
     if (!branch.is_else) sum += number_at(branch.test, context);
-    const bool is_this = branch.is_else || dice.value < sum;
+    const bool is_this = branch.is_else || drawn.value < sum;
     if (is_this) chosen = static_cast<int>(i);
     if (is_this && !branch.is_else) same.high = sum;
     if (!is_this) same.low = std::max(same.low, sum);
   }
-  tell(context, dice, same);
+  record(context, drawn, same);
   return chosen;
 }
 
 }  // namespace
 
 int chosen_branch(const Body& body, Context& context) {
+  assert(body.kind != BodyKind::kStatements);
   if (body.kind == BodyKind::kChance) return drawn_branch(body, context);
   for (std::size_t i = 0; i < body.branches.size(); ++i) {
     const Branch& branch = body.branches[i];

@@ -1,4 +1,4 @@
-// What an expression is worth for a shape.
+// Evaluates expressions for a shape.
 #pragma once
 
 #include "grammars/derivation/run.h"
@@ -8,25 +8,33 @@ namespace citykiln::grammars {
 struct Context {
   Run& run;
   const Shape& shape;
-  Frame& frame;
-  RandomSource& dice;
-  int depth = 0;  ///< Expressions in each other, through functions too.
+  Slots& slots;
+  RandomSource& random;
+  int depth = 0;  ///< Nested expressions, through functions too.
 };
 
-/// Total: a value of the wrong kind is a trouble and converted; division by zero and overflow are troubles and 0, or
-/// the largest double; expressions deeper than kMostDepth in each other, as of functions that call themselves, are 0.
+inline Context context_of(Execution& execution) {
+  return {execution.run, execution.shape, execution.slots, execution.random};
+}
+
+/// The value of an expression. A value of the wrong kind is converted with a warning. Division by zero gives 0 and
+/// overflow the largest double, with a warning. Expressions nested deeper than kMostDepth, as in functions that call
+/// themselves, give 0.
 Value evaluate(const Expression& expression, Context& context);
 
-/// Functions of usual size may call themselves a hundred times; all of it is under 1 MB of stack.
+/// The greatest depth of nested expressions: functions of usual size may call themselves a hundred times, within 1 MB
+/// of stack.
 inline constexpr int kMostDepth = 600;
 
 /// The value of an attribute or constant for this shape.
+/// @param attribute  Index into Program::attributes.
 Value attribute_value(std::uint32_t attribute, Context& context);
 
-/// Uniform in [0, 1).
+/// A random number, uniform in [0, 1).
 double draw_unit(Context& context);
 
-/// Which branch of a case or of p% shares to take; -1 for none.
+/// The branch that a case or a list of percentages selects; -1 for none.
+/// @param body  Of kind kCase or kChance.
 int chosen_branch(const Body& body, Context& context);
 
 }  // namespace citykiln::grammars

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -12,36 +13,24 @@
 namespace citykiln::grammars {
 namespace {
 
-roofs::Form form_of(RoofKind kind) {
-  switch (kind) {
-    case RoofKind::kGable:
-      return roofs::Form::kGabled;
-    case RoofKind::kHip:
-      return roofs::Form::kHipped;
-    case RoofKind::kPyramid:
-      return roofs::Form::kPyramidal;
-    case RoofKind::kShed:
-      return roofs::Form::kSkillion;
-    case RoofKind::kMansard:
-      return roofs::Form::kMansard;
-  }
-  return roofs::Form::kFlat;
-}
+/// By RoofKind.
+constexpr roofs::Form kForms[] = {roofs::Form::kGabled, roofs::Form::kHipped, roofs::Form::kPyramidal,
+                                  roofs::Form::kSkillion, roofs::Form::kMansard};
 
 roofs::RoofShape shape_of(const RoofRequest& request) {
   roofs::RoofShape shape;
-  shape.form = form_of(request.kind);
+  shape.form = kForms[static_cast<std::size_t>(request.kind)];
   shape.overhang_m = request.overhang_m;
   (request.by_height ? shape.height_m : shape.angle_deg) = request.by_height ? request.height_m : request.angle_deg;
   if (request.kind == RoofKind::kMansard) shape.knee = {request.height_m, request.upper_angle_deg};
   const Ring& ring = request.footprint.outer;
-  // a shed rises from the edge that it is asked to begin at
+  // a shed rises from its edge
   const Vec2 along = ring[(request.edge + 1) % ring.size()] - ring[request.edge % ring.size()];
   if (request.kind == RoofKind::kShed) shape.direction = left_of(along) * -1.0;
   return shape;
 }
 
-// beyond it arrange() has no grid, with room for eaves; no eaves are so wide
+// The range of the grid of arrange(), with room for eaves; wider eaves are not built.
 constexpr double kFar_m = 256e3, kMostOverhang_m = 100, kSteepest_deg = 89.5;
 
 bool lies_on_the_grid(const Polygon& footprint) {
@@ -56,20 +45,10 @@ bool can_be_built(const RoofRequest& request) {
   return request.footprint.outer.size() >= 3 && lies_on_the_grid(request.footprint);
 }
 
-FaceTag tag_of(roofs::Part part) {
-  switch (part) {
-    case roofs::Part::kRoof:
-      return FaceTag::kTop;
-    case roofs::Part::kGable:
-      return FaceTag::kSide;
-    case roofs::Part::kEdge:
-    case roofs::Part::kSoffit:
-      return FaceTag::kBorder;
-  }
-  return FaceTag::kNone;
-}
+/// By roofs::Part.
+constexpr FaceTag kTags[] = {FaceTag::kTop, FaceTag::kSide, FaceTag::kBorder, FaceTag::kBorder};
 
-/// Triangles of a roof's vertices, of one plane or nearly.
+/// Triangles of a roof in one plane, or nearly so.
 struct Patch {
   std::span<const Vec3> at;
   std::vector<Triangle> triangles;
@@ -91,21 +70,21 @@ Vec3 middle_of(const Patch& patch) {
   return sum * (1 / static_cast<double>(patch.triangles.size()));
 }
 
-/// Faces are flat to a centimetre. Roof planes may be less so: over walls that bend by less than the skeleton sees, and
-/// where planes that do not meet were joined.
-constexpr double kFlat_m = 0.005, kOnLargest_m = 0.004, kUpright = 0.01;
+/// Faces are planar to 1 cm. A roof plane may not be, over walls whose bends the skeleton ignores and where gaps
+/// between planes were closed.
+constexpr double kFlat_m = 0.005, kOnLargest_m = 0.004, kVertical = 0.01;
 
-/// Far above rounding: a ring that surrounds so much, seen from outside, is a face.
+/// A ring with at least this area is a face; far above rounding error.
 constexpr double kSurelyArea_m2 = 1e-9;
 
-/// What stands upright may be folded by a hair, and look both ways.
-bool looks_along(const Patch& patch, const Triangle& t, Vec3 normal) {
-  return std::abs(normal.z) > kUpright || dot(twice_area(patch, t), normal) >= 0;
+/// True if the triangle is oriented as the patch. Vertical patches may have folds of rounding size.
+bool is_oriented_along(const Patch& patch, const Triangle& t, Vec3 normal) {
+  return std::abs(normal.z) > kVertical || dot(twice_area(patch, t), normal) >= 0;
 }
 
 bool lies_along(const Patch& patch, const Triangle& t, Vec3 on_plane, Vec3 normal, double near_m) {
   const auto is_near = [&](std::uint32_t v) { return std::abs(dot(patch.at[v] - on_plane, normal)) <= near_m; };
-  return std::all_of(t.begin(), t.end(), is_near) && looks_along(patch, t, normal);
+  return std::all_of(t.begin(), t.end(), is_near) && is_oriented_along(patch, t, normal);
 }
 
 bool is_flat(const Patch& patch) {
@@ -114,7 +93,7 @@ bool is_flat(const Patch& patch) {
                      [&](const Triangle& t) { return lies_along(patch, t, middle, normal, kFlat_m); });
 }
 
-/// What lies in the plane of the largest triangle, which it leaves out of `patch`.
+/// Moves the triangles in the plane of the largest triangle out of `patch`.
 Patch take_largest_plane(Patch& patch) {
   auto& all = patch.triangles;
   const Triangle seed = *std::max_element(all.begin(), all.end(), [&](const Triangle& a, const Triangle& b) {
@@ -129,27 +108,27 @@ Patch take_largest_plane(Patch& patch) {
   return taken;
 }
 
-/// Where rings are told from holes. What does not stand upright is seen from above or below: there slivers show their
-/// right side, whatever their own planes are.
+/// The direction that separates outer rings from holes: vertical unless the patch is, because the normals of slivers
+/// are unreliable.
 Vec3 seen_from(const Patch& patch) {
   const Vec3 normal = unit(twice_area(patch));
   return normal.z == 0 ? normal : Vec3{0, 0, normal.z > 0 ? 1.0 : -1.0};
 }
 
-bool comes_back(std::span<const Vec3> ring) {
+bool passes_twice(std::span<const Vec3> ring) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (std::find(ring.begin() + i + 1, ring.end(), ring[i]) != ring.end()) return true;
   return false;
 }
 
-/// Most patches are what one ring surrounds; others are traced by their edges' places.
+/// Most patches have one border ring; the others are traced by the positions of their edges.
 std::vector<Face> flat_faces(const Patch& patch) {
   const Vec3 normal = seen_from(patch);
   std::vector<Face> faces(1);
   Ring3& ring = faces.front().outer;
   const auto border = border_ring(patch.triangles);
   for (const std::uint32_t v : border.value_or(std::vector<std::uint32_t>{})) ring.push_back(patch.at[v]);
-  if (dot(normal, area_vector_m2(ring)) > kSurelyArea_m2 && !comes_back(ring)) return faces;
+  if (dot(normal, area_vector_m2(ring)) > kSurelyArea_m2 && !passes_twice(ring)) return faces;
   std::vector<Edge3> edges;
   const auto add = [&](std::uint32_t from, std::uint32_t to) { edges.emplace_back(patch.at[from], patch.at[to]); };
   for (const auto& [a, b, c] : patch.triangles) add(a, b), add(b, c), add(c, a);
@@ -168,21 +147,21 @@ void add_faces(Patch patch, FaceTag tag, std::vector<Face>& faces) {
   if (!patch.triangles.empty()) add_flat_faces(patch, tag, faces);
 }
 
-/// Which triangles are one face: those of a roof plane by its number, what stands upright by where it stands: a gable
-/// may be several roof planes' end, and a plane's rim goes around corners.
+/// Triangles with equal keys are one face. Roof planes have numbers; vertical parts are keyed by their plane, because a
+/// gable may end several roof planes and a rim goes around corners.
 using PatchKey = std::array<std::int64_t, 5>;
 
 PatchKey key_of(const roofs::Roof& roof, std::size_t i) {
   const auto part = static_cast<std::int64_t>(roof.parts[i]);
-  const bool is_upright = roof.parts[i] == roofs::Part::kGable || roof.parts[i] == roofs::Part::kEdge;
-  if (!is_upright) return {part, roof.faces[i], 0, 0, 0};
+  const bool is_vertical = roof.parts[i] == roofs::Part::kGable || roof.parts[i] == roofs::Part::kEdge;
+  if (!is_vertical) return {part, roof.faces[i], 0, 0, 0};
   const Vec3 a = roof.positions[roof.triangles[i][0]], b = roof.positions[roof.triangles[i][1]];
   const Vec3 normal = unit(cross(b - a, roof.positions[roof.triangles[i][2]] - a));
   const auto cell = [](double v) { return static_cast<std::int64_t>(std::floor(v * 256 + 0.5)); };
   return {part, cell(normal.x), cell(normal.y), cell(normal.z), cell(dot(normal, a))};
 }
 
-/// A triangle of the roof, and the patch that it is of.
+/// A triangle of the roof and its patch.
 struct Keyed {
   PatchKey patch;
   std::size_t triangle;
@@ -212,7 +191,7 @@ std::vector<Face> faces_of(const roofs::Roof& roof) {
     Patch patch{roof.positions, {}};
     const auto end = std::find_if(first, keyed.end(), [&](const Keyed& k) { return k.patch != first->patch; });
     for (auto k = first; k != end; ++k) patch.triangles.push_back(roof.triangles[k->triangle]);
-    add_faces(std::move(patch), tag_of(roof.parts[first->triangle]), faces);
+    add_faces(std::move(patch), kTags[static_cast<std::size_t>(roof.parts[first->triangle])], faces);
     first = end;
   }
   add_faces(floor_of(roof), FaceTag::kBottom, faces);
@@ -220,6 +199,7 @@ std::vector<Face> faces_of(const roofs::Roof& roof) {
 }
 
 RoofBuilder form_roofs(double tolerance_m) {
+  assert(tolerance_m > 0);
   return [tolerance_m](const RoofRequest& request) -> std::optional<std::vector<Face>> {
     if (!can_be_built(request)) return std::nullopt;
     Report ignored;

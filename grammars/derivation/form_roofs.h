@@ -1,4 +1,4 @@
-// The roofs of roofs/ as the grammar's roof builder.
+// Builds the roofs of roofs/ for roof operations.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,17 @@
 
 namespace citykiln::grammars {
 
-/// Makes roofGable … by generate_roof(): gabled, hipped, pyramidal, skillion and mansard, on any footprint, with
-/// overhangs.
-/// @param tolerance_m  As generate_roof's: knees and eaves it does not see are left out. The roof's own error is not
-/// part of the derivation's. Faces of one plane are one face. Rims and undersides of overhangs are tagged kBorder.
-/// std::nullopt where the roof fell back to flat, for what does not rise, overhangs below 0 or over 100 m, and places
-/// off the grid (256 km).
+/// A roof builder that calls roofs::generate_roof(): gabled, hipped, pyramidal, skillion and mansard roofs with
+/// overhangs on any footprint. Faces of one plane are one face.
+/// @param tolerance_m  As in generate_roof(); > 0. The error of the roof is not part of that of the derivation.
+/// std::nullopt for roofs that became flat, angles and heights that are not positive, overhangs below 0 or above 100 m,
+/// and footprints farther than 256 km from the origin.
 RoofBuilder form_roofs(double tolerance_m);
 
-/// A roof as faces, eaves at height 0: those of one plane are one. Tagged kTop (roof planes), kSide (gables), kBorder
-/// (rims and undersides of overhangs), kBottom (the floor, looking down).
-/// Guarantees: every face is flat to a centimetre; no ring comes back to one of its points; corners meet corners, so
-/// that with walls below its eaves the roof closes. O(n log n).
+/// The faces of a roof over its eaves plane, z = 0; triangles of one plane are one face. Tagged kTop (roof planes),
+/// kSide (gables), kBorder (rims and undersides of overhangs), kBottom (the floor, facing down). Guarantees: every face
+/// is planar to 1 cm; no ring passes through a point twice; corners meet corners, so together with walls below the
+/// eaves the surface is closed. O(n log n).
 std::vector<Face> faces_of(const roofs::Roof& roof);
 
 }  // namespace citykiln::grammars

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 #include "grammars/derivation/run.h"
@@ -9,13 +10,13 @@
 namespace citykiln::grammars {
 namespace {
 
-// what is larger costs more to compare than the second of its kind would save
+// The key of a larger face costs more than a copy would save.
 constexpr std::size_t kMostVertices = 12;
-// a body that made so few shapes so often is not worth a note, nor one that never met its like
+// A body stops being recorded after so many results of at most kFewShapes shapes, or so many misses without a hit.
 constexpr std::uint64_t kFewShapes = 3;
 constexpr std::uint32_t kManyTimes = 8, kManyMisses = 64;
-// more dice hardly ever fall alike twice: two panes of a window do, those of a floor do not
-constexpr std::size_t kMostThrows = 6, kMostVariants = 24;
+// More draws rarely agree twice: those of the two panes of a window do, those of a floor do not.
+constexpr std::size_t kMostDraws = 6, kMostVariants = 24;
 
 std::int64_t whole(double v) {
   const double scaled = v * (1 / kSame_m);
@@ -48,27 +49,28 @@ void add_face(MemoKey& key, const Face& face, const Scope& scope) {
 
 void add_inherited(MemoKey& key, const Shape& shape) {
   const bool same = shape.projection == shape.texture;
-  key.add(std::int64_t{shape.look} << 32 | shape.attributes);
+  key.add(std::int64_t{shape.appearance} << 32 | shape.attributes);
   key.add((shape.projection == 0) << 2 | (shape.texture == 0) << 1 | same);
 }
 
-// up as the scope sees it: a motion may turn the shape about the vertical alone
+// The vertical in coordinates of the scope is part of the key, so motions are translations and turns about the
+// vertical.
 MemoKey key_of(const Execution& execution, const Body& body) {
   const Shape& shape = execution.shape;
   const Scope& scope = shape.scope;
   MemoKey key;
   key.add(std::int64_t{body.number} << 32 | execution.path);
-  key.add(execution.depth <= 1);  // the start, which may not be cut
+  key.add(execution.depth <= 1);  // the start node, which keep_start excepts from simplification
   add_face(key, shape.faces.front(), scope);
   if (body.depends_on_street) add_street(key, shape.faces.front());
   add(key, Vec3{scope.size_m[0], scope.size_m[1], scope.size_m[2]});
   add(key, Vec3{scope.axis[0].z, scope.axis[1].z, scope.axis[2].z});
   add_inherited(key, shape);
-  for (const Value& value : execution.frame) add(key, value);
+  for (const Value& value : execution.slots) add(key, value);
   return key;
 }
 
-// a face without area has axes without length
+// False for a face without area, whose axes have no length.
 bool is_frame(const Scope& scope) {
   constexpr double kNearly = 1e-9;
   const auto& [x, y, z] = scope.axis;
@@ -82,7 +84,7 @@ bool may_repeat(const Shape& shape) {
   return face.holes.empty() && face.outer.size() >= 3 && face.outer.size() <= kMostVertices;
 }
 
-// a body that only names a successor, or one of several, leaves the note to it
+// A body that only names a successor, or one of several: the successor is recorded instead.
 bool only_names(const Body& body) {
   if (body.kind != BodyKind::kStatements)
     return std::ranges::all_of(body.branches, [](const Branch& branch) { return only_names(branch.body); });
@@ -95,7 +97,7 @@ SubtreeRows ends_of(const Run& run) {
   made.nodes.first = run.nodes.size();
   made.reports.first = run.out.reports.size();
   made.textures.first = run.tables.textures.size();
-  made.throws.first = run.throws.size();
+  made.draws.first = run.draws.size();
   made.shapes = run.out.shapes;
   made.steps = run.out.steps - run.attribute_steps;
   return made;
@@ -107,46 +109,46 @@ SubtreeRows between(const SubtreeRows& before, const SubtreeRows& after, NodeTra
   made.nodes.end = after.nodes.first;
   made.reports.end = after.reports.first;
   made.textures.end = after.textures.first;
-  made.throws.end = after.throws.first;
+  made.draws.end = after.draws.first;
   made.shapes = after.shapes - before.shapes;
   made.steps = after.steps - before.steps;
   made.trace = trace;
   return made;
 }
 
-// what the rules would have been stopped at, they have to reach themselves
+// A copy must not pass a limit that would have ended its derivation.
 bool fits_limits(const Run& run, int depth, const SubtreeRows& made) {
   const Limits& limits = run.options.limits;
-  return depth + made.rules_in_each_other <= limits.depth && run.out.shapes + made.shapes <= limits.shapes &&
+  return depth + made.nested_rules <= limits.depth && run.out.shapes + made.shapes <= limits.shapes &&
          run.out.steps + made.steps <= limits.steps;
 }
 
-/// Those of one kind: the one that this shape's dice will make again, or where the next of them goes.
-struct Kind {
-  std::uint32_t known = 0;       ///< 1 + where Memo::entries has it; 0 for none.
-  std::uint32_t* end = nullptr;  ///< Until the next entry.
-  bool closed = false;           ///< One of them is under way or no pattern, or there are too many.
+/// The entries with one key: the one whose draws match those of a shape, and where the next one is linked.
+struct Candidates {
+  std::uint32_t known = 0;       ///< 1 + index into Memo::entries; 0 for none.
+  std::uint32_t* end = nullptr;  ///< The link of the last entry; valid until the next entry is added.
+  bool closed = false;           ///< No entry can be added: one of them is incomplete, or there are too many.
 };
 
-Kind kind_of(Run& run, const Shape& shape, std::uint32_t& first) {
-  Kind kind{0, &first};
-  DrawReplay dicing{run, shape.birth};
+Candidates candidates_of(Run& run, const Shape& shape, std::uint32_t& first) {
+  Candidates found{.end = &first};
+  DrawReplay replay{run, shape.node};
   std::size_t count = 0;
-  for (; *kind.end != 0 && !kind.closed; ++count) {
-    MemoEntry& entry = run.memo.entries[*kind.end - 1];
-    kind.closed = !entry.ready || count + 1 >= kMostVariants;
-    if (entry.ready && kind.known == 0 && dicing.draws_match(entry.pattern)) kind.known = *kind.end;
-    kind.end = &entry.next;
+  for (; *found.end != 0 && !found.closed; ++count) {
+    MemoEntry& entry = run.memo.entries[*found.end - 1];
+    found.closed = !entry.ready || count + 1 >= kMostVariants;
+    if (entry.ready && found.known == 0 && replay.draws_match(entry.subtree)) found.known = *found.end;
+    found.end = &entry.next;
   }
-  return kind;
+  return found;
 }
 
-Recording first_of_its_kind(Execution& execution, std::uint32_t& end) {
+Recording open_recording(Execution& execution, std::uint32_t& end) {
   Run& run = execution.run;
   std::vector<MemoEntry>& entries = run.memo.entries;
   const auto entry = end = static_cast<std::uint32_t>(entries.size() + 1);
-  entries.emplace_back().pattern.stand = pose_of(execution.shape);
-  run.memo.open.push_back({execution.shape.birth, execution.depth, execution.depth});
+  entries.emplace_back().subtree.pose = pose_of(execution.shape);
+  run.memo.open.push_back({execution.shape.node, execution.depth, execution.depth});
   return {entry, false, ends_of(run)};
 }
 
@@ -168,7 +170,7 @@ void MemoKey::add(std::int64_t word) {
 
 void MemoKey::add(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto u = static_cast<std::uint64_t>(x), v = static_cast<std::uint64_t>(y), w = static_cast<std::uint64_t>(z);
-  // odd factors, other ones for each half: what is the same in one sum is not in the other
+  // each half combines the words by other odd factors, so that collisions of one half are not those of the other
   a = (a ^ (u + v * 0xff51afd7ed558ccdu + w * 0xc4ceb9fe1a85ec53u)) * 0x9e3779b97f4a7c15u, a ^= a >> 32;
   b = (b ^ (u * 0xbf58476d1ce4e5b9u + v + w * 0x94d049bb133111ebu)) * 0xd6e8feb86659fd93u, b ^= b >> 29;
 }
@@ -182,35 +184,37 @@ std::uint32_t& MemoIndex::operator[](const MemoKey& key) {
 }
 
 Recording begin_recording(Execution& execution, const Body& body) {
+  assert(body.number < execution.run.memo.bodies.size());
   Run& run = execution.run;
   BodyRecord& record = run.memo.bodies[body.number];
-  if (!run.options.copies || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
-  const Kind kind = kind_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
-  if (kind.known == 0) {
-    if (kind.closed) return {};
+  if (!run.options.memoise || record.never || only_names(body) || !may_repeat(execution.shape)) return {};
+  const Candidates found = candidates_of(run, execution.shape, run.memo.first_of[key_of(execution, body)]);
+  if (found.known == 0) {
+    if (found.closed) return {};
     ++record.misses;
-    return first_of_its_kind(execution, *kind.end);
+    return open_recording(execution, *found.end);
   }
-  if (!fits_limits(run, execution.depth, run.memo.entries[kind.known - 1].pattern.made)) return {};
+  if (!fits_limits(run, execution.depth, run.memo.entries[found.known - 1].subtree.made)) return {};
   ++record.hits;
-  return {kind.known, true, {}};
+  return {found.known, true, {}};
 }
 
-void came_to(Memo& memo, int depth) {
+void note_depth(Memo& memo, int depth) {
   if (!memo.open.empty()) memo.open.back().deepest = std::max(memo.open.back().deepest, depth);
 }
 
 NodeTrace repeat(Execution& execution, const Recording& recording) {
+  assert(recording.known && recording.entry > 0);
   Run& run = execution.run;
-  const Subtree& pattern = run.memo.entries[recording.entry - 1].pattern;
-  const SubtreeRows& made = pattern.made;
-  copy_subtree(run, pattern, execution.shape);
-  came_to(run.memo, execution.depth + made.rules_in_each_other);
+  const Subtree& subtree = run.memo.entries[recording.entry - 1].subtree;
+  const SubtreeRows& made = subtree.made;
+  copy_subtree(run, subtree, execution.shape);
+  note_depth(run.memo, execution.depth + made.nested_rules);
   run.out.shapes += made.shapes;
   run.out.copied += made.shapes;
   run.out.steps += made.steps;
   NodeTrace trace = made.trace;
-  // both the shape and its like are as large as the other but for kSame_m, at each of their ends
+  // the shapes agree to kSame_m at each end of an extent, and a distance depends on two points of each shape
   if (!trace.vanished) trace.moved = trace.moved + Displacement{4 * kSame_m, 4 * kSame_m};
   return trace;
 }
@@ -218,38 +222,40 @@ NodeTrace repeat(Execution& execution, const Recording& recording) {
 void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace) {
   if (recording.entry == 0) return;
   Memo& memo = run.memo;
+  assert(!memo.open.empty());
   BodyRecord& record = memo.bodies[body.number];
   MemoEntry& entry = memo.entries[recording.entry - 1];
-  SubtreeRows& made = entry.pattern.made = between(recording.before, ends_of(run), trace);
+  SubtreeRows& made = entry.subtree.made = between(recording.before, ends_of(run), trace);
   const OpenNode node = memo.open.back();
   memo.open.pop_back();
-  came_to(memo, node.deepest);
-  made.rules_in_each_other = node.deepest - node.depth;
+  note_depth(memo, node.deepest);
+  made.nested_rules = node.deepest - node.depth;
   const bool is_small = made.shapes <= kFewShapes;
-  entry.ready = node.repeats && made.throws.size() <= kMostThrows;
+  entry.ready = node.is_repeatable && made.draws.size() <= kMostDraws;
   record.small_ones += is_small;
   record.never |= is_small && body.kind == BodyKind::kStatements;
   record.never |= !entry.ready || record.small_ones >= kManyTimes || (record.misses >= kManyMisses && record.hits == 0);
   if (entry.ready) memo.seen.push_back(recording.entry - 1);
 }
 
-void cut_away_from(Run& run, std::size_t first) {
+void remove_terminals_from(Run& run, std::size_t first) {
+  assert(first <= run.out.terminals.size());
   Memo& memo = run.memo;
   std::vector<Terminal>& terminals = run.out.terminals;
   const auto last_is_in = [&] {
-    return !memo.seen.empty() && memo.entries[memo.seen.back()].pattern.made.terminals.end > first;
+    return !memo.seen.empty() && memo.entries[memo.seen.back()].subtree.made.terminals.end > first;
   };
   if (last_is_in()) {
     const auto from = static_cast<std::ptrdiff_t>(first);
-    memo.cut_away.push_back(
+    memo.removed.push_back(
         {first,
          {std::make_move_iterator(terminals.begin() + from), std::make_move_iterator(terminals.end())},
-         {run.notes.begin() + from, run.notes.end()}});
+         {run.origins.begin() + from, run.origins.end()}});
   }
   for (; last_is_in(); memo.seen.pop_back())
-    memo.entries[memo.seen.back()].pattern.cut_away = static_cast<std::uint32_t>(memo.cut_away.size());
+    memo.entries[memo.seen.back()].subtree.removed = static_cast<std::uint32_t>(memo.removed.size());
   terminals.resize(first);
-  run.notes.resize(first);
+  run.origins.resize(first);
 }
 
 }  // namespace citykiln::grammars

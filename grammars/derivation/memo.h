@@ -1,10 +1,9 @@
-// Memoised derivation: of shapes that are the same but for a motion, the first is derived and the others are its
-// copies.
+// Memoised derivation: of shapes that differ by a rigid motion only, the first is derived and the others are copies.
 //
-//   ┌──┬──┬──┐      A node is a pattern if what it became depends on nothing but its key: its body and arguments, its
-//   │A │A'│A'│      shape as its scope sees it, which way is up, its look. The place in the city, neighbours, messages
-//   └──┴──┴──┘      and numbers out of the dice make it none; then the nodes below it may be. Where the dice only
-//                   choose between ways to go on, each way is a pattern of its own, known by what has to be thrown.
+//   ┌──┬──┬──┐      A node becomes a memo entry if its result depends only on its key: body, arguments, the shape in
+//   │A │A'│A'│      coordinates of its scope, the direction of the vertical, appearance. Position, neighbours, warnings
+//   └──┴──┴──┘      and random numbers used as values exclude a node, but not the nodes below it. Random numbers that
+//                   only select between branches do not: each outcome is an entry, with the intervals of its draws.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +17,18 @@ struct Body;
 struct Run;
 struct Execution;
 
-/// Shapes whose measures differ by less count as the same. Far above rounding, far below what one sees.
+/// Shapes whose measures differ by less are equal: 1 µm, above rounding error and below any visible difference.
 inline constexpr double kSame_m = 0x1p-20;
 
 struct MemoEntry {
-  Subtree pattern;
-  bool ready = false;      ///< It has been derived, and depends on nothing but its key and its throws.
-  std::uint32_t next = 0;  ///< 1 + where Memo::entries has the same shape, as other dice fell; 0 for the last.
+  Subtree subtree;
+  bool ready = false;  ///< It is complete, and depends on nothing but its key and its draws.
+  std::uint32_t next =
+      0;  ///< 1 + index into Memo::entries of the next with the same key and other draws; 0 for the last.
 };
 
-/// 128 bits for all that a node depends on: two kinds of nodes of one building have the same with chance 2^-128.
+/// A hash of all that a node depends on: 128 bits, so that two different nodes of a building collide with chance
+/// 2^-128.
 struct MemoKey {
   std::uint64_t a = 0x243f6a8885a308d3u, b = 0x13198a2e03707344u;
   void add(std::int64_t word);
@@ -35,7 +36,8 @@ struct MemoKey {
   bool operator==(const MemoKey&) const = default;
 };
 
-/// By key, 1 + where Memo::entries has the first of them; 0 for none. Slots are 2^n, at most half of them taken.
+/// A hash table from keys to 1 + the index of their first entry in Memo::entries; 0 for none. The number of slots is a
+/// power of two, at most half of them are in use. Collisions probe linearly.
 struct MemoIndex {
   struct Slot {
     MemoKey key;
@@ -44,53 +46,53 @@ struct MemoIndex {
   std::vector<Slot> slots = std::vector<Slot>(512);
   std::size_t taken = 0;
 
-  /// The key's own, now if not before. Until the next call.
+  /// The entry of the key, added if it is new. The caller has to make it nonzero. Valid until the next call.
   std::uint32_t& operator[](const MemoKey& key);
 };
 
-/// How often a body's nodes were worth a note.
+/// Statistics of a body, by which recording stops where it does not pay.
 struct BodyRecord {
-  bool never = false;
+  bool never = false;  ///< Its nodes are not recorded any more.
   std::uint32_t misses = 0, hits = 0, small_ones = 0;
 };
 
-/// A node under way that may become a pattern.
+/// A node being recorded.
 struct OpenNode {
-  std::uint32_t birth = 0;
+  std::uint32_t node = 0;
   int depth = 0;
-  int deepest = 0;  ///< Of the rules in it.
-  bool repeats = true;
+  int deepest = 0;  ///< The greatest depth of rules in it.
+  bool is_repeatable = true;
 };
 
 struct Memo {
   std::vector<MemoEntry> entries;
   MemoIndex first_of;
-  std::vector<std::uint32_t> seen;  ///< Of `entries`, those whose terminals are the derivation's, in their order.
-  std::vector<RemovedTerminals> cut_away;
+  std::vector<std::uint32_t> seen;  ///< Entries whose terminals are still in the derivation, in their order.
+  std::vector<RemovedTerminals> removed;
   std::vector<OpenNode> open;
   std::vector<BodyRecord> bodies;  ///< By Body::number.
 };
 
-/// A node that begins.
+/// The start of a node.
 struct Recording {
-  std::uint32_t entry = 0;  ///< 1 + where Memo::entries has it; 0: the node is not noted.
-  bool known = false;       ///< There is a pattern; the node need not be derived.
-  SubtreeRows before;       ///< Where the tables of the run ended.
+  std::uint32_t entry = 0;  ///< 1 + index into Memo::entries; 0: the node is not recorded.
+  bool known = false;       ///< The entry is complete: the node is copied instead of derived.
+  SubtreeRows before;       ///< The ends of the tables of the run.
 };
 
-/// Looks the node up, before anything has been done with its shape.
+/// Looks the node up, before any operation has changed its shape.
 Recording begin_recording(Execution& execution, const Body& body);
 
-/// What is under way has come as deep as this.
-void came_to(Memo& memo, int depth);
+/// Tells the node being recorded that rules have reached this depth.
+void note_depth(Memo& memo, int depth);
 
-/// Makes of the shape what the first one of the recording's entry was made to.
+/// Copies the recording's entry to the node's shape. @param recording  Of a known entry.
 NodeTrace repeat(Execution& execution, const Recording& recording);
 
-/// Notes what the node has become. Recordings end in the reverse order of their beginnings.
+/// Records the result of the node. Recordings end in the reverse order of their beginnings.
 void end_recording(Run& run, const Body& body, const Recording& recording, NodeTrace trace);
 
-/// Takes the terminals from `first` on out of the derivation; patterns keep theirs.
-void cut_away_from(Run& run, std::size_t first);
+/// Removes the terminals from index `first` on from the derivation. Entries keep theirs.
+void remove_terminals_from(Run& run, std::size_t first);
 
 }  // namespace citykiln::grammars

@@ -89,9 +89,9 @@ Occlusion entrances_at(std::vector<Vec2> places) {
     constexpr double kOutOfPlane_m = 1;
     const Scope& scope = shape.scope;
     const Vec2 origin = in_plan(scope.origin), x = in_plan(scope.axis[0]), z = in_plan(scope.axis[2]);
-    return query == OcclusionQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 place) {
-             const double along_m = dot(place - origin, x);
-             return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(place - origin, z)) < kOutOfPlane_m;
+    return query == OcclusionQuery::kHasEntrance && std::any_of(places.begin(), places.end(), [&](Vec2 position) {
+             const double along_m = dot(position - origin, x);
+             return along_m >= 0 && along_m < scope.size_m[0] && std::abs(dot(position - origin, z)) < kOutOfPlane_m;
            });
   };
 }

@@ -1,4 +1,4 @@
-// What stands next to a shape: answers for inside(), overlaps() and touches(), and where its doors have to be.
+// What stands near a shape: answers inside(), overlaps(), touches() and has_entrance().
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@ namespace citykiln::grammars {
 
 enum class OcclusionQuery : std::uint8_t { kInside, kOverlaps, kTouches, kHasEntrance };
 
-/// Called while one derives; has to be a pure function of its arguments.
+/// Answers queries during a derivation. Has to be a pure function.
 using Occlusion = std::function<bool(OcclusionQuery, const Shape&)>;
 
-/// A neighbouring building as others see it: a prism.
+/// A neighbouring building as a prism.
 struct Neighbour {
   Polygon outline;  ///< Plane metres.
   double bottom_m = 0, top_m = 0;
 };
 
-/// Answers by prisms. Looks at a shape's vertices, the middles of its edges and of its faces: `inside` if all lie in or
-/// on one prism, `overlaps` if some lie within a prism but not all, `touches` if some lie on a prism's surface and none
-/// within one. On is within 1 cm, more than maps of neighbours agree to. O(points of the shape times points of the
-/// outlines).
+/// Answers by prisms, for the vertices of a shape and the midpoints of its edges and faces: kInside if all are in or on
+/// one prism, kOverlaps if some but not all are inside a prism, kTouches if some are on the surface of a prism and none
+/// inside one. "On" means within 1 cm, the accuracy at which outlines of neighbours agree. O(points of the shape ·
+/// points of the outlines).
 Occlusion occlusion_by(std::vector<Neighbour> neighbours);
 
-/// Answers kHasEntrance alone: one of these places lies before the shape: along its scope's x from 0 to before its end,
-/// and no farther than a metre out of its plane. Of pieces side by side one has it.
-Occlusion entrances_at(std::vector<Vec2> places);
+/// Answers kHasEntrance: true if one of the positions is between the start (inclusive) and the end (exclusive) of the
+/// scope's x axis and within 1 m of its xy plane. So of adjacent pieces exactly one has the entrance.
+Occlusion entrances_at(std::vector<Vec2> positions);
 
 }  // namespace citykiln::grammars

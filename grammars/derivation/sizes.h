@@ -1,4 +1,4 @@
-// How a length is divided: CGA's absolute, relative ' and floating ~ sizes, and repeats *.
+// Divides a length by CGA's absolute, relative ' and floating ~ sizes and repeated groups *.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ namespace citykiln::grammars {
 /// One entry of a split.
 struct SizeItem {
   SizeKind kind = SizeKind::kAbsolute;
-  double size = 0;               ///< Metres; of kRelative a share of the whole length. Below zero is zero.
-  std::uint32_t leaf = 0;        ///< Whose it is.
-  std::vector<SizeItem> nested;  ///< Of kRepeat.
+  double size = 0;               ///< Metres; for kRelative a share of the whole length. Negative sizes count as zero.
+  std::uint32_t leaf = 0;        ///< Copied into Interval::leaf.
+  std::vector<SizeItem> nested;  ///< The entries of a kRepeat.
 };
 
 struct Interval {
@@ -26,20 +26,23 @@ struct Interval {
 
 using Intervals = SmallVector<Interval, 8>;
 
-/// A piece thinner than this is given to its neighbour.
+/// A thinner piece is added to its neighbour.
 inline constexpr double kSliver_m = 1e-6;
 
 /// Divides 0 … length_m.
 ///
-/// Absolute and relative sizes are kept; floating ones share what is left in proportion. A repeat takes what the others
-/// leave at their own sizes, as many times as fits best (the nearest whole number; where nothing else could fill it,
-/// once at least, cut at the end if need be); then all floating sizes, those in repeats too, stretch by the same
-/// factor. A repeat without floating sizes is repeated as often as it fits, and once more, cut at the end, where
-/// nothing else would fill the rest. Where absolute sizes are too long, those at the end are cut. ~0 takes what no
-/// other size does. A repeat inside of a repeat fills its floating share anew.
+/// 1. Absolute and relative sizes are kept. If they are too long, those at the end are cut.
+/// 2. A repeated group gets an equal share of the length that the other entries leave at their own sizes. It is
+///    repeated the number of times that fits best: the nearest whole number, but no more than its fixed sizes allow,
+///    and at least once if nothing else could fill the length.
+/// 3. A group without floating sizes is repeated as often as it fits, and once more, cut at the end, if nothing else
+///    would fill the rest.
+/// 4. All floating sizes, those in groups included, are scaled by one factor to fill the rest. ~0 gets what no other
+///    size takes.
+/// 5. A group nested in a group divides its scaled length anew.
 ///
-/// Guarantees: intervals begin at 0, follow each other without gaps, and do not go beyond the length; with a floating
-/// size they end at it, exactly. std::nullopt where there would be more than `most`. O(intervals).
+/// Guarantees: intervals begin at 0, are contiguous, and end at length_m or before; with a floating size they end at
+/// it, exactly. std::nullopt for more than `most` intervals. O(intervals).
 std::optional<Intervals> intervals_of(std::span<const SizeItem> items, double length_m, std::size_t most);
 
 }  // namespace citykiln::grammars

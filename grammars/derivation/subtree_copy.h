@@ -1,7 +1,8 @@
-// Patterns: what a node made, ready to be made again of a shape that is the same but for a motion.
+// Copies the result of a node to another shape that differs by a rigid motion only.
 //
-//   A ── split ──┬── B ── …   births, terminals, textures and throws of a node stand in a row in the tables of the run,
-//                └── C ── …   so a pattern is where its rows begin and end, and a copy is those rows, moved.
+//   A ── split ──┬── B ── …   The nodes, terminals, textures and draws that a node made are consecutive rows in the
+//                └── C ── …   tables of the run. So a subtree is stored as ranges of rows, and a copy is these rows,
+//                moved.
 #pragma once
 
 #include <array>
@@ -15,33 +16,33 @@ namespace citykiln::grammars {
 
 struct Run;
 
-/// How a shape came about: the `ordinal`-th child, called `name`, of the shape `parent`.
+/// A node of the derivation tree: the `ordinal`-th child of `parent`. Its id follows from these.
 struct DerivationNode {
-  std::uint32_t parent = 0;  ///< Into Run::births.
-  const char* name = "";     ///< Lives in the program.
+  std::uint32_t parent = 0;  ///< Index into Run::nodes.
+  const char* name = "";     ///< Part of the program, which outlives the run.
   std::uint64_t ordinal = 0;
 };
 
-/// A throw of a shape's dice that decided between a few ways to go on.
+/// A random draw of a shape that selected one of a few branches.
 struct RandomDraw {
-  std::uint32_t birth = 0;   ///< The shape's; into Run::births.
+  std::uint32_t node = 0;    ///< The shape's.
   std::uint32_t index = 0;   ///< Of Draw::unit().
-  double scale = 1;          ///< What the number was multiplied by.
-  double low = 0, high = 0;  ///< low <= number · scale < high: whatever lies there leads the same way.
+  double scale = 1;          ///< The factor of the number.
+  double low = 0, high = 0;  ///< low <= number · scale < high: every number in this interval selects the same branch.
 };
 
-/// What is known of a terminal beyond what the caller hears.
-struct TerminalNote {
-  std::uint32_t birth = 0;       ///< Into Run::births.
-  std::uint32_t texture = 0;     ///< Into Tables::textures.
-  std::uint32_t stands_for = 0;  ///< Into Tables::appearance_areas: of one that was cut, what its detail looks like.
+/// What a derivation knows of a terminal besides Terminal.
+struct TerminalOrigin {
+  std::uint32_t node = 0;
+  std::uint32_t texture = 0;     ///< Index into Tables::textures.
+  std::uint32_t stands_for = 0;  ///< Index into Tables::appearance_areas: the detail replaced by a simplified terminal.
 };
 
-/// Terminals that were cut away, but may be made again elsewhere: all from `first` on, as they were numbered.
+/// Terminals removed by a simplification that memo entries may still copy.
 struct RemovedTerminals {
-  std::size_t first = 0;
+  std::size_t first = 0;  ///< The index that the first of them had.
   std::vector<Terminal> terminals;
-  std::vector<TerminalNote> notes;
+  std::vector<TerminalOrigin> origins;
 };
 
 /// Indices from `first` to before `end`.
@@ -50,45 +51,47 @@ struct IndexRange {
   std::size_t size() const { return end - first; }
 };
 
-/// What a node made, in the tables of the run.
+/// The rows that a node made in the tables of the run.
 struct SubtreeRows {
-  IndexRange terminals, nodes, reports, textures, throws;
+  IndexRange terminals, nodes, reports, textures, draws;
   std::uint64_t shapes = 0, steps = 0;
-  int rules_in_each_other = 0;  ///< Below the node's own.
+  int nested_rules = 0;  ///< The greatest number of nested rules below the node.
   NodeTrace trace;
 };
 
-/// Where a shape of one face stands: what a motion takes to another.
+/// The pose of a shape of one face, and what it was given from outside.
 struct ShapePose {
   Ring3 ring;  ///< Of the face.
   Vec3 origin;
   std::array<Vec3, 3> axis;
-  std::uint32_t birth = 0, texture = 0, projection = 0;  ///< As Shape's.
+  std::uint32_t node = 0, texture = 0, projection = 0;  ///< As in Shape.
 };
+/// @param shape  Has one face.
 ShapePose pose_of(const Shape& shape);
 
 struct Subtree {
-  ShapePose stand;
+  ShapePose pose;
   SubtreeRows made;
-  std::uint32_t cut_away = 0;  ///< 1 + where Memo::cut_away has its terminals; 0 while they are Derivation's.
+  std::uint32_t removed = 0;  ///< 1 + index into Memo::removed of its terminals; 0 while they are in the derivation.
 };
 
-/// The throws of the descendants of one shape, each made when it is asked for.
+/// The draws that the descendants of a shape would make, computed when first compared.
 struct DrawReplay {
   Run& run;
-  std::uint32_t birth;          ///< The shape's.
-  std::vector<double> units{};  ///< Of Draw, in the order in which a derivation would ask.
+  std::uint32_t node;           ///< The shape's.
+  std::vector<double> units{};  ///< In the order in which a derivation would draw.
 
-  /// True if they fall as those of the pattern's shape did. Of patterns of one kind only: they ask for the same dice
-  /// as long as those fall alike. O(depth of rules) for a throw that no pattern before has asked for.
-  bool draws_match(const Subtree& pattern);
+  /// True if the draws select the same branches as those of the subtree. All subtrees compared by one replay must have
+  /// the same key: they draw the same numbers as long as these select the same branches. O(depth of rules) for each
+  /// draw not computed before.
+  bool draws_match(const Subtree& subtree);
 };
 
-/// Makes the pattern again of `shape`, into the tables of the run.
+/// Adds a copy of the subtree at `shape` to the tables of the run.
 ///
-/// Guarantees: vertices of the shape stay as they are, bit for bit; points that were one are one; ids are those of
-/// descent. Any other point lies as far from the scope's origin, along its axes, as in the pattern, to 2^-40 m. O(what
-/// it makes).
-void copy_subtree(Run& run, const Subtree& pattern, const Shape& shape);
+/// Guarantees: vertices of the shape stay as they are, bit for bit; equal points stay equal; ids are those of a
+/// derivation of the shape. Any other point has the same coordinates along the axes of the scope as in the subtree, to
+/// 2^-40 m. O(size of the subtree).
+void copy_subtree(Run& run, const Subtree& subtree, const Shape& shape);
 
 }  // namespace citykiln::grammars

@@ -1,41 +1,45 @@
 #include "grammars/language/body_properties.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "grammars/operations/table.h"
+#include "grammars/language/operation_table.h"
 
 namespace citykiln::grammars {
 namespace {
 
-bool any_has(const std::vector<Selector>& selectors, bool Body::*mark) {
-  return std::ranges::any_of(
-      selectors, [&](const Selector& selector) { return selector.body.*mark || any_has(selector.nested, mark); });
+using Property = bool Body::*;
+
+bool any_has(const std::vector<Selector>& selectors, Property property) {
+  return std::ranges::any_of(selectors, [&](const Selector& selector) {
+    return selector.body.*property || any_has(selector.nested, property);
+  });
 }
 
-// a body that the statement may come to has the mark
-bool comes_to(const Program& program, const Statement& statement, bool Body::*mark) {
-  if (any_has(statement.selectors, mark)) return true;
-  if (statement.kind == StatementKind::kBlock) return statement.block.front().*mark;
+// True if a body that the statement leads to has the property.
+bool leads_to(const Program& program, const Statement& statement, Property property) {
+  if (any_has(statement.selectors, property)) return true;
+  if (statement.kind == StatementKind::kBlock) return statement.block.front().*property;
   return statement.kind == StatementKind::kSuccessor && statement.index != ~0u &&
-         program.rules[statement.index].body.*mark;
+         program.rules[statement.index].body.*property;
 }
 
 bool changes_appearance(const Statement& statement) {
   if (statement.kind != StatementKind::kOperation) return false;
-  return statement.name == "set" || operation_table()[statement.index].alters == Alters::kLook;
+  return statement.name == "set" || operation_table()[statement.index].alters == Alters::kAppearance;
 }
 
-// nested selectors are of splits, which have sizes
+// Nested selectors belong to splits, whose keys are sizes.
 bool depends_on_street(const Statement& statement) {
   return std::ranges::any_of(statement.selectors,
                              [](const Selector& selector) { return selector.key.text.starts_with("street"); });
 }
 
-// the body has the mark if a statement itself `has` it, or something that it may come to
-bool may(const Program& program, const Body& body, bool Body::*mark, bool (*has)(const Statement&)) {
+// True if one of the statements `has` the property, or leads to a body with it.
+bool may(const Program& program, const Body& body, Property property, bool (*has)(const Statement&)) {
   return std::ranges::any_of(body.statements,
-                             [&](const Statement& s) { return has(s) || comes_to(program, s, mark); }) ||
-         std::ranges::any_of(body.branches, [&](const Branch& branch) { return branch.body.*mark; });
+                             [&](const Statement& s) { return has(s) || leads_to(program, s, property); }) ||
+         std::ranges::any_of(body.branches, [&](const Branch& branch) { return branch.body.*property; });
 }
 
 bool divides(const Body& body) {
@@ -43,22 +47,22 @@ bool divides(const Body& body) {
          std::ranges::any_of(body.branches, [](const Branch& branch) { return branch.body.divides; });
 }
 
-// slots beyond share the last bit
+// Slots from 63 on share the last bit.
 std::uint64_t bit_of(std::size_t slot) { return std::uint64_t{1} << std::min<std::size_t>(slot, 63); }
 
-std::uint64_t locals_in(const Expression& expression) {
+std::uint64_t slots_in(const Expression& expression) {
   std::uint64_t slots = expression.target == Target::kLocal ? bit_of(expression.index) : 0;
-  for (const Expression& operand : expression.operands) slots |= locals_in(operand);
+  for (const Expression& operand : expression.operands) slots |= slots_in(operand);
   return slots;
 }
 
-std::uint64_t locals_in(const std::vector<Expression>& expressions) {
+std::uint64_t slots_in(const std::vector<Expression>& expressions) {
   std::uint64_t slots = 0;
-  for (const Expression& expression : expressions) slots |= locals_in(expression);
+  for (const Expression& expression : expressions) slots |= slots_in(expression);
   return slots;
 }
 
-// sizes and keys divide a surface, but do not move it
+// Sizes and keys divide a surface but do not move it.
 std::uint64_t displacement_slots(const std::vector<Selector>& selectors) {
   std::uint64_t slots = 0;
   for (const Selector& selector : selectors)
@@ -70,61 +74,57 @@ std::uint64_t displacement_slots(const Program& program, const Statement& statem
   std::uint64_t slots = displacement_slots(statement.selectors);
   for (const Body& block : statement.block) slots |= block.displacement_slots;
   if (statement.kind == StatementKind::kOperation) {
-    const bool moves = operation_table()[statement.index].alters != Alters::kLook;
-    return moves ? slots | locals_in(statement.arguments) : slots;
+    const bool moves = operation_table()[statement.index].alters != Alters::kAppearance;
+    return moves ? slots | slots_in(statement.arguments) : slots;
   }
   if (statement.kind != StatementKind::kSuccessor || statement.index == ~0u) return slots;
-  const std::uint64_t asked = program.rules[statement.index].body.displacement_slots;
+  const std::uint64_t used = program.rules[statement.index].body.displacement_slots;
   for (std::size_t i = 0; i < statement.arguments.size(); ++i)
-    if ((asked & bit_of(i)) != 0) slots |= locals_in(statement.arguments[i]);
+    if ((used & bit_of(i)) != 0) slots |= slots_in(statement.arguments[i]);
   return slots;
 }
 
 std::uint64_t displacement_slots(const Program& program, const Body& body) {
   std::uint64_t slots = 0;
-  for (const Local& local : body.locals) slots |= locals_in(local.value);
+  for (const Local& local : body.locals) slots |= slots_in(local.value);
   for (const Statement& statement : body.statements) slots |= displacement_slots(program, statement);
-  for (const Branch& branch : body.branches) slots |= locals_in(branch.test) | branch.body.displacement_slots;
+  for (const Branch& branch : body.branches) slots |= slots_in(branch.test) | branch.body.displacement_slots;
   return slots;
 }
 
-// Inner bodies first; true if anything was found that was not known.
-bool mark(const Program& program, Body& body);
+// One pass, inner bodies first. Returns true if a property has changed.
+bool update(const Program& program, Body& body);
 
-bool mark(const Program& program, std::vector<Selector>& selectors) {
-  bool found = false;
+bool update(const Program& program, std::vector<Selector>& selectors) {
+  bool changed = false;
   for (Selector& selector : selectors) {
-    found |= mark(program, selector.nested);
-    found |= mark(program, selector.body);
+    changed |= update(program, selector.nested);
+    changed |= update(program, selector.body);
   }
-  return found;
+  return changed;
 }
 
-bool mark(const Program& program, Body& body) {
-  bool found = false;
-  for (Branch& branch : body.branches) found |= mark(program, branch.body);
+bool update(const Program& program, Body& body) {
+  bool changed = false;
+  for (Branch& branch : body.branches) changed |= update(program, branch.body);
   for (Statement& statement : body.statements) {
-    found |= mark(program, statement.selectors);
-    for (Body& block : statement.block) found |= mark(program, block);
+    changed |= update(program, statement.selectors);
+    for (Body& block : statement.block) changed |= update(program, block);
   }
-  const auto keep = [&](auto& mark, auto now) {
-    found |= mark != now;
-    mark = now;
-  };
+  const auto set = [&](auto& property, auto value) { changed |= std::exchange(property, value) != value; };
   body.divides = divides(body);
-  keep(body.changes_appearance, may(program, body, &Body::changes_appearance, changes_appearance));
-  keep(body.depends_on_street, may(program, body, &Body::depends_on_street, depends_on_street));
-  keep(body.displacement_slots, displacement_slots(program, body));
-  return found;
+  set(body.changes_appearance, may(program, body, &Body::changes_appearance, changes_appearance));
+  set(body.depends_on_street, may(program, body, &Body::depends_on_street, depends_on_street));
+  set(body.displacement_slots, displacement_slots(program, body));
+  return changed;
 }
 
 }  // namespace
 
 void analyse_bodies(Program& program) {
-  // until nothing is found any more; what goes round in circles changes nothing by that
-  for (bool found = true; found;) {
-    found = false;
-    for (Rule& rule : program.rules) found |= mark(program, rule.body);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Rule& rule : program.rules) changed |= update(program, rule.body);
   }
 }
 

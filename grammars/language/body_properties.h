@@ -1,15 +1,15 @@
-// What bodies may do, whatever they are applied to: found once a program, so that derivations need not look.
+// Properties of bodies that do not depend on the shape they are applied to; computed once for each program.
 #pragma once
 
 #include "grammars/language/syntax.h"
 
 namespace citykiln::grammars {
 
-/// Sets the marks of bodies: Body::divides and what follows it. Names have to be resolved. O(what is written), for each
-/// rule that others come to by way of many.
+/// Sets Body::divides and the members after it. Names have to be resolved. Method: a fixed point over all rules, since
+/// rules may be recursive. O(text length · longest chain of rules).
 void analyse_bodies(Program& program);
 
-/// `Wall.`: of a body that is nothing but the name of a terminal (or NIL), that name; else null.
+/// The name of the terminal (or NIL) if the body is nothing else, like `Wall.`; else null.
 const std::string* terminal_of(const Body& body);
 
 }  // namespace citykiln::grammars

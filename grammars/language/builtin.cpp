@@ -1,21 +1,23 @@
 #include "grammars/language/builtin.h"
 
+#include <algorithm>
+
 namespace citykiln::grammars {
 namespace {
 
 constexpr BuiltinRow kFunctions[] = {
-#define FUNCTION(name, arguments, computes, text) {name, arguments, text},
+#define FUNCTION(name, arguments, kind, computes, text) {name, arguments, kind, text},
 #include "grammars/language/functions.inc"
 #undef FUNCTION
 };
 
 constexpr BuiltinRow kShapeValues[] = {
-#define SHAPE_VALUE(name, told_of, computes, text) {name, "", text},
+#define SHAPE_VALUE(name, depends_on, computes, text) {name, "", FunctionKind::kPure, text},
 #include "grammars/language/shape_values.inc"
 #undef SHAPE_VALUE
 };
 
-constexpr const char* kLookValues[] = {
+constexpr std::string_view kMaterialValues[] = {
 #define MATERIAL_TEXT(name, member) name,
 #define MATERIAL_NUMBER(name, member) name,
 #include "grammars/language/material_values.inc"
@@ -29,15 +31,12 @@ std::span<const BuiltinRow> builtin_functions() { return kFunctions; }
 std::span<const BuiltinRow> shape_values() { return kShapeValues; }
 
 int row_of(std::span<const BuiltinRow> rows, std::string_view name) {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (name == rows[i].name) return static_cast<int>(i);
-  return -1;
+  const auto row = std::ranges::find(rows, name, &BuiltinRow::name);
+  return row == rows.end() ? -1 : static_cast<int>(row - rows.begin());
 }
 
-bool is_look_value(std::string_view name) {
-  for (const char* known : kLookValues)
-    if (name == known) return true;
-  return false;
+bool is_material_value(std::string_view name) {
+  return std::ranges::find(kMaterialValues, name) != std::end(kMaterialValues);
 }
 
 Arity arity_of(std::string_view arguments) {

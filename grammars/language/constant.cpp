@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
-#include "grammars/operations/table.h"
+#include "grammars/language/builtin.h"
 
 namespace citykiln::grammars {
 namespace {
-
-constexpr const char* kOfShapesOrDice = " rand p inside overlaps touches has_entrance ";
-
-bool is_constant(const Program& program, const Expression& expression);
 
 bool is_constant_name(const Program& program, const Expression& name) {
   switch (name.target) {
@@ -18,41 +14,35 @@ bool is_constant_name(const Program& program, const Expression& name) {
     case Target::kFunction:
       return program.functions[name.index].is_constant;
     case Target::kBuiltin:
-      return !is_among(name.text, kOfShapesOrDice);
+      return builtin_functions()[name.index].kind == FunctionKind::kPure;
     default:
       return false;
   }
 }
 
 bool is_constant(const Program& program, const Expression& expression) {
-  const auto all = [&] {
-    return std::all_of(expression.operands.begin(), expression.operands.end(),
-                       [&](const Expression& operand) { return is_constant(program, operand); });
-  };
   switch (expression.kind) {
-    case ExpressionKind::kLiteral:
-      return true;
     case ExpressionKind::kName:
     case ExpressionKind::kCall:
-      return is_constant_name(program, expression) && all();
-    case ExpressionKind::kUnary:
-    case ExpressionKind::kBinary:
-    case ExpressionKind::kCase:
-      return all();
-    default:
+      if (!is_constant_name(program, expression)) return false;
+      break;
+    case ExpressionKind::kChance:
+    case ExpressionKind::kWithLocals:
       return false;
+    default:
+      break;
   }
+  return std::ranges::all_of(expression.operands, [&](const Expression& e) { return is_constant(program, e); });
 }
 
 }  // namespace
 
 void mark_constants(Program& program) {
-  // until nothing is found any more; what goes round in circles never is
-  for (bool found = true; found;) {
-    found = false;
+  for (bool changed = true; changed;) {
+    changed = false;
     for (Function& function : program.functions) {
       if (function.is_constant || !function.parameters.empty() || !is_constant(program, function.value)) continue;
-      function.is_constant = found = true;
+      function.is_constant = changed = true;
     }
   }
 }

@@ -1,13 +1,13 @@
-// Functions that are worth the same for every shape of a building: those of attributes alone.
+// Functions that have the same value for every shape of a derivation.
 #pragma once
 
 #include "grammars/language/syntax.h"
 
 namespace citykiln::grammars {
 
-/// Sets Function::is_constant where a function without parameters asks for nothing but constants, attributes that no
-/// rule changes, mathematics, and other such functions: neither for the shape nor for dice. Names have to be resolved.
-/// O(what is written).
+/// Sets Function::is_constant of functions without parameters that use only constants, attributes that no rule sets,
+/// pure built-in functions and other such functions. Names have to be resolved. Method: a fixed point over all
+/// functions. O(text length · longest chain of functions).
 void mark_constants(Program& program);
 
 }  // namespace citykiln::grammars

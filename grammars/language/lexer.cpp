@@ -10,13 +10,13 @@
 namespace citykiln::grammars {
 namespace {
 
-// longer ones first, so that none is taken for the beginning of another
+// Longer signs first, because the first match is taken.
 constexpr std::array kSigns = {"-->", "==", "!=", "<=", ">=", "&&", "||", ":=", "(", ")", "{", "}", "[", "]", "|", "*",
                                "/",   "+",  "-",  "%",  "~",  "'",  "<",  ">",  "!", ",", ":", "=", ".", "@", ";"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$'; }
-bool goes_on(char c) { return begins_name(c) || is_digit(c); }
+bool starts_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$'; }
+bool continues_name(char c) { return starts_name(c) || is_digit(c); }
 
 struct Lexer {
   std::string_view text;
@@ -29,7 +29,7 @@ struct Lexer {
   std::optional<Error> failed;
 
   char peek(std::size_t ahead = 0) const { return at + ahead < text.size() ? text[at + ahead] : '\0'; }
-  TextPosition place() const { return {file_index, line, static_cast<std::uint32_t>(at - line_start + 1)}; }
+  TextPosition position() const { return {file_index, line, static_cast<std::uint32_t>(at - line_start + 1)}; }
   bool starts_with(std::string_view word) const { return text.substr(at, word.size()) == word; }
   void fail(TextPosition where, std::string message) { failed = Error{position_text(file, where), std::move(message)}; }
 
@@ -41,7 +41,7 @@ struct Lexer {
   }
 
   void skip_comment() {
-    const TextPosition start = place();
+    const TextPosition start = position();
     while (at < text.size() && !starts_with("*/")) step();
     if (at == text.size()) return fail(start, "expected */ that ends the comment, found the end of the file");
     at += 2;
@@ -62,30 +62,30 @@ struct Lexer {
   }
 
   void take_name() {
-    Token token{TokenKind::kName, {}, 0, place()};
-    // a dot belongs to the name where a name goes on behind it; "Wall." is a name and a dot
-    while (goes_on(peek()) || (peek() == '.' && begins_name(peek(1)))) token.text += text[at++];
+    Token token{TokenKind::kName, {}, 0, position()};
+    // A dot followed by a letter belongs to the name; "Wall." is a name and a dot.
+    while (continues_name(peek()) || (peek() == '.' && starts_name(peek(1)))) token.text += text[at++];
     tokens.push_back(std::move(token));
   }
 
   void take_number() {
-    Token token{TokenKind::kNumber, {}, 0, place()};
+    Token token{TokenKind::kNumber, {}, 0, position()};
     const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), token.number);
     if (error != std::errc() || !std::isfinite(token.number))
-      return fail(token.place, "expected a number that a double can hold");
+      return fail(token.position, "expected a number that a double can hold");
     token.text = std::string(text.data() + at, end);
     at += token.text.size();
     tokens.push_back(std::move(token));
   }
 
   void take_string() {
-    Token token{TokenKind::kString, {}, 0, place()};
+    Token token{TokenKind::kString, {}, 0, position()};
     ++at;
     while (at < text.size() && peek() != '"' && peek() != '\n') {
       if (peek() == '\\' && (peek(1) == '"' || peek(1) == '\\')) ++at;
       token.text += text[at++];
     }
-    if (peek() != '"') return fail(token.place, "expected \" that ends the string, found the end of the line");
+    if (peek() != '"') return fail(token.position, "expected \" that ends the string, found the end of the line");
     ++at;
     tokens.push_back(std::move(token));
   }
@@ -93,16 +93,16 @@ struct Lexer {
   void take_sign() {
     for (const char* sign : kSigns) {
       if (!starts_with(sign)) continue;
-      tokens.push_back({TokenKind::kSign, sign, 0, place()});
+      tokens.push_back({TokenKind::kSign, sign, 0, position()});
       at += std::string_view(sign).size();
       return;
     }
     const bool printable = peek() > ' ' && peek() < 0x7f;
-    fail(place(), printable ? fmt::format("no word begins with '{}'", peek()) : "no word begins with this byte");
+    fail(position(), printable ? fmt::format("no token begins with '{}'", peek()) : "no token begins with this byte");
   }
 
   void take_token() {
-    if (begins_name(peek())) return take_name();
+    if (starts_name(peek())) return take_name();
     if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1)))) return take_number();
     if (peek() == '"') return take_string();
     take_sign();
@@ -111,8 +111,8 @@ struct Lexer {
 
 }  // namespace
 
-std::string position_text(std::string_view file, TextPosition place) {
-  return fmt::format("{}:{}:{}", file, place.line, place.column);
+std::string position_text(std::string_view file, TextPosition position) {
+  return fmt::format("{}:{}:{}", file, position.line, position.column);
 }
 
 Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index) {
@@ -123,7 +123,7 @@ Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view fil
     if (!lexer.failed) lexer.skip_space();
   }
   if (lexer.failed) return *lexer.failed;
-  lexer.tokens.push_back({TokenKind::kEnd, "", 0, lexer.place()});
+  lexer.tokens.push_back({TokenKind::kEnd, "", 0, lexer.position()});
   return std::move(lexer.tokens);
 }
 

@@ -1,4 +1,4 @@
-// From the text of a rule file to its words.
+// Splits the text of a rule file into tokens.
 #pragma once
 
 #include <string_view>
@@ -10,13 +10,13 @@
 namespace citykiln::grammars {
 
 /// "file:line:column".
-std::string position_text(std::string_view file, TextPosition place);
+std::string position_text(std::string_view file, TextPosition position);
 
-/// Cuts the text into names, numbers, strings and signs, and leaves out space and comments (// and # to the line's end,
-/// /* … */). The last token is kEnd. O(n).
+/// Splits the text into names, numbers, strings and signs, without white space and comments (// and # to the end of the
+/// line, /* … */). The last token is kEnd. O(n).
 ///
-/// @param file_index  Goes into every place.
-/// Errors: a character that begins no word, a string or comment without end, a number out of range.
+/// @param file_index  Copied into every position.
+/// Errors: a character that begins no token, an unterminated string or comment, a number that is not a finite double.
 Result<std::vector<Token>> tokens_of(std::string_view text, std::string_view file, std::uint32_t file_index);
 
 }  // namespace citykiln::grammars

@@ -17,7 +17,7 @@ void parse_version(Parser& parser) {
 // import window : "window.cga", or import "window.cga"
 Import parse_import(Parser& parser) {
   Import made;
-  made.place = parser.take().place;
+  made.position = parser.take().position;
   if (parser.peek().kind == TokenKind::kName) {
     made.prefix = parser.take().text;
     parser.expect(":", "after the import's prefix");
@@ -33,7 +33,7 @@ Import parse_import(Parser& parser) {
 Attribute parse_attribute(Parser& parser) {
   Attribute made;
   made.is_const = parser.take().text == "const";
-  made.place = parser.peek().place;
+  made.position = parser.peek().position;
   made.name = parser.expect_name(made.is_const ? "the constant's name" : "the attribute's name");
   parser.expect("=", made.is_const ? "after the constant's name" : "after the attribute's name");
   made.value = parse_value(parser);
@@ -58,24 +58,18 @@ void parse_definition(Parser& parser, SyntaxTree& tree) {
   const Token name = parser.take();
   std::vector<Local> parameters = parse_parameters(parser);
   if (parser.accept("-->")) {
-    tree.rules.push_back({name.place, name.text, std::move(parameters), parse_body(parser)});
+    tree.rules.push_back({name.position, name.text, std::move(parameters), parse_body(parser)});
     return;
   }
   if (!parser.accept("=")) return parser.fail_expected("'-->' of a rule or '=' of a function");
-  tree.functions.push_back({name.place, name.text, std::move(parameters), parse_value(parser)});
+  tree.functions.push_back({name.position, name.text, std::move(parameters), parse_value(parser)});
 }
 
-// annotations tell CityEngine's windows how to show an attribute; all but the start rule mean nothing here
+// Annotations other than the start rule describe the user interface of CityEngine.
 void parse_annotation(Parser& parser, SyntaxTree& tree) {
   parser.take();
   const std::string name = parser.expect_name("an annotation's name");
-  if (parser.sees("(")) {
-    int open = 0;
-    do {
-      open += parser.sees("(") ? 1 : parser.sees(")") ? -1 : 0;
-      parser.take();
-    } while (open > 0 && !parser.at_end());
-  }
+  if (parser.sees("(")) parser.at = after_parenthesis(parser, parser.at);
   if ((name == "StartRule" || name == "Start") && parser.peek().kind == TokenKind::kName)
     tree.start = parser.peek().text;
 }
@@ -87,7 +81,7 @@ void parse_declaration(Parser& parser, SyntaxTree& tree) {
   if (parser.sees_name("import")) return tree.imports.push_back(parse_import(parser));
   if (parser.sees_name("attr") || parser.sees_name("const")) return tree.attributes.push_back(parse_attribute(parser));
   if (parser.sees_name("style"))
-    return parser.fail(parser.peek().place,
+    return parser.fail(parser.peek().position,
                        "styles are not part of our language; give attributes when deriving, or import with a prefix");
   parse_definition(parser, tree);
 }
@@ -96,7 +90,7 @@ template <typename Named>
 void refuse_twins(Parser& parser, const std::vector<Named>& named, std::set<std::string>& known, const char* what) {
   for (const Named& one : named)
     if (!known.insert(one.name).second)
-      parser.fail(one.place, std::string(what) + " '" + one.name + "' is defined twice");
+      parser.fail(one.position, std::string(what) + " '" + one.name + "' is defined twice");
 }
 
 }  // namespace
@@ -106,15 +100,7 @@ bool begins_declaration(const Parser& parser) {
   if (parser.peek().kind != TokenKind::kName) return false;
   for (const char* word : {"attr", "const", "import", "version", "style"})
     if (parser.sees_name(word) && !is_sign(parser.peek(1), "(")) return true;
-  std::size_t next = parser.at + 1;
-  if (is_sign(parser.peek(1), "(")) {
-    int open = 0;
-    for (; next < parser.tokens.size(); ++next) {
-      open += is_sign(parser.tokens[next], "(") ? 1 : is_sign(parser.tokens[next], ")") ? -1 : 0;
-      if (open == 0) break;
-    }
-    ++next;
-  }
+  const std::size_t next = is_sign(parser.peek(1), "(") ? after_parenthesis(parser, parser.at + 1) : parser.at + 1;
   return next < parser.tokens.size() && (is_sign(parser.tokens[next], "-->") || is_sign(parser.tokens[next], "="));
 }
 

@@ -1,4 +1,4 @@
-// From the words of a rule file to its tree.
+// Parses the text of a rule file to its syntax tree.
 #pragma once
 
 #include <string_view>
@@ -8,13 +8,13 @@
 
 namespace citykiln::grammars {
 
-/// Reads one file: version, import, attr, const, functions, rules, annotations (kept: @StartRule; skipped: others).
+/// Parses one file: version, import, attr, const, functions, rules and annotations, of which @StartRule alone is used.
 ///
-/// Errors name the first place where the text can go on in no way, and what was expected there. Nested deeper than
-/// kNestingLimit is an error, so that no text overflows the stack. O(n). Method: recursive descent.
+/// Errors: the first position at which the text is not valid, and what was expected there. Nesting deeper than
+/// kNestingLimit is an error, which bounds the stack. O(n). Method: recursive descent.
 Result<SyntaxTree> parse(std::string_view text, std::string_view file, std::uint32_t file_index = 0);
 
-/// Braces, brackets and calls in each other.
+/// The greatest depth of nested braces, brackets and calls.
 inline constexpr int kNestingLimit = 64;
 
 }  // namespace citykiln::grammars

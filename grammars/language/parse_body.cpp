@@ -18,7 +18,7 @@ std::vector<Selector> parse_selectors(Parser& parser);
 
 Selector parse_selector(Parser& parser) {
   Selector selector;
-  selector.place = parser.peek().place;
+  selector.position = parser.peek().position;
   if (parser.sees("{")) {
     selector.size = SizeKind::kRepeat;
     selector.nested = parse_selectors(parser);
@@ -44,39 +44,39 @@ std::vector<Selector> parse_selectors(Parser& parser) {
 }
 
 Statement parse_bracket(Parser& parser) {
-  Statement made;
-  made.place = parser.peek().place;
-  made.kind = parser.take().text == "[" ? StatementKind::kPush : StatementKind::kPop;
-  return made;
+  Statement statement;
+  statement.position = parser.peek().position;
+  statement.kind = parser.take().text == "[" ? StatementKind::kPush : StatementKind::kPop;
+  return statement;
 }
 
 Statement parse_block(Parser& parser) {
   const Nesting nesting(parser);
-  Statement made;
-  made.kind = StatementKind::kBlock;
-  made.place = parser.take().place;
-  made.block.push_back(parse_body(parser));
+  Statement statement;
+  statement.kind = StatementKind::kBlock;
+  statement.position = parser.take().position;
+  statement.block.push_back(parse_body(parser));
   parser.expect("}", "that ends the block");
-  return made;
+  return statement;
 }
 
-// an operation or a successor: which of both is known when all names are
+// An operation or a successor; resolve() decides which.
 Statement parse_call(Parser& parser) {
-  Statement made;
-  made.place = parser.peek().place;
-  made.name = parser.take().text;
-  // in "A (100 - x)% : B" a share follows, no arguments
-  made.has_arguments = parser.sees("(") && !begins_chance(parser);
-  if (made.has_arguments) made.arguments = parse_arguments(parser);
-  made.has_selectors = made.has_arguments && parser.sees("{");
-  if (made.has_selectors) made.selectors = parse_selectors(parser);
-  if (made.has_selectors) made.repeated = parser.accept("*");
-  // "Wall." says that nothing becomes of it
-  if (!made.has_selectors) parser.accept(".");
-  return made;
+  Statement statement;
+  statement.position = parser.peek().position;
+  statement.name = parser.take().text;
+  // In "A (100 - x)% : B" the parenthesis begins a percentage, not arguments.
+  statement.has_arguments = parser.sees("(") && !begins_chance(parser);
+  if (statement.has_arguments) statement.arguments = parse_arguments(parser);
+  statement.has_selectors = statement.has_arguments && parser.sees("{");
+  if (statement.has_selectors) statement.selectors = parse_selectors(parser);
+  if (statement.has_selectors) statement.repeated = parser.accept("*");
+  // The dot of "Wall." marks a terminal.
+  if (!statement.has_selectors) parser.accept(".");
+  return statement;
 }
 
-// brackets balance within one list of statements, so that the stack of shapes is the text's own nesting
+// Brackets balance within one list of statements, so the depth of the shape stack is bounded by the text.
 void parse_statement(Parser& parser, std::vector<Statement>& statements, int& open) {
   if (parser.sees("[")) {
     ++open;
@@ -106,7 +106,7 @@ std::vector<Statement> parse_statements(Parser& parser) {
 
 Branch parse_else_branch(Parser& parser) {
   Branch branch;
-  branch.place = parser.take().place;
+  branch.position = parser.take().position;
   branch.is_else = true;
   parser.expect(":", "after 'else'");
   branch.body = parse_body(parser);
@@ -117,7 +117,7 @@ void parse_cases(Parser& parser, Body& body) {
   body.kind = BodyKind::kCase;
   while (parser.sees_name("case")) {
     Branch branch;
-    branch.place = parser.take().place;
+    branch.position = parser.take().position;
     branch.test = parse_expression(parser);
     parser.expect(":", "after the condition");
     branch.body = parse_body(parser);
@@ -129,7 +129,7 @@ void parse_chances(Parser& parser, Body& body) {
   body.kind = BodyKind::kChance;
   while (begins_chance(parser)) {
     Branch branch;
-    branch.place = parser.peek().place;
+    branch.position = parser.peek().position;
     branch.test = parse_percent(parser);
     branch.body = parse_body(parser);
     body.branches.push_back(std::move(branch));

@@ -1,40 +1,58 @@
+#include <algorithm>
 #include <array>
+#include <span>
 
 #include "grammars/language/parser.h"
 
 namespace citykiln::grammars {
 namespace {
 
-struct Operator {
+struct OperatorRow {
   const char* sign;
-  int binds;  ///< The higher, the tighter.
+  Operator op;
+  int precedence;  ///< From 1, the weakest.
 };
 
-constexpr std::array kOperators = {Operator{"||", 1}, Operator{"&&", 2}, Operator{"==", 3}, Operator{"!=", 3},
-                                   Operator{"<", 4},  Operator{">", 4},  Operator{"<=", 4}, Operator{">=", 4},
-                                   Operator{"+", 5},  Operator{"-", 5},  Operator{"*", 6},  Operator{"/", 6},
-                                   Operator{"%", 6}};
+constexpr std::array kUnary = {OperatorRow{"-", Operator::kNegate, 7}, OperatorRow{"!", Operator::kNot, 7},
+                               OperatorRow{"'", Operator::kShare, 7}, OperatorRow{"+", Operator::kPlus, 7}};
 
-int binding_of(const Parser& parser) {
-  // "30% :" is a share, not a remainder
-  if (parser.sees("%") && is_sign(parser.peek(1), ":")) return 0;
-  for (const Operator& row : kOperators)
-    if (parser.sees(row.sign)) return row.binds;
-  return 0;
+constexpr std::array kBinary = {
+    OperatorRow{"||", Operator::kOr, 1},          OperatorRow{"&&", Operator::kAnd, 2},
+    OperatorRow{"==", Operator::kEqual, 3},       OperatorRow{"!=", Operator::kNotEqual, 3},
+    OperatorRow{"<", Operator::kLess, 4},         OperatorRow{">", Operator::kGreater, 4},
+    OperatorRow{"<=", Operator::kLessOrEqual, 4}, OperatorRow{">=", Operator::kGreaterOrEqual, 4},
+    OperatorRow{"+", Operator::kAdd, 5},          OperatorRow{"-", Operator::kSubtract, 5},
+    OperatorRow{"*", Operator::kMultiply, 6},     OperatorRow{"/", Operator::kDivide, 6},
+    OperatorRow{"%", Operator::kRemainder, 6}};
+
+// The row of the next sign; null if it is no operator of the table.
+const OperatorRow* next_operator(const Parser& parser, std::span<const OperatorRow> rows) {
+  // "30% :" is a percentage, not a remainder.
+  if (parser.sees("%") && is_sign(parser.peek(1), ":")) return nullptr;
+  const auto row = std::ranges::find_if(rows, [&](const OperatorRow& each) { return parser.sees(each.sign); });
+  return row == rows.end() ? nullptr : &*row;
 }
 
-Expression literal(TextPosition place, Value value) {
+Expression take_operator(Parser& parser, ExpressionKind kind, Operator op) {
   Expression made;
-  made.place = place;
+  made.kind = kind;
+  made.op = op;
+  made.position = parser.take().position;
+  return made;
+}
+
+Expression literal(TextPosition position, Value value) {
+  Expression made;
+  made.position = position;
   made.value = std::move(value);
   return made;
 }
 
 Expression parse_name(Parser& parser) {
   const Token name = parser.take();
-  if (name.text == "true" || name.text == "false") return literal(name.place, name.text == "true");
+  if (name.text == "true" || name.text == "false") return literal(name.position, name.text == "true");
   Expression made;
-  made.place = name.place;
+  made.position = name.position;
   made.text = name.text;
   made.kind = parser.sees("(") ? ExpressionKind::kCall : ExpressionKind::kName;
   if (made.kind == ExpressionKind::kCall) made.operands = parse_arguments(parser);
@@ -43,8 +61,8 @@ Expression parse_name(Parser& parser) {
 
 Expression parse_primary(Parser& parser) {
   const Token& next = parser.peek();
-  if (next.kind == TokenKind::kNumber) return literal(next.place, parser.take().number);
-  if (next.kind == TokenKind::kString) return literal(next.place, parser.take().text);
+  if (next.kind == TokenKind::kNumber) return literal(next.position, parser.take().number);
+  if (next.kind == TokenKind::kString) return literal(next.position, parser.take().text);
   if (next.kind == TokenKind::kName) return parse_name(parser);
   if (!parser.accept("(")) {
     parser.fail_expected("a value");
@@ -57,27 +75,21 @@ Expression parse_primary(Parser& parser) {
 
 Expression parse_unary(Parser& parser) {
   const Nesting nesting(parser);
-  for (const char* sign : {"-", "!", "'", "+"}) {
-    if (!parser.sees(sign)) continue;
-    Expression made;
-    made.kind = ExpressionKind::kUnary;
-    made.place = parser.peek().place;
-    made.text = parser.take().text;
-    made.operands.push_back(parse_unary(parser));
-    return made;
-  }
-  return parse_primary(parser);
+  const OperatorRow* row = next_operator(parser, kUnary);
+  if (row == nullptr) return parse_primary(parser);
+  Expression made = take_operator(parser, ExpressionKind::kUnary, row->op);
+  made.operands.push_back(parse_unary(parser));
+  return made;
 }
 
-Expression parse_binary(Parser& parser, int binds_at_least) {
+// Precedence climbing: operators of at least this precedence, left-associative.
+Expression parse_binary(Parser& parser, int least_precedence) {
   Expression left = parse_unary(parser);
-  for (int binds = binding_of(parser); binds >= binds_at_least && binds > 0; binds = binding_of(parser)) {
-    Expression made;
-    made.kind = ExpressionKind::kBinary;
-    made.place = parser.peek().place;
-    made.text = parser.take().text;
+  for (const OperatorRow* row = next_operator(parser, kBinary); row != nullptr && row->precedence >= least_precedence;
+       row = next_operator(parser, kBinary)) {
+    Expression made = take_operator(parser, ExpressionKind::kBinary, row->op);
     made.operands.push_back(std::move(left));
-    made.operands.push_back(parse_binary(parser, binds + 1));
+    made.operands.push_back(parse_binary(parser, row->precedence + 1));
     left = std::move(made);
   }
   return left;
@@ -110,7 +122,7 @@ Expression parse_test(Parser& parser, ExpressionKind kind) {
 Expression parse_choice(Parser& parser, ExpressionKind kind) {
   Expression made;
   made.kind = kind;
-  made.place = parser.peek().place;
+  made.position = parser.peek().position;
   while (begins_branch(parser, kind)) {
     made.operands.push_back(parse_test(parser, kind));
     made.operands.push_back(parse_value(parser));
@@ -122,23 +134,13 @@ Expression parse_choice(Parser& parser, ExpressionKind kind) {
 Expression parse_with_value(Parser& parser) {
   Expression made;
   made.kind = ExpressionKind::kWithLocals;
-  made.place = parser.take().place;
+  made.position = parser.take().position;
   for (Local& local : parse_locals(parser)) {
     made.text += local.name + ";";
     made.operands.push_back(std::move(local.value));
   }
   made.operands.push_back(parse_value(parser));
   return made;
-}
-
-/// The word behind the parenthesis that opens at `from`.
-std::size_t behind_parenthesis(const Parser& parser, std::size_t from) {
-  int open = 0;
-  for (std::size_t i = from; i < parser.tokens.size(); ++i) {
-    if (is_sign(parser.tokens[i], "(")) ++open;
-    if (is_sign(parser.tokens[i], ")") && --open == 0) return i + 1;
-  }
-  return parser.tokens.size() - 1;
 }
 
 }  // namespace
@@ -178,13 +180,22 @@ std::vector<Local> parse_locals(Parser& parser) {
   return locals;
 }
 
+std::size_t after_parenthesis(const Parser& parser, std::size_t from) {
+  int open = 0;
+  for (std::size_t i = from; i < parser.tokens.size(); ++i) {
+    if (is_sign(parser.tokens[i], "(")) ++open;
+    if (is_sign(parser.tokens[i], ")") && --open == 0) return i + 1;
+  }
+  return parser.tokens.size() - 1;
+}
+
 bool begins_chance(const Parser& parser) {
   const TokenKind kind = parser.peek().kind;
   std::size_t behind = parser.at + 1;
   if (parser.sees("(")) {
-    behind = behind_parenthesis(parser, parser.at);
+    behind = after_parenthesis(parser, parser.at);
   } else if (kind == TokenKind::kName && is_sign(parser.peek(1), "(")) {
-    behind = behind_parenthesis(parser, parser.at + 1);
+    behind = after_parenthesis(parser, parser.at + 1);
   } else if (kind != TokenKind::kNumber && kind != TokenKind::kName) {
     return false;
   }

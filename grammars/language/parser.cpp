@@ -40,17 +40,17 @@ std::string Parser::expect_name(const char* what) {
 }
 
 void Parser::fail_expected(const std::string& what) {
-  fail(peek().place, fmt::format("expected {}, found {}", what, shown(peek())));
+  fail(peek().position, fmt::format("expected {}, found {}", what, shown(peek())));
 }
 
-void Parser::fail(TextPosition place, const std::string& message) {
-  if (!failed) failed = Error{position_text(file, place), message};
+void Parser::fail(TextPosition position, const std::string& message) {
+  if (!failed) failed = Error{position_text(file, position), message};
   at = tokens.size() - 1;
 }
 
 Nesting::Nesting(Parser& nested) : parser(nested) {
   if (++parser.depth > kNestingLimit)
-    parser.fail(parser.peek().place, fmt::format("nested deeper than {}", kNestingLimit));
+    parser.fail(parser.peek().position, fmt::format("nested deeper than {}", kNestingLimit));
 }
 
 }  // namespace citykiln::grammars

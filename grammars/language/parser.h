@@ -1,5 +1,5 @@
-// The state of a parse: where it stands, and its first error. After an error the parser stands at the end of the file,
-// so that everything under way returns.
+// The state of a recursive descent parse and its first error. After an error the parser is at the end of the file, so
+// that all functions return.
 #pragma once
 
 #include <optional>
@@ -18,24 +18,26 @@ struct Parser {
   int depth = 0;
   std::optional<Error> failed;
 
+  /// The next token, or a later one; the last token beyond the end.
   const Token& peek(std::size_t ahead = 0) const { return tokens[std::min(at + ahead, tokens.size() - 1)]; }
   bool sees(const char* sign) const { return is_sign(peek(), sign); }
   bool sees_name(const char* name) const { return is_name(peek(), name); }
   bool at_end() const { return peek().kind == TokenKind::kEnd; }
 
+  /// The next token; the parse advances except at kEnd.
   Token take() { return at + 1 < tokens.size() ? tokens[at++] : tokens.back(); }
-  /// Takes the sign if it is next.
+  /// Takes the sign if it is the next token.
   bool accept(const char* sign);
   /// Takes the sign, or fails with "expected `sign` `why`, found …".
   bool expect(const char* sign, const char* why);
   /// Takes a name, or fails.
   std::string expect_name(const char* what);
-  /// Notes the first error, at the next word: "expected `what`, found …".
+  /// Keeps the first error, at the next token: "expected `what`, found …".
   void fail_expected(const std::string& what);
-  void fail(TextPosition place, const std::string& message);
+  void fail(TextPosition position, const std::string& message);
 };
 
-/// Counts how deep a parse is nested; fails beyond kNestingLimit.
+/// Counts the nesting depth in its scope; fails beyond kNestingLimit.
 struct Nesting {
   Parser& parser;
   explicit Nesting(Parser& nested);
@@ -44,21 +46,23 @@ struct Nesting {
   Nesting& operator=(const Nesting&) = delete;
 };
 
-/// An expression without case and p%.
+/// Parses an expression without case and p%.
 Expression parse_expression(Parser& parser);
-/// The value of attr, const, a function or a local: with, case … else, p% … else, or an expression.
+/// Parses the value of attr, const, a function or a local: with, case … else, p% … else, or an expression.
 Expression parse_value(Parser& parser);
-/// ( a, b, … )
+/// Parses ( a, b, … ).
 std::vector<Expression> parse_arguments(Parser& parser);
-/// ( name = value … ) behind `with`.
+/// Parses ( name = value … ) after `with`.
 std::vector<Local> parse_locals(Parser& parser);
-/// True where a number, a name or a parenthesis begins "p% :".
+/// The index of the token after the parenthesis that opens at index `from`; of the last token if it is never closed.
+std::size_t after_parenthesis(const Parser& parser, std::size_t from);
+/// True if "p% :" is next, where p is a number, a name, a call or a parenthesis.
 bool begins_chance(const Parser& parser);
-/// The per cent of "p% :" up to its colon.
+/// Parses "p% :" and returns p.
 Expression parse_percent(Parser& parser);
-/// What stands behind --> or a selector's colon.
+/// Parses the code after --> or after the colon of a selector.
 Body parse_body(Parser& parser);
-/// True where a new rule, function, attr, const, import or annotation begins, so that the rule before it ends.
+/// True if a new rule, function, attr, const, import or annotation is next, which ends the rule before it.
 bool begins_declaration(const Parser& parser);
 
 }  // namespace citykiln::grammars

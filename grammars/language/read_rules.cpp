@@ -1,6 +1,7 @@
 #include "grammars/language/read_rules.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "grammars/language/body_properties.h"
 #include "grammars/language/constant.h"
@@ -11,13 +12,13 @@
 namespace citykiln::grammars {
 namespace {
 
-// files imported by different prefixes are read once each time; more of them than this is no building's rules
+// A file is read again for each prefix it is imported by. The limit is far above that of the shipped rules (6 files).
 constexpr std::size_t kMostFiles = 256;
 
 struct Linker {
   const Loader& load;
   Program program;
-  std::vector<std::string> open;  ///< Files under way, the importer before the imported.
+  std::vector<std::string> open;  ///< Files being read, the importing before the imported.
 };
 
 template <typename Named>
@@ -25,7 +26,7 @@ void add_all(std::vector<Named>& from, const std::string& prefix, std::vector<Na
              std::map<std::string, std::uint32_t, std::less<>>& index_of) {
   for (Named& one : from) {
     one.name = prefix + one.name;
-    // an importer's own names win over those of files imported without a prefix
+    // Names of the importing file, which are added first, take precedence.
     if (!index_of.emplace(one.name, static_cast<std::uint32_t>(to.size())).second) continue;
     to.push_back(std::move(one));
   }
@@ -34,7 +35,7 @@ void add_all(std::vector<Named>& from, const std::string& prefix, std::vector<Na
 std::optional<Error> add_file(Linker& linker, const std::string& file, const std::string& prefix);
 
 std::optional<Error> add_import(Linker& linker, const Import& import, const std::string& prefix) {
-  const std::string where = position_text(linker.program.files[import.place.file], import.place);
+  const std::string where = position_text(linker.program.files[import.position.file], import.position);
   if (std::find(linker.open.begin(), linker.open.end(), import.file) != linker.open.end())
     return Error{where, "the files '" + linker.open.back() + "' and '" + import.file + "' import each other"};
   if (linker.program.files.size() >= kMostFiles) return Error{where, "more than 256 files are imported"};
@@ -62,6 +63,7 @@ std::optional<Error> add_file(Linker& linker, const std::string& file, const std
 }  // namespace
 
 Result<Program> read_rules(const std::string& file, const Loader& load) {
+  assert(load);
   Linker linker{load, {}, {}};
   if (auto error = add_file(linker, file, "")) return *error;
   if (auto error = resolve(linker.program)) return *error;

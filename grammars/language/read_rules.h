@@ -1,4 +1,4 @@
-// From rule files to a program: imports loaded, every name resolved, every call's arguments counted.
+// Reads rule files to a program: imports loaded, names resolved, arguments checked.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace citykiln::grammars {
 
-/// The text of a rule file, by the name that import gives. This room reads no files itself.
+/// Returns the text of a rule file by the name given in `import`.
 using Loader = std::function<Result<std::string>(const std::string& file)>;
 
-/// Reads a rule file and all it imports.
+/// Reads a rule file and all its imports.
 ///
-/// Names of a file imported with a prefix are prefix.name; without one they join the importer's own, which win.
-/// Errors: the loader's, the parser's; files that import each other; names of values that nothing defines; arguments
-/// of the wrong number or kind of word; operations that do not exist. A name without arguments that no rule defines is
-/// no error but a terminal, as in CGA. Cost: the text's length.
+/// A name of a file imported with a prefix becomes prefix.name. Names of a file imported without one join those of the
+/// importing file, which take precedence. A name without arguments that no rule defines is a terminal, as in CGA.
+/// Errors: those of the loader and the parser; circular imports; more than 256 files; undefined values; a wrong number
+/// of arguments or a wrong word; unknown operations. O(text length), except analyse_bodies().
 Result<Program> read_rules(const std::string& file, const Loader& load);
 
-/// A program of one text that imports nothing.
+/// Reads a program from one text without imports.
 Result<Program> read_rules_of(const std::string& text, const std::string& file = "rules");
 
 }  // namespace citykiln::grammars

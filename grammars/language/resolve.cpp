@@ -1,21 +1,25 @@
 #include "grammars/language/resolve.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "grammars/language/builtin.h"
 #include "grammars/language/lexer.h"
-#include "grammars/operations/table.h"
+#include "grammars/language/operation_table.h"
 
 namespace citykiln::grammars {
 namespace {
 
-/// What one definition's names may mean.
+/// The names visible in one definition.
 struct Resolver {
   Program& program;
   std::string prefix;
   std::vector<std::string> locals = {};
   std::optional<Error> failed = {};
 
-  void fail(TextPosition place, std::string message) {
-    if (!failed) failed = Error{position_text(program.files[place.file], place), std::move(message)};
+  void fail(TextPosition position, std::string message) {
+    if (!failed) failed = Error{position_text(program.files[position.file], position), std::move(message)};
   }
 };
 
@@ -56,7 +60,7 @@ void check_arity(Resolver& names, const Expression& call, Arity arity) {
   if (given >= arity.least && given <= arity.most) return;
   const std::string wants =
       arity.least == arity.most ? counted(arity.most) : std::to_string(arity.least) + " to " + counted(arity.most);
-  names.fail(call.place, "expected " + wants + " of '" + call.text + "', found " + std::to_string(given));
+  names.fail(call.position, "expected " + wants + " of '" + call.text + "', found " + std::to_string(given));
 }
 
 Arity arity_of_row(const Expression& call) { return arity_of(builtin_functions()[call.index].arguments); }
@@ -65,13 +69,13 @@ void resolve_name(Resolver& names, Expression& name) {
   if (is_local(names, name)) return;
   if (found_in(names.program.attribute_of, names.prefix + name.text, Target::kAttribute, name)) return;
   if (is_builtin(shape_values(), Target::kShape, name)) return;
-  // rand is written with and without parentheses
+  // rand may be written without parentheses.
   if (is_builtin(builtin_functions(), Target::kBuiltin, name)) return check_arity(names, name, arity_of_row(name));
-  if (is_look_value(name.text)) return void(name.target = Target::kShape), void(name.index = ~0u);
+  if (is_material_value(name.text)) return void(name.target = Target::kShape), void(name.index = ~0u);
   if (!found_in(names.program.function_of, names.prefix + name.text, Target::kFunction, name))
-    return names.fail(name.place, "nothing defines the value '" + name.text + "'");
+    return names.fail(name.position, "nothing defines the value '" + name.text + "'");
   const std::size_t wants = names.program.functions[name.index].parameters.size();
-  if (wants != 0) names.fail(name.place, "expected " + counted(wants) + " of '" + name.text + "', found none");
+  if (wants != 0) names.fail(name.position, "expected " + counted(wants) + " of '" + name.text + "', found none");
 }
 
 void resolve_call(Resolver& names, Expression& call) {
@@ -81,12 +85,12 @@ void resolve_call(Resolver& names, Expression& call) {
     return check_arity(names, call, {wants, wants});
   }
   if (is_builtin(builtin_functions(), Target::kBuiltin, call)) return check_arity(names, call, arity_of_row(call));
-  // geometry.area() is written with and without parentheses
+  // geometry.area may be written with parentheses.
   if (call.operands.empty() && is_builtin(shape_values(), Target::kShape, call)) return;
-  names.fail(call.place, "nothing defines the function '" + call.text + "'");
+  names.fail(call.position, "nothing defines the function '" + call.text + "'");
 }
 
-// names of the locals stand in `text`, each before a semicolon
+// `text` holds the names of the locals, each followed by a semicolon.
 void resolve_with(Resolver& names, Expression& with) {
   const std::size_t outer = names.locals.size();
   with.index = static_cast<std::uint32_t>(outer);
@@ -102,7 +106,7 @@ void resolve_with(Resolver& names, Expression& with) {
 }
 
 void resolve(Resolver& names, Expression& expression) {
-  if (is_share(expression)) names.fail(expression.place, "a share ' of the scope's size cannot stand here");
+  if (is_share(expression)) names.fail(expression.position, "a share ' of the scope's size cannot stand here");
   switch (expression.kind) {
     case ExpressionKind::kLiteral:
       return;
@@ -118,50 +122,34 @@ void resolve(Resolver& names, Expression& expression) {
 }
 
 const char* word_for(char letter) {
-  switch (letter) {
-    case 'n':
-      return "number";
-    case 'm':
-      return "size";
-    case 's':
-      return "string";
-    case 'w':
-      return "word";
-    case 'a':
-      return "name";
-    default:
-      return "value";
-  }
+  constexpr std::pair<char, const char*> kWords[] = {
+      {'n', "number"}, {'m', "size"}, {'s', "string"}, {'w', "word"}, {'a', "name"}};
+  const auto found = std::ranges::find(kWords, letter, &std::pair<char, const char*>::first);
+  return found == std::end(kWords) ? "value" : found->second;
 }
 
 std::string calls_of(const OperationRow& row) {
   std::string calls;
-  const std::string signatures = row.signatures;
-  for (std::size_t from = 0; from <= signatures.size();) {
-    const std::size_t end = std::min(signatures.find('|', from), signatures.size());
+  for (const std::string& signature : signatures_of(row)) {
     std::string inside;
-    for (const char letter : signatures.substr(from, end - from)) {
-      inside += inside.empty() ? "" : ", ";
-      inside += word_for(letter);
-    }
+    for (const char letter : signature) inside += (inside.empty() ? "" : ", ") + std::string(word_for(letter));
     calls += (calls.empty() ? "" : " or ") + std::string(row.name) + "(" + inside + ")";
-    from = end + 1;
   }
   return calls;
 }
 
-// what set() changes: an attribute or a value of the material
+// The first argument of set(): an attribute or a material value.
 void resolve_settable(Resolver& names, Expression& name) {
   if (name.kind != ExpressionKind::kName)
-    return names.fail(name.place, "expected the name of an attribute or material value");
+    return names.fail(name.position, "expected the name of an attribute or material value");
   name.target = Target::kWord;
   name.index = ~0u;
-  if (is_look_value(name.text)) return;
+  if (is_material_value(name.text)) return;
   const auto found = names.program.attribute_of.find(names.prefix + name.text);
   if (found == names.program.attribute_of.end())
-    return names.fail(name.place, "expected an attribute or material value, found '" + name.text + "'");
+    return names.fail(name.position, "expected an attribute or material value, found '" + name.text + "'");
   if (names.program.attributes[found->second].is_const)
-    return names.fail(name.place, "'" + name.text + "' is a constant; only attributes can be set");
+    return names.fail(name.position, "'" + name.text + "' is a constant; only attributes can be set");
   names.program.attributes[found->second].is_set = true;
   name.index = found->second;
 }
@@ -183,7 +171,7 @@ void resolve_arguments(Resolver& names, Statement& statement, const std::string&
 void resolve_selectors(Resolver& names, std::vector<Selector>& selectors, SelectorKind kind) {
   for (Selector& selector : selectors) {
     if (selector.size == SizeKind::kRepeat) {
-      if (kind != SelectorKind::kSizes) names.fail(selector.place, "expected a component, found a repeated group");
+      if (kind != SelectorKind::kSizes) names.fail(selector.position, "expected a component, found a repeated group");
       resolve_selectors(names, selector.nested, kind);
       continue;
     }
@@ -200,22 +188,21 @@ void resolve_selectors(Resolver& names, std::vector<Selector>& selectors, Select
 void check_selectors(Resolver& names, const Statement& statement, const OperationRow& row) {
   const bool wants = row.selectors != SelectorKind::kNone;
   if (statement.has_selectors == wants) return;
-  names.fail(statement.place, wants ? "expected '{' with selectors behind '" + statement.name + "'"
-                                    : "'" + statement.name + "' takes no selectors");
+  names.fail(statement.position, wants ? "expected '{' with selectors behind '" + statement.name + "'"
+                                       : "'" + statement.name + "' takes no selectors");
 }
 
 void resolve_operation(Resolver& names, Statement& statement, int row_index) {
   const OperationRow& row = operation_table()[static_cast<std::size_t>(row_index)];
   statement.kind = StatementKind::kOperation;
   statement.index = static_cast<std::uint32_t>(row_index);
-  bool fits = false;
-  const std::string signature = fitting_signature(row, statement.arguments, fits);
-  if (!fits) {
+  const std::optional<std::string> signature = fitting_signature(row, statement.arguments);
+  if (!signature) {
     const std::string words = *row.words ? "; words:" + std::string(row.words) : "";
-    return names.fail(statement.place, "expected " + calls_of(row) + words);
+    return names.fail(statement.position, "expected " + calls_of(row) + words);
   }
   check_selectors(names, statement, row);
-  resolve_arguments(names, statement, signature);
+  resolve_arguments(names, statement, *signature);
   resolve_selectors(names, statement.selectors, row.selectors);
 }
 
@@ -223,17 +210,18 @@ void resolve_successor(Resolver& names, Statement& statement) {
   statement.kind = StatementKind::kSuccessor;
   for (Expression& argument : statement.arguments) resolve(names, argument);
   if (statement.has_selectors)
-    return names.fail(statement.place, "there is no operation '" + statement.name + "' with selectors");
+    return names.fail(statement.position, "there is no operation '" + statement.name + "' with selectors");
   const auto found = names.program.rule_of.find(names.prefix + statement.name);
   if (found == names.program.rule_of.end()) {
-    if (statement.has_arguments) names.fail(statement.place, "there is no operation or rule '" + statement.name + "'");
+    if (statement.has_arguments)
+      names.fail(statement.position, "there is no operation or rule '" + statement.name + "'");
     return;
   }
   statement.index = found->second;
   const std::size_t wants = names.program.rules[found->second].parameters.size();
   if (wants != statement.arguments.size())
-    names.fail(statement.place, "expected " + counted(wants) + " of the rule '" + statement.name + "', found " +
-                                    std::to_string(statement.arguments.size()));
+    names.fail(statement.position, "expected " + counted(wants) + " of the rule '" + statement.name + "', found " +
+                                       std::to_string(statement.arguments.size()));
 }
 
 void resolve(Resolver& names, Statement& statement) {

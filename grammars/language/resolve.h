@@ -1,20 +1,19 @@
-// Names of a program's expressions and bodies resolved to what they stand for.
+// Resolves the names of a program.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "compiler/contract/result.h"
 #include "grammars/language/syntax.h"
 
 namespace citykiln::grammars {
 
-/// Resolves all names in `program`, whose tables are complete. A name is looked up with the prefix of the definition it
-/// stands in. The first error, if there is one.
+/// Resolves all names in expressions and bodies of `program`, whose tables are complete, and numbers its bodies. A name
+/// is looked up with the prefix of the definition that contains it. Returns the first error, if there is one.
 std::optional<Error> resolve(Program& program);
 
-/// "window." of "window.Frame"; "" of "Frame".
+/// "window." for "window.Frame", "" for "Frame".
 std::string prefix_of(const std::string& name);
 
 }  // namespace citykiln::grammars

@@ -16,19 +16,19 @@ std::string part_of(const std::string& text, double from, double to) {
   return end > first ? text.substr(first, end - first) : "";
 }
 
-double place_in(const std::string& text, const std::string& word, double from) {
+double index_of_word(const std::string& text, const std::string& word, double from) {
   const std::size_t at = text.find(word, index_in(text, from));
   return at == std::string::npos ? -1 : static_cast<double>(at);
 }
 
-double times_in(const std::string& text, const std::string& word) {
+double count_of_word(const std::string& text, const std::string& word) {
   double times = 0;
   if (word.empty()) return times;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++times;
   return times;
 }
 
-std::string text_with(const std::string& text, const std::string& word, const std::string& other) {
+std::string replaced(const std::string& text, const std::string& word, const std::string& other) {
   if (word.empty()) return text;
   std::string made;
   std::size_t from = 0;

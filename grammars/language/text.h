@@ -1,17 +1,17 @@
-// What expressions do with texts. Indices are bytes from 0; those outside are brought inside.
+// The string functions of expressions. Indices are bytes from 0; indices outside of the text are clamped.
 #pragma once
 
 #include <string>
 
 namespace citykiln::grammars {
 
-/// From index `from` to before `to`.
+/// The bytes from index `from` to before index `to`.
 std::string part_of(const std::string& text, double from, double to);
-/// Where `word` begins in `text`, not before index `from`; -1 if nowhere.
-double place_in(const std::string& text, const std::string& word, double from);
-/// How often `word` stands in `text`, without overlap; 0 for an empty word.
-double times_in(const std::string& text, const std::string& word);
-/// `text` with `other` wherever `word` stands; at most 4096 bytes.
-std::string text_with(const std::string& text, const std::string& word, const std::string& other);
+/// The index of the first `word` in `text` at or after index `from`; -1 if there is none.
+double index_of_word(const std::string& text, const std::string& word, double from);
+/// The number of occurrences of `word` in `text` without overlap; 0 for an empty word.
+double count_of_word(const std::string& text, const std::string& word);
+/// `text` with every `word` replaced by `other`, cut to 4096 bytes.
+std::string replaced(const std::string& text, const std::string& word, const std::string& other);
 
 }  // namespace citykiln::grammars

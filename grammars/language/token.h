@@ -1,4 +1,4 @@
-// The words of a rule file.
+// The tokens of a rule file and their positions.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace citykiln::grammars {
 
-/// A character of a rule file.
+/// The position of a character in a rule file.
 struct TextPosition {
-  std::uint32_t file = 0;    ///< Into Program::files.
+  std::uint32_t file = 0;    ///< Index into Program::files.
   std::uint32_t line = 0;    ///< From 1.
   std::uint32_t column = 0;  ///< From 1, in bytes.
 };
@@ -17,9 +17,9 @@ enum class TokenKind : std::uint8_t { kName, kNumber, kString, kSign, kEnd };
 
 struct Token {
   TokenKind kind = TokenKind::kEnd;
-  std::string text;   ///< As written; of a string, what it stands for. A name may hold dots: scope.sx, window.Frame.
-  double number = 0;  ///< Of a number.
-  TextPosition place;
+  std::string text;  ///< As written; for a string its unescaped value. A name may contain dots: scope.sx, window.Frame.
+  double number = 0;  ///< The value of a kNumber.
+  TextPosition position;
 };
 
 inline bool is_sign(const Token& token, const char* sign) {

@@ -1,4 +1,4 @@
-// What an expression is worth: a number, a truth or a text.
+// The value of an expression: a number, a truth value or a string.
 #pragma once
 
 #include <string>
@@ -11,9 +11,10 @@ using Value = std::variant<double, bool, std::string>;
 
 const char* kind_name(const Value& value);  ///< "float", "bool", "string".
 
-/// Conversions as CGA's float(), bool() and str() make them; what cannot be read is 0 or false.
+/// Conversions as in CGA's float(), bool() and str(). A string that cannot be read gives 0 or false; a number is
+/// written with the fewest digits that read back as the same number.
 double number_of(const Value& value);
 bool truth_of(const Value& value);
-std::string text_of(const Value& value);  ///< Of a number its shortest digits that read back as itself.
+std::string text_of(const Value& value);
 
 }  // namespace citykiln::grammars

@@ -1,4 +1,4 @@
-// comp(f): a shape a face.
+// comp(f): one shape for each face.
 #include <cmath>
 
 #include "grammars/derivation/evaluate.h"
@@ -11,12 +11,12 @@ namespace {
 bool is_vertical(Vec3 normal) { return std::abs(normal.z) < 0.01; }
 bool is_level(Vec3 normal) { return std::abs(normal.z) > 0.9999; }
 
-// a tag that the maker of the face left says more than its direction: a steep roof is a roof
+// The tag of a face takes precedence over its direction: a steep roof plane is top.
 std::string_view side_of(const Scope& scope, const Face& face, Vec3 normal) {
   if (face.tag == FaceTag::kTop) return "top";
   if (face.tag == FaceTag::kBottom) return "bottom";
   const NearestAxis nearest = nearest_axis(scope, normal);
-  // over a level face, whose z is up, y points to the back
+  // in the scope of a horizontal face z is up and y points to the back
   const bool lies = std::abs(scope.axis[1].z) < 0.01 && std::abs(scope.axis[2].z) > 0.9;
   if (lies && nearest.axis == 2) return nearest.against ? "bottom" : "top";
   if (lies && nearest.axis == 1) return nearest.against ? "front" : "back";
@@ -46,8 +46,8 @@ const char* name_of(FaceTag tag) {
   return tag == FaceTag::kBorder ? "border" : "";
 }
 
-// who asks for what the face's maker called it has the face, else the first that it fits: so gables and the rims of
-// eaves are no walls, wherever `side` stands
+// A selector of the face's tag takes precedence, else the first selector that fits. So gables and rims of eaves are no
+// walls, even if `side` comes first.
 int selector_of(const std::vector<Key>& keys, const Scope& scope, const Face& face, std::size_t index) {
   const std::string_view own = name_of(face.tag);
   for (std::size_t k = 0; k < keys.size(); ++k)

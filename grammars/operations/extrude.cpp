@@ -22,7 +22,7 @@ void add_sides(const Ring3& from, const Ring3& to, const std::vector<std::uint8_
   }
 }
 
-// `lower` looks down and `upper` up along the way between them
+// The normals of both faces point along the way from `lower` to `upper`.
 void add_prism(const Face& lower, const Face& upper, std::vector<Face>& faces) {
   faces.push_back(reversed(lower));
   faces.push_back(upper);
@@ -30,12 +30,11 @@ void add_prism(const Face& lower, const Face& upper, std::vector<Face>& faces) {
   for (std::size_t i = 0; i < lower.holes.size(); ++i) add_sides(lower.holes[i], upper.holes[i], {}, faces);
 }
 
-Face without_marks(Face face) {
+Face without_tag(Face face) {
   face.tag = FaceTag::kNone;
   return face;
 }
 
-/// How far up each point of the face goes until all end at one height.
 double highest_m(const std::vector<Face>& faces) {
   double top_m = -HUGE_VAL;
   for (const Face& face : faces)
@@ -48,13 +47,13 @@ void extrude_faces(Execution& execution, double height_m, std::string_view direc
   faces.reserve(2 * execution.shape.faces.size() + vertex_count(execution.shape.faces));
   const double flat_top_m = highest_m(execution.shape.faces) + height_m;
   for (const Face& raw : execution.shape.faces) {
-    const Face face = without_marks(raw);
+    const Face face = without_tag(raw);
     const Vec3 way = direction == "face.normal" ? normal_of(face) : Vec3{0, 0, 1};
     Face other = moved(face, way * height_m);
     if (direction == "world.up.flatTop") each_vertex(other, [&](Vec3& p) { p.z = flat_top_m; });
-    // what is on top looks up, wherever the face did
-    const bool ahead = (height_m >= 0) == (dot(way, normal_of(face)) >= 0);
-    if (ahead) {
+    // the base is the face that the extrusion leaves along its normal
+    const bool is_base = (height_m >= 0) == (dot(way, normal_of(face)) >= 0);
+    if (is_base) {
       add_prism(face, other, faces);
     } else {
       add_prism(other, face, faces);
@@ -69,7 +68,8 @@ Vec3 middle_of(const Ring3& ring) {
   return sum * (1.0 / static_cast<double>(ring.size()));
 }
 
-// a pyramid, and how far its apex is from its farthest corner: each of its triangles holds an edge of the face
+// Adds a pyramid and returns the largest distance of its apex from a corner, which bounds its displacement, because
+// each triangle contains an edge of the face.
 double add_pyramid(const Face& face, double height_m, std::vector<Face>& faces) {
   const Vec3 apex = middle_of(face.outer) + normal_of(face) * height_m;
   double farthest_m = 0;
@@ -83,7 +83,7 @@ double add_pyramid(const Face& face, double height_m, std::vector<Face>& faces) 
 
 }  // namespace
 
-void op_extrude(Execution& execution, const Statement& statement, Arguments arguments) {
+void op_extrude(Execution& execution, const Statement&, Arguments arguments) {
   const std::string_view direction = arguments.size() == 1 ? "face.normal" : word_of(arguments[0]);
   const double height_m = metres(arguments.back());
   if (std::abs(height_m) <= kSmallest_m) return;
@@ -93,7 +93,6 @@ void op_extrude(Execution& execution, const Statement& statement, Arguments argu
   extrude_faces(execution, height_m, direction);
   execution.moved = execution.moved + Displacement{reach_m, 0};
   fit_scope(execution.shape);
-  (void)statement;
 }
 
 void op_taper(Execution& execution, const Statement& statement, Arguments arguments) {
@@ -102,7 +101,7 @@ void op_taper(Execution& execution, const Statement& statement, Arguments argume
   double reach_m = 0;
   for (const Face& face : execution.shape.faces) {
     if (!face.holes.empty() || height_m <= kSmallest_m) {
-      execution.run.warning(statement.place, "taper is not built below zero or on faces with holes");
+      execution.run.warn(statement.position, "taper is not built below zero or on faces with holes");
       return;
     }
     reach_m = std::max(reach_m, add_pyramid(face, height_m, faces));

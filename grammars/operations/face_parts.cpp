@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "grammars/derivation/evaluate.h"
-#include "grammars/operations/table.h"
+#include "grammars/language/operation_table.h"
 
 namespace citykiln::grammars {
 namespace {
@@ -22,7 +22,7 @@ std::vector<Face> one_of(Face&& face) {
   return faces;
 }
 
-// of faces with this selector, which it takes out of `parts`: a shape each, or one of all
+// Moves the faces of a selector into new pieces: one for each, or one for all together.
 void add_shapes(const Shape& from, std::vector<PartOf>& parts, int selector, bool together, std::vector<Piece>& pieces,
                 const Body* body) {
   std::vector<Face> all;
@@ -42,20 +42,26 @@ void add_shapes(const Shape& from, std::vector<PartOf>& parts, int selector, boo
 std::vector<Key> keys_of(Execution& execution, const Statement& statement, const char* words) {
   std::vector<Key> keys;
   keys.reserve(statement.selectors.size());
-  Context context{execution.run, execution.shape, execution.frame, execution.dice};
+  Context context = context_of(execution);
   for (const Selector& selector : statement.selectors) {
     Key& key = keys.emplace_back();
     if (selector.key.target == Target::kWord) {
       key.word = selector.key.text;
       if (!is_among(key.word, words))
-        execution.run.warning(selector.place,
-                              "'" + statement.name + "' knows no '" + selector.key.text + "'; it knows" + words);
+        execution.run.warn(selector.position,
+                           "'" + statement.name + "' has no selector '" + selector.key.text + "'; selectors:" + words);
     } else {
       const double index = number_of(evaluate(selector.key, context));
       key.index = static_cast<std::size_t>(std::clamp(index, 0.0, 1e9));
     }
   }
   return keys;
+}
+
+int index_of(const std::vector<Key>& keys, std::string_view word) {
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    if (keys[k].word == word) return static_cast<int>(k);
+  return -1;
 }
 
 Displacement of_cutting(std::span<const Face> faces) {

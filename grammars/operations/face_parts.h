@@ -1,4 +1,4 @@
-// What comp, setback and the shape operations share: faces given to selectors.
+// Distributes faces among selectors, for comp, setback and the shape operations.
 #pragma once
 
 #include <optional>
@@ -9,30 +9,34 @@
 
 namespace citykiln::grammars {
 
-/// A selector's key: a word or an index.
+/// The key of a selector: a word or an index.
 struct Key {
-  std::string_view word;  ///< Lives in the program.
+  std::string_view word;  ///< Part of the program, which outlives the run.
   std::optional<std::size_t> index;
 };
 
-/// The keys of a statement's selectors; a word that is not in `words` is a trouble and selects nothing.
+/// The keys of a statement's selectors. A word that is not in `words` raises a warning and selects nothing.
 std::vector<Key> keys_of(Execution& execution, const Statement& statement, const char* words);
 
-/// A face, and the selector that has it; -1 for none.
+/// The index of the key with this word; -1 if there is none.
+int index_of(const std::vector<Key>& keys, std::string_view word);
+
+/// A face and the index of the selector that takes it; -1 for none.
 struct PartOf {
   Face face;
   int selector = -1;
 };
 
-/// What cutting faces up in their planes moves: nothing, where they are flat.
+/// The displacement of cutting faces in their planes: 0 for planar faces.
 Displacement of_cutting(std::span<const Face> faces);
 
-/// Hands the faces over: to `:` one shape each, to `=` all in one. Single faces get the scope of a face; several keep
-/// the current scope's axes. Faces that no selector has vanish. Together the parts have to cover the current surface,
-/// but for `moved`.
+/// Applies the bodies of the selectors to the faces: for `:` to each face, for `=` to all together. A single face gets
+/// its own axes as scope, several keep the current axes. Faces without a selector vanish. The union of the parts has to
+/// be the current surface, moved by at most `moved`.
 void spawn_parts(Execution& execution, const Statement& statement, std::vector<PartOf> parts, Displacement moved);
 
-/// A face's own directions in its plane, by the scope: for lots and roofs `front` is the scope's z, for walls the foot.
+/// The directions right and front of a face in its plane. `front` is the scope's z for lots and roofs, and down for
+/// walls.
 struct PlanAxes {
   Vec3 right, front;
 };

@@ -1,23 +1,17 @@
-// What takes the place of a shape's faces: primitiveQuad, primitiveCube, i.
+// Operations that replace the faces of a shape: primitiveQuad, primitiveCube, i.
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {
 namespace {
 
-Ring3 points_of(const Shape& shape) {
-  if (shape.asset.empty()) return vertices_of(shape.faces);
-  const auto corners = shape.scope.corners();
-  return {corners.begin(), corners.end()};
-}
-
-// corner i is at x where i has bit 1, at y where bit 2, at z where bit 4
+// Scope::corners(): bits 1, 2 and 4 of an index select the far side along x, y and z.
 constexpr int kCube[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
 void replace_faces(Execution& execution, std::vector<Face> faces, std::string asset) {
-  const Ring3 before = points_of(execution.shape);
+  const Ring3 before = surface_points(execution.shape);
   execution.shape.faces = std::move(faces);
   execution.shape.asset = std::move(asset);
-  execution.moved = execution.moved + any_displacement(before, points_of(execution.shape));
+  execution.moved = execution.moved + any_displacement(before, surface_points(execution.shape));
 }
 
 }  // namespace
@@ -45,7 +39,7 @@ void op_primitive_cube(Execution& execution, const Statement&, Arguments argumen
 
 void op_insert(Execution& execution, const Statement& statement, Arguments arguments) {
   const std::string name = text_of(arguments[0].value);
-  if (name.empty()) return execution.run.warning(statement.place, "an asset without a name");
+  if (name.empty()) return execution.run.warn(statement.position, "an asset without a name");
   replace_faces(execution, {}, name);
 }
 

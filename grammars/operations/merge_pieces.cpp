@@ -1,6 +1,7 @@
 #include "grammars/operations/merge_pieces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <utility>
 
@@ -11,101 +12,101 @@ namespace {
 
 double width_m(const Slice& slice) { return slice.interval.to_m - slice.interval.from_m; }
 
-// what is as wide as the tolerance is so wherever rounding left its ends
+// With a margin for the rounding of a piece exactly as wide as the tolerance.
 bool is_narrow(double width_m, double tolerance_m) { return width_m <= tolerance_m + kSliver_m; }
 
-/// Narrow pieces next to each other, from `first` to before `end`.
+/// A run of adjacent narrow pieces, from `first` to before `end`.
 struct Narrow {
   std::size_t first = 0, end = 0;
   double width_m = 0;
 };
 
-Narrow narrow_from(std::span<const Slice> slices, std::size_t first, double tolerance_m) {
+Narrow narrow_run_from(std::span<const Slice> slices, std::size_t first, double tolerance_m) {
   Narrow narrow{first, first, 0};
   for (; narrow.end < slices.size() && is_narrow(width_m(slices[narrow.end]), tolerance_m); ++narrow.end)
     narrow.width_m += width_m(slices[narrow.end]);
   return narrow;
 }
 
-/// What is known of the pieces, looked up once for each selector.
-struct Reaches {
+/// The bounds of the pieces, computed once for each selector.
+struct PieceBounds {
   Execution& execution;
   std::span<const Selector* const> selectors;
   NumberRanges arguments = ranges_of(execution);
   SmallVector<std::optional<DisplacementBound>, 8> known{selectors.size()};
 
   DisplacementBound of(const Slice& slice) {
-    std::optional<DisplacementBound>& reach = known[slice.interval.leaf];
-    if (!reach) reach = displacement_bound(execution, arguments, selectors[slice.interval.leaf]->body);
-    return *reach;
+    std::optional<DisplacementBound>& bound = known[slice.interval.leaf];
+    if (!bound) bound = displacement_bound(execution, arguments, selectors[slice.interval.leaf]->body);
+    return *bound;
   }
   DisplacementBound of(std::span<const Slice> slices) {
     DisplacementBound worst{{0, 0}, true};
     for (const Slice& slice : slices) {
-      const DisplacementBound reach = of(slice);
-      worst.stays &= reach.stays;
-      worst.moved.out_m = std::max(worst.moved.out_m, reach.moved.out_m);
-      worst.moved.back_m = std::max(worst.moved.back_m, reach.moved.back_m);
+      const DisplacementBound bound = of(slice);
+      worst.survives &= bound.survives;
+      worst.moved.out_m = std::max(worst.moved.out_m, bound.moved.out_m);
+      worst.moved.back_m = std::max(worst.moved.back_m, bound.moved.back_m);
     }
     return worst;
   }
 };
 
 double error_m(DisplacementBound left_out, DisplacementBound neighbour) {
-  if (!left_out.stays || !neighbour.stays) return kUnbounded_m;
+  if (!left_out.survives || !neighbour.survives) return kUnbounded_m;
   const Displacement a = left_out.moved, b = neighbour.moved;
   return std::max(b.out_m + std::max(a.back_m, b.back_m), std::max(a.out_m, b.out_m) + b.back_m);
 }
 
-/// The neighbour that takes a run of narrow pieces; `slice` ~0 for none.
-struct Taker {
+/// The neighbour that a run of narrow pieces is merged into; `slice` ~0 for none.
+struct Absorber {
   std::size_t slice = ~std::size_t{0};
   double error_m = kUnbounded_m;
 };
 
-Taker taker_of(std::span<const Slice> slices, Narrow narrow, Reaches& reaches) {
-  const DisplacementBound left_out = reaches.of(slices.subspan(narrow.first, narrow.end - narrow.first));
-  Taker taker;
-  if (!left_out.stays) return taker;
+Absorber absorber_of(std::span<const Slice> slices, Narrow narrow, PieceBounds& bounds) {
+  const DisplacementBound left_out = bounds.of(slices.subspan(narrow.first, narrow.end - narrow.first));
+  Absorber absorber;
+  if (!left_out.survives) return absorber;
   const auto ask = [&](std::size_t i) {
-    const double e_m = error_m(left_out, reaches.of(slices[i]));
-    if (e_m < taker.error_m) taker = {i, e_m};
+    const double e_m = error_m(left_out, bounds.of(slices[i]));
+    if (e_m < absorber.error_m) absorber = {i, e_m};
   };
   if (narrow.first > 0) ask(narrow.first - 1);
   if (narrow.end < slices.size()) ask(narrow.end);
-  return taker;
+  return absorber;
 }
 
-// By slice, who stands in its place: itself, or the one that takes it.
-SmallVector<std::size_t, 8> takers_of(std::span<const Slice> slices, double tolerance_m, Reaches& reaches,
-                                      double& error_m) {
-  SmallVector<std::size_t, 8> takers(slices.size());
-  for (std::size_t i = 0; i < slices.size(); ++i) takers[i] = i;
+// By slice: its own index, or that of the slice it is merged into.
+SmallVector<std::size_t, 8> absorbers_of(std::span<const Slice> slices, double tolerance_m, PieceBounds& bounds,
+                                         double& error_m) {
+  SmallVector<std::size_t, 8> absorbers(slices.size());
+  for (std::size_t i = 0; i < slices.size(); ++i) absorbers[i] = i;
   for (Narrow narrow; narrow.first < slices.size(); narrow.first = std::max(narrow.end, narrow.first + 1)) {
-    narrow = narrow_from(slices, narrow.first, tolerance_m);
+    narrow = narrow_run_from(slices, narrow.first, tolerance_m);
     if (narrow.end == narrow.first || !is_narrow(narrow.width_m, tolerance_m)) continue;
-    const Taker taker = taker_of(slices, narrow, reaches);
-    if (taker.error_m > tolerance_m) continue;
-    for (std::size_t i = narrow.first; i < narrow.end; ++i) takers[i] = taker.slice;
-    error_m = std::max(error_m, taker.error_m);
+    const Absorber absorber = absorber_of(slices, narrow, bounds);
+    if (absorber.error_m > tolerance_m) continue;
+    for (std::size_t i = narrow.first; i < narrow.end; ++i) absorbers[i] = absorber.slice;
+    error_m = std::max(error_m, absorber.error_m);
   }
-  return takers;
+  return absorbers;
 }
 
-SmallVector<Slice, 8> without_taken(std::span<const Slice> slices, std::span<const std::size_t> takers) {
+SmallVector<Slice, 8> without_absorbed(std::span<const Slice> slices, std::span<const std::size_t> absorbers) {
   SmallVector<Slice, 8> kept;
   std::uint32_t left_out = 0;
   double from_m = slices.empty() ? 0 : slices.front().interval.from_m;
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    if (takers[i] == i) {
+    if (absorbers[i] == i) {
       kept.push_back(slices[i]);
       kept.back().interval.from_m = from_m;
       kept.back().left_out = std::exchange(left_out, 0);
     } else {
       ++left_out;
-      if (takers[i] < i) kept.back().interval.to_m = slices[i].interval.to_m;
+      if (absorbers[i] < i) kept.back().interval.to_m = slices[i].interval.to_m;
     }
-    if (takers[i] <= i) from_m = slices[i].interval.to_m;
+    if (absorbers[i] <= i) from_m = slices[i].interval.to_m;
   }
   return kept;
 }
@@ -120,23 +121,24 @@ Division divided(std::span<const Interval> intervals) {
   return division;
 }
 
-bool may_widen(const Run& run, const Shape& shape) {
-  return run.measures() && run.options.keep_appearances && run.options.ahead && is_flat(shape);
+bool may_merge_narrow(const Run& run, const Shape& shape) {
+  return run.measures() && run.options.keep_appearances && run.options.prune_early && is_flat(shape);
 }
 
 Division merge_narrow_pieces(Execution& execution, Division division, std::span<const Selector* const> selectors) {
+  assert(is_flat(execution.shape));
   const double tolerance_m = execution.run.options.tolerance_m;
   const auto may_go = [&](const Slice& slice) { return is_narrow(width_m(slice), tolerance_m); };
   if (std::none_of(division.slices.begin(), division.slices.end(), may_go)) return division;
-  Reaches reaches{execution, selectors};
-  const auto takers = takers_of(all_of(division.slices), tolerance_m, reaches, division.error_m);
-  division.slices = without_taken(all_of(division.slices), all_of(takers));
+  PieceBounds bounds{execution, selectors};
+  const auto absorbers = absorbers_of(span_of(division.slices), tolerance_m, bounds, division.error_m);
+  division.slices = without_absorbed(span_of(division.slices), span_of(absorbers));
   return division;
 }
 
-bool may_join(const Run& run, const Shape& shape) { return run.options.ahead && is_flat(shape); }
+bool may_merge_terminals(const Run& run, const Shape& shape) { return run.options.prune_early && is_flat(shape); }
 
-Division join_terminals(Division division, std::span<const Selector* const> selectors) {
+Division merge_terminals(Division division, std::span<const Selector* const> selectors) {
   SmallVector<Slice, 8> kept;
   std::uint32_t left_out = 0;
   const std::string* last = nullptr;

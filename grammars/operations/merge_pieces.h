@@ -1,8 +1,8 @@
-// Pieces of a split that need not be made: what is no wider than the tolerance goes to its neighbour, and neighbours
-// that end at once, all under one name, are one.
+// Merges pieces of a split before they are derived: pieces no wider than the tolerance into a neighbour, and adjacent
+// pieces that become the same terminal into one.
 //
-//   |  Wall  |Joint|  Wall  |  →  |          Wall           |      The joint's look would be under a pixel wide. It
-//            ≤ tolerance                                           need not be derived, and nothing is sawn there.
+//   |  Wall  |Joint|  Wall  |  →  |          Wall           |      The joint would be narrower than the tolerance. It
+//            ≤ tolerance                                           is neither derived nor cut out.
 #pragma once
 
 #include "grammars/derivation/run.h"
@@ -10,46 +10,43 @@
 
 namespace citykiln::grammars {
 
-/// A piece that is sawn off, with the place that it has among all.
+/// A piece that is cut off, with its index among all pieces.
 struct Slice {
   Interval interval;
   std::size_t index = 0, total = 0;
-  std::uint32_t left_out = 0;  ///< Pieces before it that are not made.
+  std::uint32_t left_out = 0;  ///< The number of pieces before it that are not made.
 };
 
 struct Division {
   SmallVector<Slice, 8> slices;
-  double error_m =
-      0;  ///< Between what is made of the slices and what all pieces would have become, Hausdorff, both ways.
+  double error_m = 0;  ///< Bounds the Hausdorff distance between the results of the slices and those of all pieces.
 };
 
-/// Every piece as it is.
+/// A division with a slice for each interval.
 Division divided(std::span<const Interval> intervals);
 
-/// True if looks are kept, what is known ahead is used, and the shape is one of which things are known.
-bool may_widen(const Run& run, const Shape& shape);
+/// True if appearances are kept, nodes are pruned early, and displacement_bound() applies to the shape.
+bool may_merge_narrow(const Run& run, const Shape& shape);
 
-/// Neighbouring pieces that are together no wider than the tolerance are left out, and the one before or behind them
-/// takes their place, whichever errs less, if the rules alone bound what becomes of it and of them.
+/// Leaves out runs of adjacent pieces that are together no wider than the tolerance. The piece before or after a run is
+/// extended over it, whichever has the smaller error, if displacement_bound() gives one within the tolerance.
 ///
-/// Let a piece's surface be S, what its rules make of it D. No point of D is farther from S than `out`, none of S
-/// farther from D than `back` (reach.h), however wide S is and however coarse D: so neither is D′, which is made of
-/// S′ = S + the surfaces s of those left out. Of D′ a point is within out(S) of S′, thus within
-/// out(S) + max(back(S), back(s)) of what would be there; of that a point is within max(out(S), out(s)) of S′, thus
-/// within max(out(S), out(s)) + back(S) of D′.
+/// Error: let S be the surface of the extended piece before, s those of the pieces left out, D and d their results, and
+/// D′ the result of S′ = S + s. Bounds do not depend on the width, so those of S hold for S′. A point of D′ is within
+/// out(S) of S′, hence within out(S) + max(back(S), back(s)) of D + d. A point of D + d is within max(out(S), out(s))
+/// of S′, hence within max(out(S), out(s)) + back(S) of D′.
 ///
-/// @param division  As divided() made it.
+/// @param division  As made by divided().
 /// @param selectors  By Interval::leaf.
 Division merge_narrow_pieces(Execution& execution, Division division, std::span<const Selector* const> selectors);
 
-/// True if what is known ahead is used, and the shape is one whose pieces have no ends of their own.
-bool may_join(const Run& run, const Shape& shape);
+/// True if nodes are pruned early and the shape is one planar face.
+bool may_merge_terminals(const Run& run, const Shape& shape);
 
-/// Of neighbouring pieces of whose bodies nothing is left but the same terminal, like `Wall.`, the first takes the
-/// place of all. The surface stays what it was.
+/// Joins adjacent pieces whose bodies are the same terminal, like `Wall.`. The surface does not change.
 ///
-/// @param division  As divided() or widened() made it.
+/// @param division  As made by divided() or merge_narrow_pieces().
 /// @param selectors  By Interval::leaf.
-Division join_terminals(Division division, std::span<const Selector* const> selectors);
+Division merge_terminals(Division division, std::span<const Selector* const> selectors);
 
 }  // namespace citykiln::grammars

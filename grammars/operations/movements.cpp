@@ -1,4 +1,4 @@
-// Shapes moved, turned and sized: t, r, s, center, alignScopeTo…, reverseNormals.
+// Operations that move, turn and scale: t, r, s, center, alignScopeToAxes, alignScopeToGeometry, reverseNormals.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace citykiln::grammars {
 namespace {
 
-/// Moves every vertex of the shape and accounts for it.
+/// Moves every vertex of the shape and adds the displacement.
 template <typename Move>
 void move_vertices(Execution& execution, Move move) {
   std::vector<Face> before;
@@ -17,8 +17,8 @@ void move_vertices(Execution& execution, Move move) {
   execution.moved = execution.moved + affine_displacement(before, execution.shape.faces);
 }
 
-// an asset's surface is counted as its scope
-void account_for_asset(Execution& execution, const Scope& before) {
+// The surface of an asset counts as its scope.
+void add_asset_displacement(Execution& execution, const Scope& before) {
   if (execution.shape.asset.empty()) return;
   const auto a = before.corners(), b = execution.shape.scope.corners();
   execution.moved = execution.moved + any_displacement(a, b);
@@ -28,14 +28,10 @@ void translate(Execution& execution, Vec3 by) {
   const Scope before = execution.shape.scope;
   move_vertices(execution, [&](Vec3 p) { return p + by; });
   execution.shape.scope.origin = before.origin + by;
-  account_for_asset(execution, before);
+  add_asset_displacement(execution, before);
 }
 
-double share_of(const Argument& argument, double size_m) {
-  return argument.relative ? metres(argument) * size_m : metres(argument);
-}
-
-/// v turned about an axis of length 1. Source: Rodrigues' formula.
+/// v turned about a unit axis by Rodrigues' formula.
 Vec3 turned(Vec3 v, Vec3 axis, double cosine, double sine) {
   return v * cosine + cross(axis, v) * sine + axis * (dot(axis, v) * (1 - cosine));
 }
@@ -49,7 +45,7 @@ void turn(Execution& execution, int axis_index, double angle_deg, Vec3 about) {
   Scope& scope = execution.shape.scope;
   scope.origin = about + turned(before.origin - about, axis, c, s);
   for (Vec3& other : scope.axis) other = unit(turned(other, axis, c, s));
-  account_for_asset(execution, before);
+  add_asset_displacement(execution, before);
 }
 
 void set_axes(Shape& shape, const std::array<Vec3, 3>& axis) {
@@ -57,15 +53,15 @@ void set_axes(Shape& shape, const std::array<Vec3, 3>& axis) {
   shape.scope = scope_around(shape.faces, axis, origin);
 }
 
-/// x, y, z such that `kept` points the way it does and the frame is right-handed.
-std::array<Vec3, 3> axes_with_up(const Scope& scope, int upright) {
+/// Right-handed axes of which number `vertical` points up and the next is the nearest horizontal direction to its own.
+std::array<Vec3, 3> axes_with_up(const Scope& scope, int vertical) {
   const Vec3 up{0, 0, 1};
-  const Vec3 level = cross(up, scope.axis[(upright + 2) % 3]);
+  const Vec3 level = cross(up, scope.axis[(vertical + 2) % 3]);
   const Vec3 next = length(level) > 1e-6 ? unit(level) : unit(cross(up, Vec3{0, -1, 0}));
   std::array<Vec3, 3> axis;
-  axis[upright] = up;
-  axis[(upright + 1) % 3] = next;
-  axis[(upright + 2) % 3] = cross(up, next);
+  axis[vertical] = up;
+  axis[(vertical + 1) % 3] = next;
+  axis[(vertical + 2) % 3] = cross(up, next);
   return axis;
 }
 
@@ -74,7 +70,7 @@ std::array<Vec3, 3> axes_with_up(const Scope& scope, int upright) {
 void op_translate(Execution& execution, const Statement&, Arguments arguments) {
   const Scope& scope = execution.shape.scope;
   Vec3 by;
-  for (int i = 0; i < 3; ++i) by = by + scope.axis[i] * share_of(arguments[i], scope.size_m[i]);
+  for (int i = 0; i < 3; ++i) by = by + scope.axis[i] * size_or_share(arguments[i], scope.size_m[i]);
   translate(execution, by);
 }
 
@@ -91,7 +87,7 @@ void op_size(Execution& execution, const Statement&, Arguments arguments) {
   std::array<double, 3> factor;
   Scope& scope = execution.shape.scope;
   for (int i = 0; i < 3; ++i) {
-    const double size_m = std::max(share_of(arguments[i], before.size_m[i]), 0.0);
+    const double size_m = std::max(size_or_share(arguments[i], before.size_m[i]), 0.0);
     factor[i] = before.size_m[i] > kSmallest_m ? size_m / before.size_m[i] : 1;
     scope.size_m[i] = size_m;
   }
@@ -100,13 +96,13 @@ void op_size(Execution& execution, const Statement&, Arguments arguments) {
     for (int i = 0; i < 3; ++i) moved = moved + before.axis[i] * (dot(before.axis[i], p - before.origin) * factor[i]);
     return moved;
   });
-  account_for_asset(execution, before);
+  add_asset_displacement(execution, before);
 }
 
 void op_center(Execution& execution, const Statement&, Arguments arguments) {
   const Scope& scope = execution.shape.scope;
-  // the scope it came from was given with whichever came last
-  execution.run.depends_on(std::max(execution.shape.in_split.since, execution.shape.in_comp.since));
+  // the parent scope was assigned together with the later of both indices
+  execution.run.depends_on(std::max(execution.shape.in_split.since_node, execution.shape.in_comp.since_node));
   const Vec3 way = execution.shape.parent_scope.centre() - scope.centre();
   const std::string_view axes = word_of(arguments[0]);
   Vec3 by;
@@ -118,15 +114,15 @@ void op_center(Execution& execution, const Statement&, Arguments arguments) {
 void op_align_to_axes(Execution& execution, const Statement&, Arguments arguments) {
   execution.run.depends_on(0);
   const std::string_view word = arguments.empty() ? "" : word_of(arguments[0]);
-  const int upright = word == "x" ? 0 : word == "z" ? 2 : 1;
+  const int vertical = word == "x" ? 0 : word == "z" ? 2 : 1;
   const std::array<Vec3, 3> east = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};
-  set_axes(execution.shape, word.empty() ? east : axes_with_up(execution.shape.scope, upright));
+  set_axes(execution.shape, word.empty() ? east : axes_with_up(execution.shape.scope, vertical));
 }
 
 void op_align_to_geometry(Execution& execution, const Statement&, Arguments) {
   if (execution.shape.faces.empty()) return;
   std::array<Vec3, 3> axis = axes_of(execution.shape.faces.front());
-  // of what lies level, y is up: as of a lot
+  // y is up in the scope of a horizontal face, as in that of a lot
   if (std::abs(axis[2].z) > 0.9999) axis = {axis[0], axis[2], axis[1] * -1.0};
   set_axes(execution.shape, axis);
 }

@@ -1,30 +1,30 @@
-// One function an operation; what each does is told in operations.inc.
+// The functions of the operations, one for each row of language/operations.inc, which says what each does.
 #pragma once
 
-#include <span>
-
 #include "grammars/derivation/run.h"
-#include "grammars/operations/table.h"
+#include "grammars/language/operation_table.h"
 
 namespace citykiln::grammars {
 
-using Arguments = std::span<const Argument>;
-
-#define OPERATION(name, function, signatures, words, selectors, alters, text) \
+#define OPERATION(name, function, signatures, words, selectors, alters, bound, text) \
   void function(Execution& execution, const Statement& statement, Arguments arguments);
-#include "grammars/operations/operations.inc"
+#include "grammars/language/operations.inc"
 #undef OPERATION
 
-/// Less than this is not built: neither seen nor safe to divide by.
+/// Smaller sizes are treated as zero: invisible, and not safe to divide by.
 inline constexpr double kSmallest_m = 1e-6;
 
 /// The word of an argument, or "" if it is none.
 inline std::string_view word_of(const Argument& argument) {
   return argument.word ? std::string_view(argument.word->text) : std::string_view();
 }
-/// The i-th argument in metres (or degrees); `otherwise` where there are fewer.
+/// The i-th argument in metres (or degrees); `otherwise` if there are fewer.
 inline double number_or(Arguments arguments, std::size_t i, double otherwise) {
   return i < arguments.size() ? metres(arguments[i]) : otherwise;
+}
+/// The argument in metres; a share is one of `size_m`.
+inline double size_or_share(const Argument& argument, double size_m) {
+  return argument.relative ? metres(argument) * size_m : metres(argument);
 }
 
 }  // namespace citykiln::grammars

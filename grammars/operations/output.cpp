@@ -1,14 +1,14 @@
-// What rules say to the caller: report, print.
+// Operations that return values to the caller: report, print.
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {
 
 void op_report(Execution& execution, const Statement&, Arguments arguments) {
   Run& run = execution.run;
-  // as many as shapes at most
+  // the limit of shapes is also that of reports
   if (run.out.reports.size() > run.options.limits.shapes) return;
   run.out.reports.push_back({text_of(arguments[0].value), arguments[1].value, {}});
-  run.report_births.push_back(execution.shape.birth);
+  run.report_nodes.push_back(execution.shape.node);
 }
 
 void op_print(Execution& execution, const Statement&, Arguments arguments) {

@@ -1,7 +1,8 @@
-// roofGable, roofHip, roofPyramid, roofShed, roofMansard: asked of the roof builder, face by face.
+// roofGable, roofHip, roofPyramid, roofShed, roofMansard: a request to the roof builder for each face.
 #include <algorithm>
 #include <cmath>
 
+#include "grammars/derivation/form_roofs.h"
 #include "grammars/operations/operations.h"
 
 namespace citykiln::grammars {
@@ -25,7 +26,7 @@ Face in_space(const Face& face, const FaceFrame& frame) {
   return made;
 }
 
-// over a level face x is east and y north, so that the footprint has the map's own coordinates, bit for bit
+// Over a horizontal face x is east and y north, so the footprint has the coordinates of the map, bit for bit.
 FaceFrame roof_frame(const Face& face) {
   const FaceFrame frame = frame_of(face);
   if (frame.z.z < 1 - 1e-9) return frame;
@@ -35,8 +36,9 @@ FaceFrame roof_frame(const Face& face) {
 std::optional<std::vector<Face>> roof_over(const Execution& execution, const Face& face, RoofRequest request) {
   const FaceFrame frame = roof_frame(face);
   request.footprint = flat(face, frame);
-  const RoofBuilder& builder = execution.run.options.roofs;
-  auto roof = builder ? builder(request) : plain_roof(request);
+  static const RoofBuilder kDefault = form_roofs(0.01);
+  const RoofBuilder& builder = execution.run.options.roofs ? execution.run.options.roofs : kDefault;
+  auto roof = builder(request);
   if (!roof) return std::nullopt;
   for (Face& part : *roof) part = in_space(part, frame);
   return roof;
@@ -50,17 +52,17 @@ double highest_over(const Face& base, const std::vector<Face>& roof) {
   return highest_m;
 }
 
-// every point of the roof stands over the face, or over its overhang, no higher than the highest
+// Displacement: every point of a roof is over the face or its overhang, and not above the highest point.
 void build_roofs(Execution& execution, const Statement& statement, const RoofRequest& request) {
   std::vector<Face> faces;
   double highest_m = 0;
-  // a builder may round where the roof stands
+  // a builder may round coordinates, so the result depends on the position
   execution.run.depends_on(0);
   if (!execution.run.spend(64 * vertex_count(execution.shape.faces))) return;
   for (const Face& face : execution.shape.faces) {
     auto roof = roof_over(execution, face, request);
     if (!roof) {
-      execution.run.warning(statement.place, "'" + statement.name + "' is not built on this shape; it stays flat");
+      execution.run.warn(statement.position, "'" + statement.name + "' is not built on this shape; it stays flat");
       return;
     }
     highest_m = std::max(highest_m, highest_over(face, *roof));

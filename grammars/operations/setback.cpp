@@ -53,13 +53,7 @@ std::vector<int> selectors_of(const std::vector<Key>& keys, const Scope& scope, 
   return chosen;
 }
 
-double distance_to_line_m(Vec3 p, const FaceEdge& edge) {
-  const Vec3 ab = edge.b - edge.a;
-  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - edge.a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
-  return length(p - (edge.a + ab * t));
-}
-
-/// An offset, back in space.
+/// The result of an offset, in space.
 struct Cut {
   std::vector<Face> moved;
   std::vector<std::vector<Face>> bands;  ///< Per edge.
@@ -67,8 +61,8 @@ struct Cut {
   double reach_m = 0;  ///< No band's point is farther from its edge: distance to a segment is largest at a vertex.
 };
 
-// No place of a face is farther from an edge than its border is long: deeper bands are as deep, and would only lose
-// digits. Shallower ones than what snaps have no area: there are none.
+// Limits depths to the length of the border, which is larger than any distance within the face, since greater depths
+// lose digits. Bands that would snap to their edge are left out.
 std::vector<double> within(std::vector<double> depths_m, const std::vector<FaceEdge>& edges) {
   double border_m = 0;
   for (const FaceEdge& edge : edges) border_m += length(edge.b - edge.a);
@@ -88,13 +82,15 @@ Cut cut_bands(const Face& face, const std::vector<double>& depth_m, bool outward
     auto& bands = cut.bands.emplace_back();
     for (const Polygon& band : offset.bands[i]) {
       bands.push_back(lifted(band, frame, face, kSnap_m));
-      each_vertex(bands.back(), [&](Vec3 p) { cut.reach_m = std::max(cut.reach_m, distance_to_line_m(p, edges[i])); });
+      each_vertex(bands.back(), [&](Vec3 p) {
+        cut.reach_m = std::max(cut.reach_m, distance_to_segment_m(p, edges[i].a, edges[i].b));
+      });
     }
   }
   return cut;
 }
 
-// true if the parts lie on the overlay's grid
+// Returns true if the parts were rounded to the grid of the overlay.
 bool add_setback(Execution& execution, const std::vector<Key>& keys, int remainder, const Face& face, double depth_m,
                  std::vector<PartOf>& parts) {
   const std::vector<FaceEdge> edges = edges_of(face);
@@ -108,13 +104,7 @@ bool add_setback(Execution& execution, const std::vector<Key>& keys, int remaind
   return cut.on_grid;
 }
 
-int index_of(const std::vector<Key>& keys, std::string_view word) {
-  for (std::size_t k = 0; k < keys.size(); ++k)
-    if (keys[k].word == word) return static_cast<int>(k);
-  return -1;
-}
-
-// the overlay's grid, and what it bends: the parts' distance from the face
+// Bounds what the grid of the overlay moves points.
 constexpr Displacement kOfTheGrid = {1e-4, 1e-4};
 
 void tag(std::vector<Face>& faces, FaceTag as) {
@@ -126,7 +116,7 @@ void add_offset(const Face& face, double by_m, std::string_view which, std::vect
   reach_m = std::max(reach_m, cut.reach_m);
   tag(cut.moved, FaceTag::kInside);
   for (auto& bands : cut.bands) tag(bands, FaceTag::kBorder);
-  // of an enlarged face and its border, the border lies outside of the face as it was
+  // the inside of an enlarged face is the face itself, the border is outside of it
   if (by_m > 0 && which == "all") cut.moved = {face}, tag(cut.moved, FaceTag::kInside);
   if (which != "border") faces.insert(faces.end(), cut.moved.begin(), cut.moved.end());
   if (which == "inside") return;
@@ -140,7 +130,7 @@ bool can_spend(Execution& execution, const Statement& statement) {
     steps += n * n;
   }
   if (execution.run.spend(steps)) return true;
-  execution.run.hit(LimitKind::kSteps, execution.name, statement.place);
+  execution.run.hit(LimitKind::kSteps, execution.name, statement.position);
   return false;
 }
 
@@ -150,7 +140,7 @@ void op_setback(Execution& execution, const Statement& statement, Arguments argu
   constexpr const char* kWords = " front back left right all street street.front street.back remainder ";
   const double depth_m = metres(arguments[0]);
   if (!can_spend(execution, statement)) return;
-  if (depth_m < 0) return execution.run.warning(statement.place, "a setback below zero; offset goes outward");
+  if (depth_m < 0) return execution.run.warn(statement.position, "a setback below zero; offset goes outward");
   std::vector<Key> keys = keys_of(execution, statement, kWords);
   const int remainder = index_of(keys, "remainder");
   std::vector<PartOf> parts;
@@ -171,7 +161,7 @@ void op_offset(Execution& execution, const Statement& statement, Arguments argum
   for (const Face& face : execution.shape.faces) add_offset(face, by_m, which, faces, reach_m);
   execution.shape.faces = std::move(faces);
   Displacement moved{by_m > 0 ? reach_m : kOfTheGrid.out_m, kOfTheGrid.back_m};
-  // what is left out may be far from what is kept
+  // without a part, the rest may be far from the surface
   if (which != "all" && (by_m < 0 || which == "border"))
     moved = any_displacement(before, vertices_of(execution.shape.faces));
   execution.moved = execution.moved + moved;

@@ -9,12 +9,12 @@
 namespace citykiln::grammars {
 namespace {
 
-/// How deep the strips are; 0 for none.
+/// The depths of the strips; 0 for none.
 struct Depths {
   double front_m = 0, right_m = 0, back_m = 0, left_m = 0;
 };
 
-/// A face along its own plan axes.
+/// The extent of a face along its plan axes.
 struct Extent {
   double low_m = HUGE_VAL, high_m = -HUGE_VAL;
 };
@@ -28,7 +28,7 @@ Extent extent_of(const Face& face, Vec3 along) {
   return extent;
 }
 
-/// Planes whose upper sides are the strips.
+/// One plane for each strip, which is above it.
 std::vector<CutPlane> strip_planes(const PlanAxes& axes, const Face& face, const Depths& depths) {
   const Extent ahead = extent_of(face, axes.front), aside = extent_of(face, axes.right);
   std::vector<CutPlane> planes;
@@ -42,13 +42,13 @@ std::vector<CutPlane> strip_planes(const PlanAxes& axes, const Face& face, const
   return planes;
 }
 
-/// A piece of the face, and whether it lies in a strip.
+/// A piece of the face, and whether it is in a strip.
 struct Cell {
   Face face;
   bool in_strip = false;
 };
 
-// all cells are cut by all planes, so that neighbours share whole edges and can be merged
+// All planes cut all cells, so that neighbouring cells share whole edges and can be merged.
 std::vector<Cell> cells_of(const Face& face, const std::vector<CutPlane>& planes) {
   std::vector<Cell> cells = {{face, false}};
   for (const CutPlane& plane : planes) {
@@ -70,16 +70,11 @@ std::vector<Face> merged_cells(const std::vector<Cell>& cells, bool in_strip) {
   return merged(faces);
 }
 
-void hand_over(Execution& execution, const Statement& statement, std::vector<Face> shape, std::vector<Face> rest,
+void add_parts(Execution& execution, const Statement& statement, std::vector<Face> shape, std::vector<Face> rest,
                std::vector<PartOf>& parts) {
   const std::vector<Key> keys = keys_of(execution, statement, " shape remainder ");
-  const auto selector = [&](const char* word) {
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      if (keys[k].word == word) return static_cast<int>(k);
-    return -1;
-  };
-  for (Face& face : shape) parts.push_back({std::move(face), selector("shape")});
-  for (Face& face : rest) parts.push_back({std::move(face), selector("remainder")});
+  for (Face& face : shape) parts.push_back({std::move(face), index_of(keys, "shape")});
+  for (Face& face : rest) parts.push_back({std::move(face), index_of(keys, "remainder")});
 }
 
 void cut_strips(Execution& execution, const Statement& statement, const Depths& depths) {
@@ -87,20 +82,19 @@ void cut_strips(Execution& execution, const Statement& statement, const Depths& 
   for (const Face& face : execution.shape.faces) {
     const PlanAxes axes = plan_axes(execution.shape.scope, face);
     const std::vector<Cell> cells = cells_of(face, strip_planes(axes, face, depths));
-    hand_over(execution, statement, merged_cells(cells, true), merged_cells(cells, false), parts);
+    add_parts(execution, statement, merged_cells(cells, true), merged_cells(cells, false), parts);
   }
   spawn_parts(execution, statement, std::move(parts), of_cutting(execution.shape.faces));
 }
 
 // ---- the inner rectangle
-// -------------------------------------------------------------------------------------------------
 
 struct Rectangle {
   double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
   double area() const { return (high_x - low_x) * (high_y - low_y); }
 };
 
-/// The part of a segment, from 0 to 1, that lies between two values of one coordinate.
+/// The part of a segment between two values of a coordinate, as parameters from 0 to 1.
 struct Part {
   double from = 0, to = 1;
 };
@@ -129,7 +123,7 @@ bool passes_through(const Ring& ring, const Rectangle& r) {
   return false;
 }
 
-/// True if the rectangle lies in the polygon: its middle does, and no edge passes through it.
+/// True if the rectangle is in the polygon: its centre is, and no edge passes through it.
 bool lies_in(const Polygon& polygon, const Rectangle& r) {
   if (!contains(polygon, {(r.low_x + r.high_x) / 2, (r.low_y + r.high_y) / 2})) return false;
   const auto passes = [&](const Ring& ring) { return passes_through(ring, r); };
@@ -138,7 +132,7 @@ bool lies_in(const Polygon& polygon, const Rectangle& r) {
 
 constexpr std::size_t kMostStops = 14;  // 14^4 / 4 rectangles are tried at most: some 10,000
 
-// coordinates of the vertices, and even steps between, where a rectangle's sides may lie
+// The coordinates tried for the sides of the rectangle: those of the vertices, and sevenths of the extent.
 std::vector<double> stops_of(const Polygon& polygon, bool along_x) {
   std::vector<double> stops;
   for (const Vec2 p : polygon.outer) stops.push_back(along_x ? p.x : p.y);
@@ -165,7 +159,7 @@ Rectangle largest_inside(const Polygon& polygon) {
   return best;
 }
 
-/// The cells on both sides of four planes around the rectangle.
+/// The cells of four planes through the sides of the rectangle.
 std::vector<Cell> cut_around(const Face& face, const PlanAxes& axes) {
   const Vec3 back = axes.front * -1.0;
   FaceFrame frame = frame_of(face);
@@ -199,7 +193,7 @@ void op_inner_rectangle(Execution& execution, const Statement& statement, Argume
   for (const Face& face : execution.shape.faces) {
     if (!execution.run.spend(10000 * vertex_count({&face, 1}))) return;
     const std::vector<Cell> cells = cut_around(face, plan_axes(execution.shape.scope, face));
-    hand_over(execution, statement, merged_cells(cells, false), merged_cells(cells, true), parts);
+    add_parts(execution, statement, merged_cells(cells, false), merged_cells(cells, true), parts);
   }
   spawn_parts(execution, statement, std::move(parts), of_cutting(execution.shape.faces));
 }

@@ -1,6 +1,7 @@
 #include "grammars/roofs/apex.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -12,9 +13,9 @@
 namespace citykiln::roofs {
 namespace {
 
-// A pole is well inside if it is this share of the root of the area from all edges' lines.
+// An apex is well inside if its distance from every edge's line is at least this share of the root of the area.
 constexpr double kWellInside = 0.12;
-// Points of a scaled outline closer than this are one: eight steps of the grid, so that rounding turns no face over.
+// Points of a scaled outline closer than this are merged: eight grid steps, so that rounding turns no face over.
 constexpr double kOnePoint_m = 0x1p-7;
 
 Vec2 centroid_of(std::span<const Vec2> ring) {
@@ -28,7 +29,7 @@ Vec2 centroid_of(std::span<const Vec2> ring) {
   return twice_m2 > 0 ? ring[0] + sum * (1 / (3 * twice_m2)) : ring[0];
 }
 
-// The least distance inward to an edge's line.
+// The smallest signed distance to an edge's line, positive inside.
 double inward_m(std::span<const Vec2> ring, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
@@ -36,7 +37,7 @@ double inward_m(std::span<const Vec2> ring, Vec2 p) {
   return least;
 }
 
-// All points that see the ring.
+// The kernel: all points from which the whole ring is visible.
 Ring kernel_of(std::span<const Vec2> ring) {
   const Box2 box = box_of(ring);
   Ring kernel = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
@@ -52,10 +53,10 @@ bool is_convex(std::span<const Vec2> ring) {
   return true;
 }
 
-// Grows rings towards the pole.
+// Builds the roof from ring to ring towards the apex.
 class Stack {
  public:
-  Stack(std::span<const Vec2> ring, Vec2 apex) : ring_(ring), pole_(apex) {
+  Stack(std::span<const Vec2> ring, Vec2 apex) : ring_(ring), apex_(apex) {
     for (const Vec2 p : ring) below_.push_back(add_position(at_height(p, 0)));
     roof_.eaves.push_back(below_);
     const std::uint32_t middle = add_position(at_height(apex, 0));
@@ -63,28 +64,29 @@ class Stack {
       roof_.floor.push_back({below_[i], below_[(i + 1) % n], middle});
   }
 
-  // False where too few points are left apart.
+  // Returns false if fewer than three distinct points are left.
   bool add_ring(double scale, double z_m) {
     const std::size_t n = ring_.size();
     std::vector<std::uint32_t> above(n);
-    const auto place = [&](std::size_t i) { return snapped(pole_ + (ring_[i] - pole_) * scale); };
-    std::vector<Vec2> places;
+    const auto position = [&](std::size_t i) { return snapped(apex_ + (ring_[i] - apex_) * scale); };
+    std::vector<Vec2> positions;
     std::vector<std::size_t> rank(n);
     for (std::size_t i = 0; i < n; ++i) {
-      // what is one below is one above
-      const bool is_one = i > 0 && (below_[i] == below_[i - 1] || distance(places.back(), place(i)) < kOnePoint_m);
-      if (!is_one) places.push_back(place(i));
-      rank[i] = places.size() - 1;
+      // points merged in the ring below are merged here
+      const bool is_one =
+          i > 0 && (below_[i] == below_[i - 1] || distance(positions.back(), position(i)) < kOnePoint_m);
+      if (!is_one) positions.push_back(position(i));
+      rank[i] = positions.size() - 1;
     }
-    if (places.size() < 3) return false;
+    if (positions.size() < 3) return false;
     const auto first = static_cast<std::uint32_t>(roof_.positions.size());
-    for (const Vec2 p : places) add_position(at_height(p, z_m));
+    for (const Vec2 p : positions) add_position(at_height(p, z_m));
     for (std::size_t i = 0; i < n; ++i) above[i] = first + static_cast<std::uint32_t>(rank[i]);
     join(above);
     return true;
   }
 
-  void add_top(double z_m) { join(std::vector<std::uint32_t>(ring_.size(), add_position(at_height(pole_, z_m)))); }
+  void add_top(double z_m) { join(std::vector<std::uint32_t>(ring_.size(), add_position(at_height(apex_, z_m)))); }
 
   Roof take() && {
     roof_.parts.assign(roof_.triangles.size(), Part::kRoof);
@@ -115,8 +117,8 @@ class Stack {
   }
 
   std::span<const Vec2> ring_;
-  Vec2 pole_;
-  std::vector<std::uint32_t> below_;  // the last ring's vertex over each of the footprint's
+  Vec2 apex_;
+  std::vector<std::uint32_t> below_;  // by vertex of the footprint: its vertex in the last ring
   std::size_t bands_ = 0;
   Roof roof_;
 };
@@ -146,6 +148,7 @@ double apex_radius_m(std::span<const Vec2> ring, Vec2 apex) {
 }
 
 Roof roof_over_apex(std::span<const Vec2> ring, Vec2 apex, const Section& section, double rise_m) {
+  assert(ring.size() >= 3 && section.corners.size() >= 2);
   Stack stack(ring, apex);
   for (std::size_t k = 1; k + 1 < section.corners.size(); ++k)
     if (!stack.add_ring(section.corners[k].x, section.corners[k].y * rise_m)) break;

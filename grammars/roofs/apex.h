@@ -1,12 +1,11 @@
-// Roofs that rise to one point over a footprint that sees all of itself from there: pyramid, cone, dome, onion.
+// Roofs that rise to one apex from which the whole footprint is visible: pyramid, cone, dome, onion.
 //
-//        .^.          the footprint's outline, scaled towards its pole as a section says, ring over ring;
-//       /|||\         an onion's rings swell before they shrink
+//        .^.          The rings of the roof are the outline of the footprint, scaled towards the apex by the section.
+//       /|||\         The rings of an onion swell before they shrink.
 //      ( ||| )
 //
-// Not by OpenSubdiv: a limit surface of a cage leaves its outline where the footprint has corners, and says no error in
-// metres; scaled outlines meet the walls in the footprint's own edges, are flat between two rings, and their error is
-// the section's.
+// OpenSubdiv is not used: a limit surface leaves the footprint at its corners and has no error bound in metres. Scaled
+// outlines meet the walls along their edges, are planar between two rings, and have the error of the section.
 #pragma once
 
 #include <optional>
@@ -17,20 +16,20 @@
 
 namespace citykiln::roofs {
 
-/// A point that sees all of the ring from within: its centroid if the ring is convex or sees it well, else the middle
-/// of all such points; on the 2^-10 m grid. Nothing where there is none, or it is so close to an edge's line that the
-/// roof would be steep there. O(n²).
+/// A point inside of the ring from which all of it is visible: the centroid if the ring is convex or the centroid is
+/// well inside of all edges' lines, else the centroid of the kernel; on the 2^-10 m grid. std::nullopt if there is
+/// none, or it is so near to an edge's line that the roof would be steep there. O(n²).
 std::optional<Vec2> apex_of(std::span<const Vec2> ring);
 
-/// From the pole to the nearest edge's line: what an angle is measured over, metres.
+/// The distance from the apex to the nearest edge's line, over which an angle is measured.
 double apex_span_m(std::span<const Vec2> ring, Vec2 apex);
 
-/// From the pole to the farthest corner.
+/// The distance from the apex to the farthest corner.
 double apex_radius_m(std::span<const Vec2> ring, Vec2 apex);
 
-/// @param section  By section_over_apex().
-/// Guarantees: as Roof's; error_m is the section's. Points of a ring that come together near the top are one.
-/// O(n · corners).
+/// @param section  As made by section_over_apex().
+/// Guarantees: those of Roof; error_m is that of the section. Points of a ring that nearly coincide near the apex are
+/// merged. O(n · corners).
 Roof roof_over_apex(std::span<const Vec2> ring, Vec2 apex, const Section& section, double rise_m);
 
 }  // namespace citykiln::roofs

@@ -7,7 +7,7 @@ namespace {
 
 Ring lowest_part(std::span<const Vec2> ring, std::span<const Plane> planes, std::size_t own) {
   Ring part(ring.begin(), ring.end());
-  // neighbours first: they cut most away
+  // neighbours first, since they remove most
   const std::size_t n = planes.size();
   for (std::size_t step = 1; step < n && !part.empty(); ++step) {
     const std::size_t other = step % 2 ? (own + (step + 1) / 2) % n : (own + n - step / 2) % n;
@@ -19,14 +19,14 @@ Ring lowest_part(std::span<const Vec2> ring, std::span<const Plane> planes, std:
 }  // namespace
 
 InsetFacets envelope_facets(std::span<const Vec2> convex_ring, std::span<const Plane> planes) {
-  InsetFacets base;
+  InsetFacets inset;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     Ring part = lowest_part(convex_ring, planes, i);
     if (part.empty()) continue;
-    for (const Vec2 p : part) base.span_m = std::max(base.span_m, planes[i].at(p));
-    base.facets.push_back({std::move(part), planes[i], 0, static_cast<std::uint32_t>(i)});
+    for (const Vec2 p : part) inset.span_m = std::max(inset.span_m, planes[i].at(p));
+    inset.facets.push_back({std::move(part), planes[i], 0, static_cast<std::uint32_t>(i)});
   }
-  return base;
+  return inset;
 }
 
 double span_over(std::span<const Vec2> convex_ring, std::span<const Plane> planes) {

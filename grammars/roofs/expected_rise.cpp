@@ -1,6 +1,7 @@
 #include "grammars/roofs/expected_rise.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grammars/roofs/oriented_box.h"
@@ -10,21 +11,9 @@
 namespace citykiln::roofs {
 namespace {
 
-bool is_strip(Form form) {
-  switch (form) {
-    case Form::kSkillion:
-    case Form::kSaltbox:
-    case Form::kDoubleSaltbox:
-    case Form::kSawtooth:
-    case Form::kGabledRow:
-    case Form::kCrossGabled:
-      return true;
-    default:
-      return false;
-  }
-}
+bool is_strip(Form form) { return form_row(form).method == Method::kStrips || form == Form::kCrossGabled; }
 
-// Of the rectangle with this area and perimeter; of what is rounder than a square, the square's.
+// The width of the rectangle with the area and perimeter of the footprint; of a square if there is none.
 double equivalent_width_m(const Polygon& footprint) {
   const Ring& ring = footprint.outer;
   const double half = (length_m(ring) + distance(ring.back(), ring.front())) / 2, area = std::abs(area_m2(footprint));
@@ -34,10 +23,11 @@ double equivalent_width_m(const Polygon& footprint) {
 }  // namespace
 
 double expected_rise_m(const Polygon& footprint, const RoofShape& shape) {
+  assert(shape.form < Form::kCount);
   if (shape.form == Form::kFlat || footprint.outer.size() < 3) return 0;
   if (!is_strip(shape.form)) return rise_of(shape, equivalent_width_m(footprint) / 2);
-  const OrientedBox frame = frame_of(footprint.outer, shape.direction, shape.is_ridge_across);
-  return rise_of(shape, strip_span_m(shape.form, frame, shape.direction.has_value()));
+  const OrientedBox box = oriented_box(footprint.outer, shape.direction, shape.is_ridge_across);
+  return rise_of(shape, strip_span_m(shape.form, box, shape.direction.has_value()));
 }
 
 }  // namespace citykiln::roofs

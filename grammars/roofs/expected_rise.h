@@ -1,4 +1,4 @@
-// How high a roof will be, before it is made.
+// Estimates the height of a roof before it is generated.
 #pragma once
 
 #include "compiler/geometry/polygon.h"
@@ -6,11 +6,12 @@
 
 namespace citykiln::roofs {
 
-/// What the shape's height, angle, levels or its form's pitch make of a footprint: metres over the eaves.
+/// The height over the eaves, in metres, from the height, angle or levels of the shape or the default pitch of its
+/// form.
 ///
-/// Told by height_m: that. Else exact where the roof is a section along a line; of roofs over a skeleton or a pole, for
-/// rectangles, and within some tenths for wings of one width: the footprint counts as the rectangle of its area and
-/// perimeter. 0 for flat roofs. O(n²) for the frame.
+/// Exact if height_m is given, and for roofs of one section along a line. For roofs over a skeleton or an apex the
+/// footprint counts as the rectangle of its area and perimeter, which is exact for rectangles and within some tenths
+/// for wings of one width. 0 for flat roofs and footprints of fewer than three corners. O(n²).
 double expected_rise_m(const Polygon& footprint, const RoofShape& shape);
 
 }  // namespace citykiln::roofs

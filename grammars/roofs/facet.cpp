@@ -1,19 +1,20 @@
 #include "grammars/roofs/facet.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <utility>
 
 namespace citykiln::roofs {
 namespace {
 
-// A walk along the ring that stays on the kept side, from where it comes in over the line to where it goes out.
+// A part of the ring on the kept side, from where it enters across the line to where it leaves.
 struct Chain {
   Ring points;
-  double in = 0, out = 0;  // places of both on the line
+  double in = 0, out = 0;  // positions of both along the line
 };
 
-// What points at or over the line, by walks. A ring that never crosses the line has none.
+// The chains of a ring; none if it does not cross the line.
 std::vector<Chain> chains_of(const Ring& ring, const Plane& plane) {
   const std::size_t n = ring.size();
   const auto is_kept = [&](std::size_t i) { return plane.at(ring[i % n]) >= 0; };
@@ -36,8 +37,8 @@ std::vector<Chain> chains_of(const Ring& ring, const Plane& plane) {
   return chains;
 }
 
-// Along the line, what is inside of the ring lies between the first crossing and the second, the third and the fourth
-// …: from where one walk goes out to where the next comes in.
+// The chain that follows each chain. Along the line, the inside of the ring is between the first and second crossing,
+// the third and fourth, and so on; each such segment leads from the end of one chain to the start of another.
 std::vector<std::size_t> followers(const std::vector<Chain>& chains) {
   struct Crossing {
     double at;
@@ -94,6 +95,9 @@ std::vector<Ring> clipped_pieces(const Ring& ring, const Plane& plane) {
   return pieces;
 }
 
-Plane distance_left_of(Vec2 a, Vec2 b) { return {a, left_of(unit(b - a)), 0}; }
+Plane distance_left_of(Vec2 a, Vec2 b) {
+  assert(a != b);
+  return {a, left_of(unit(b - a)), 0};
+}
 
 }  // namespace citykiln::roofs

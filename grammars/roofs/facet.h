@@ -1,4 +1,4 @@
-// Flat pieces of a roof, seen from above.
+// Planar pieces of a roof in plan.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace citykiln::roofs {
 
-/// A linear function of the place: at(p) = gradient · (p - origin) + offset. `origin` near p keeps its digits.
+/// An affine function of position: at(p) = dot(gradient, p - origin) + offset. An origin near p keeps precision.
 struct Plane {
   Vec2 origin, gradient;
   double offset = 0;
@@ -19,21 +19,21 @@ struct Plane {
 /// first · a + second · b.
 Plane combined(double first, const Plane& a, double second, const Plane& b);
 
-/// A piece of the plan over which the roof is flat.
+/// A piece of the plan over which the roof is planar.
 struct Facet {
-  Ring ring;                ///< Counter-clockwise.
-  Plane plane;              ///< Metres over the eaves plane; or, in a base, metres from the eaves in plan.
-  std::uint32_t sheet = 0;  ///< Facets of one sheet fit together; between two sheets the roof may step.
-  std::uint32_t face = 0;   ///< Facets of one face lie in one plane: the roof's side over one edge, say.
+  Ring ring;                  ///< Counter-clockwise.
+  Plane plane;                ///< Metres over the eaves plane; in InsetFacets, metres inward from the eaves.
+  std::uint32_t surface = 0;  ///< Facets of one surface meet in height; between two surfaces there may be a wall.
+  std::uint32_t face = 0;     ///< Facets of one face are in one plane, such as the roof plane over one edge.
 };
 
-/// The part of a convex ring where plane.at() >= 0: counter-clockwise, or empty. Source: Sutherland and Hodgman 1974.
+/// The part of a convex ring where plane.at() >= 0, counter-clockwise or empty. Source: Sutherland and Hodgman 1974.
 Ring clipped(std::span<const Vec2> ring, const Plane& plane);
 
-/// The same of any simple ring, in as many pieces as it falls into. O(n log n).
+/// The same for any simple ring, as one ring for each connected part. O(n log n).
 std::vector<Ring> clipped_pieces(const Ring& ring, const Plane& plane);
 
-/// The plane that is 0 on the line through a and b, and grows to its left by 1 a metre.
+/// The signed distance from the line through a and b, positive on its left. @param b  Differs from a.
 Plane distance_left_of(Vec2 a, Vec2 b);
 
 }  // namespace citykiln::roofs

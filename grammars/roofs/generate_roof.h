@@ -1,4 +1,4 @@
-// Any roof of Simple 3D Buildings on any footprint. Which method makes which, and why it closes: roofs.md.
+// Generates a roof of any form of OpenStreetMap's Simple 3D Buildings on any footprint. roofs.md explains the methods.
 #pragma once
 
 #include "compiler/contract/report.h"
@@ -9,22 +9,21 @@
 
 namespace citykiln::roofs {
 
-/// Makes the roof.
+/// Generates the roof.
 ///
-/// @param footprint    Plane metres on the plane's grid (2^-7 m); any rings: what is inside of an odd number is roofed.
-/// @param tolerance_m  Curves are as flat as it allows, knees and eaves that it does not see are left out, and a roof
-/// that
-///                     rises no higher is flat; error_m says how far that moved it. > 0.
-/// @param object       Whom diagnoses name.
-/// Guarantees: roof, eaves and floor close, whatever the footprint; no vertex of the footprint moves; ridges run along
-/// the longer side unless told otherwise. Total: where no roof of the shape can be made it is flat, diagnosed
-/// kRoofFallback; a footprint without area has no roof, diagnosed so too. Draws no chance; the same bytes for the same
-/// input. Cost: some 50 µs over a rectangle, 1 ms where a skeleton is needed, more than linear in the footprint's
-/// corners.
+/// @param footprint    Plane metres on the grid of the plane (2^-7 m); any rings: even-odd rule.
+/// @param tolerance_m  > 0. Bounds the error of curves; knees and eaves below it are left out, and a roof that rises no
+///                     higher is flat. Roof::error_m is the resulting error.
+/// @param object       The object named in diagnoses.
+/// Guarantees: roof, eaves and floor are closed for any footprint; no vertex of the footprint moves; without a
+/// direction ridges run along the longer side. Draws no random numbers.
+/// Bad input: if the form cannot be built, the roof is flat, with a diagnosis kRoofFallback; a footprint without area
+/// has no roof, with the same diagnosis.
+/// Cost: about 50 µs over a rectangle, 1 ms with a skeleton; more than linear in the number of corners.
 Roof generate_roof(const Polygon& footprint, const RoofShape& shape, double tolerance_m, OsmId object, Report& report);
 
-/// The same by the straight skeleton alone, in one kernel, for charts; nothing where it fails. Forms as mansard,
-/// gabled.
+/// The same by the straight skeleton in one kernel, for charts; std::nullopt if it fails.
+/// @param shape  Of a form that is drawn over a skeleton, as mansard or gabled.
 std::optional<Roof> roof_by_skeleton(const Polygon& footprint, const RoofShape& shape, double tolerance_m,
                                      SkeletonKernel kernel);
 

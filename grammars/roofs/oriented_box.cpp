@@ -1,26 +1,27 @@
 #include "grammars/roofs/oriented_box.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace citykiln::roofs {
 namespace {
 
-// Compass words are up to 22.5 degrees off, and mappers' hands some more: the cosine of 25 degrees.
+// The cosine of 25 degrees: compass words are up to 22.5 degrees off, and mapped angles some more.
 constexpr double kNearlyAligned = 0.9063;
-// Boxes whose areas differ by less are as small as each other.
+// Boxes whose areas differ by a smaller factor count as equal.
 constexpr double kAsSmall = 0.999;
 
 OrientedBox box_along(std::span<const Vec2> ring, Vec2 along) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  OrientedBox frame{ring.front(), along, left_of(along), kFar, -kFar, kFar, -kFar};
+  OrientedBox box{ring.front(), along, left_of(along), kFar, -kFar, kFar, -kFar};
   for (const Vec2 p : ring) {
-    frame.from_m = std::min(frame.from_m, frame.along_m(p));
-    frame.to_m = std::max(frame.to_m, frame.along_m(p));
-    frame.back_m = std::min(frame.back_m, frame.across_m(p));
-    frame.front_m = std::max(frame.front_m, frame.across_m(p));
+    box.from_m = std::min(box.from_m, box.along_m(p));
+    box.to_m = std::max(box.to_m, box.along_m(p));
+    box.back_m = std::min(box.back_m, box.across_m(p));
+    box.front_m = std::max(box.front_m, box.across_m(p));
   }
-  return frame;
+  return box;
 }
 
 OrientedBox smallest_box(std::span<const Vec2> ring) {
@@ -38,7 +39,7 @@ OrientedBox smallest_box(std::span<const Vec2> ring) {
   return best;
 }
 
-// The side of the box that a direction means, or the direction itself.
+// The side of the box nearest to a direction, if it is near, else the direction.
 Vec2 aligned(const OrientedBox& box, Vec2 direction) {
   for (const Vec2 side : {box.along, box.across, box.along * -1, box.across * -1})
     if (dot(side, direction) > kNearlyAligned) return side;
@@ -47,7 +48,8 @@ Vec2 aligned(const OrientedBox& box, Vec2 direction) {
 
 }  // namespace
 
-OrientedBox frame_of(std::span<const Vec2> ring, std::optional<Vec2> direction, bool is_ridge_across) {
+OrientedBox oriented_box(std::span<const Vec2> ring, std::optional<Vec2> direction, bool is_ridge_across) {
+  assert(!ring.empty());
   const OrientedBox box = smallest_box(ring);
   if (direction && length(*direction) > 0) return box_along(ring, left_of(aligned(box, unit(*direction))) * -1);
   const bool is_turned = (box.length_m() < box.width_m()) != is_ridge_across;

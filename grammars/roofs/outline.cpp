@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -19,7 +20,7 @@ namespace {
 // would turn a sliver over.
 constexpr std::array kDrawnBack_m = {0x1p-5, 0x1p-7, 0x1p-9};
 
-// Walls of spikes that are no wider lie on each other for all that snapping knows: half again the map's step.
+// The sides of narrower spikes coincide up to the snapping of the map: one and a half grid steps.
 constexpr double kSpike_m = 0x1.8p-7;
 
 bool is_spike(Vec2 from, Vec2 tip, Vec2 to) {
@@ -27,7 +28,7 @@ bool is_spike(Vec2 from, Vec2 tip, Vec2 to) {
   return dot(out, back) > 0 && std::abs(cross(out, back)) <= kSpike_m * std::max(length(out), length(back));
 }
 
-// A thin spike stays where nothing crosses it.
+// Removes thin spikes from a ring that crosses itself.
 Ring without_crossed_spikes(Ring ring) {
   for (std::size_t i = 0; i < ring.size() && ring.size() > 3; ++i) {
     const std::size_t n = ring.size();
@@ -55,24 +56,24 @@ Vec2 inward_at(const Ring& ring, std::size_t i) {
 
 using Count = std::map<Vec2, int>;
 
-Ring drawn_back(const Ring& ring, const Count& count, double by_m) {
+Ring moved_inward(const Ring& ring, const Count& count, double by_m) {
   Ring moved = ring;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (count.at(ring[i]) > 1) moved[i] = snapped(ring[i] + inward_at(ring, i) * by_m);
   return moved;
 }
 
-Polygon drawn_back(const Polygon& polygon, const Count& count) {
+Polygon moved_inward(const Polygon& polygon, const Count& count) {
   Polygon moved;
-  for (const double by_m : kDrawnBack_m) {
-    moved = {drawn_back(polygon.outer, count, by_m), {}};
-    for (const Ring& hole : polygon.holes) moved.holes.push_back(drawn_back(hole, count, by_m));
+  for (const double by_m : kMovedInward_m) {
+    moved = {moved_inward(polygon.outer, count, by_m), {}};
+    for (const Ring& hole : polygon.holes) moved.holes.push_back(moved_inward(hole, count, by_m));
     if (signed_area_m2(moved.outer) > 0 && is_simple_polygon(moved)) break;
   }
   return moved;
 }
 
-// Half a step inside of a hole's first edge's other side: where the hole's owner is.
+// A point just outside of the hole, within the polygon that it belongs to.
 Vec2 beside(const Ring& hole) { return (hole[0] + hole[1]) * 0.5 + left_of(unit(hole[1] - hole[0])) * 0x1p-12; }
 
 std::vector<Polygon> with_their_holes(std::vector<Ring> rings) {
@@ -91,7 +92,7 @@ std::vector<Polygon> with_their_holes(std::vector<Ring> rings) {
   return polygons;
 }
 
-// All that lies between two kept corners is close to their line.
+// True if all corners between two kept corners are close to the segment between these.
 bool may_skip(const Ring& ring, std::size_t from, std::size_t to, double drop_m) {
   const Vec2 a = ring[from], b = ring[to % ring.size()];
   if (a == b) return false;
@@ -114,7 +115,7 @@ Ring simplified(const Ring& ring, double drop_m) {
   return kept.size() < 3 ? ring : kept;
 }
 
-// What eaves do at a corner, from it: where the walls' eaves end, and the tip in which they meet.
+// The eaves at a corner, relative to it: the ends of those of both walls, and the tip where they meet.
 struct EavesCorner {
   Vec2 out, next, tip;
   bool is_left = false, is_sharp = false;  // the tip of a sharp one is far out
@@ -127,7 +128,7 @@ EavesCorner corner_between(Vec2 a, Vec2 b, Vec2 c, double overhang_m) {
   return {out, next, is_sharp ? middle : middle * (1 / reach), cross(b - a, c - b) > 0, is_sharp};
 }
 
-// Every wall moved out as far as its neighbours' eaves. Nothing where one would turn back, or runs far into a corner.
+// All walls moved outward until they meet. std::nullopt if one would reverse its direction or has a sharp right corner.
 std::optional<Ring> walls_moved_out(const Ring& ring, double overhang_m) {
   const std::size_t n = ring.size();
   Ring from(n), to(n), eaves;
@@ -145,7 +146,7 @@ std::optional<Ring> walls_moved_out(const Ring& ring, double overhang_m) {
   return eaves;
 }
 
-// The eaves where no wall's come past another's: then what lies between the moved walls and theirs does not overlap.
+// The eaves by moved walls; empty if they overlap.
 Polygon eaves_by_corners(const Polygon& footprint, double overhang_m) {
   Polygon eaves;
   for (const Ring* ring : rings_of(footprint)) {
@@ -156,7 +157,7 @@ Polygon eaves_by_corners(const Polygon& footprint, double overhang_m) {
   return is_simple_polygon(eaves) ? eaves : Polygon{};
 }
 
-// Walls' strips and corners' kites; together with the footprint they are the eaves.
+// The strips of walls and the kites of corners, whose union with the footprint is the eaves' outline.
 void add_eaves(std::vector<OwnedSegment>& segments, const Ring& ring, double overhang_m) {
   for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % n];
@@ -177,7 +178,7 @@ Polygon eaves_by_overlay(const Polygon& footprint, double overhang_m) {
   return eaves.size() == 1 && is_simple_polygon(eaves.front()) ? std::move(eaves.front()) : Polygon{};
 }
 
-bool keeps_apart(const Polygon& eaves, const Polygon& footprint) {
+bool are_apart(const Polygon& eaves, const Polygon& footprint) {
   for (const Ring* a : rings_of(eaves))
     for (const Ring* b : rings_of(footprint))
       if (borders_touch(*a, *b)) return false;
@@ -216,7 +217,7 @@ bool is_convex(const Polygon& polygon) {
 
 std::vector<Polygon> split_into_simple(const Polygon& footprint) {
   if (is_simple_polygon(footprint)) return {footprint};
-  // the eaves of a flat roof know the way around
+  // the eaves of a flat roof are the rings of the area, split where they touch
   const Roof flat = raise_facets(footprint, {}).roof;
   std::vector<Ring> rings;
   Count count;
@@ -226,7 +227,7 @@ std::vector<Polygon> split_into_simple(const Polygon& footprint) {
     for (const Vec2 p : ring) ++count[p];
   }
   std::vector<Polygon> polygons = with_their_holes(std::move(rings));
-  for (Polygon& polygon : polygons) polygon = drawn_back(polygon, count);
+  for (Polygon& polygon : polygons) polygon = moved_inward(polygon, count);
   polygons.erase(
       std::remove_if(polygons.begin(), polygons.end(), [](const Polygon& p) { return !is_simple_polygon(p); }),
       polygons.end());
@@ -234,6 +235,7 @@ std::vector<Polygon> split_into_simple(const Polygon& footprint) {
 }
 
 Polygon simplified(const Polygon& polygon, double drop_m) {
+  assert(drop_m >= 0);
   Polygon kept{simplified(polygon.outer, drop_m), {}};
   for (const Ring& hole : polygon.holes) kept.holes.push_back(simplified(hole, drop_m));
   return kept;
@@ -243,7 +245,7 @@ Polygon offset_eaves(const Polygon& footprint, double overhang_m) {
   if (overhang_m < 8 * kQuantum_m || !is_simple_polygon(footprint)) return {};
   Polygon eaves = eaves_by_corners(footprint, overhang_m);
   if (eaves.outer.empty()) eaves = eaves_by_overlay(footprint, overhang_m);
-  return keeps_apart(eaves, footprint) ? eaves : Polygon{};
+  return are_apart(eaves, footprint) ? eaves : Polygon{};
 }
 
 }  // namespace citykiln::roofs

@@ -9,7 +9,7 @@
 namespace citykiln::roofs {
 namespace {
 
-// Owners of rings: the footprint, the eaves, then the facets.
+// The owners of rings.
 enum Owner : std::uint32_t { kFootprint, kEaves, kFirstFacet };
 
 void add_polygon(std::vector<OwnedSegment>& segments, const Polygon& polygon, Owner owner) {
@@ -25,7 +25,7 @@ Box2 cell_about(const std::vector<OwnedSegment>& segments) {
   return {{std::floor(box.min.x) - 1, std::floor(box.min.y) - 1}, {std::ceil(box.max.x) + 1, std::ceil(box.max.y) + 1}};
 }
 
-// How often a place is inside of each owner, for those where it is not 0.
+// The nonzero winding numbers of a position, by owner.
 using Windings = std::vector<WindingStep>;
 
 void cross(Windings& windings, std::span<const WindingStep> steps, int sign) {
@@ -52,7 +52,7 @@ void label(Region& region) {
   }
 }
 
-// Walks over all faces, from one at the cell's corner, counting what is crossed.
+// A flood fill over all faces from outside, counting winding numbers at the edges it crosses.
 class Walk {
  public:
   Walk(const Arrangement& arrangement, const Delaunay& delaunay)
@@ -69,7 +69,7 @@ class Walk {
   const Region& region(std::uint32_t face) const { return regions_[region_of_[face]]; }
 
  private:
-  // vertex 0 is the cell's south-west corner: nothing reaches it
+  // vertex 0 is the south-west corner of the arrangement, outside of all rings
   bool is_outside(std::uint32_t face) const {
     const auto& v = faces_[face].vertices;
     return regions_.empty() && std::find(v.begin(), v.end(), 0u) != v.end();
@@ -104,7 +104,7 @@ class Walk {
         join(beyond, region_of_[face]);
         continue;
       }
-      // this face lies left of a -> b; going over to the right takes off what the edge adds to its left
+      // this face is left of a -> b; crossing to the right subtracts what the edge adds on its left
       Windings windings = regions_[region_of_[face]].windings;
       cross(windings, std::span(arrangement_.steps).subspan(edge->first, edge->count), a < b ? -1 : 1);
       start(beyond, std::move(windings));
@@ -135,8 +135,9 @@ PlanCells inner_cells(const Arrangement& arrangement, const Delaunay& delaunay, 
   return plan;
 }
 
-// Walls bend a little beside the facets that were made of them, and rounding leaves slivers.
-void cover_bare_cells(PlanCells& plan) {
+// Cells stay uncovered where walls bend a little beside their facets, and by rounding. Breadth-first from covered
+// cells.
+void cover_cells(PlanCells& plan) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t c = 0; c < plan.cells.size(); ++c)
     if (!plan.cells[c].is_uncovered) queue.push_back(c);
@@ -162,7 +163,7 @@ PlanCells plan_cells(const Polygon& footprint, const Polygon& eaves_outline, std
   for (const ArrangedEdge& e : arrangement.edges) edges.emplace_back(e.a, e.b);
   const Delaunay delaunay(arrangement.vertices, edges);
   PlanCells plan = inner_cells(arrangement, delaunay, Walk(arrangement, delaunay));
-  cover_bare_cells(plan);
+  cover_cells(plan);
   return plan;
 }
 

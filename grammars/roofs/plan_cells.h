@@ -1,4 +1,4 @@
-// The plan of a roof in triangles: footprint and facets laid over each other.
+// Triangulates the floor plan of a roof: footprint and facets laid over each other.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ inline constexpr std::uint32_t kNoFacet = 0xffffffffu;
 /// A triangle of the plan.
 struct PlanCell {
   std::array<std::uint32_t, 3> points{};      ///< Counter-clockwise.
-  std::array<std::uint32_t, 3> neighbours{};  ///< Opposite to each point; kNoFace: outside.
-  std::uint32_t facet = kNoFacet;             ///< The first that covers it; else one next to it.
+  std::array<std::uint32_t, 3> neighbours{};  ///< Opposite to each point; kNoFace outside.
+  std::uint32_t facet = kNoFacet;             ///< The first that covers it, else that of a neighbour.
   bool is_uncovered = false;                  ///< No facet covers it.
   bool is_over_footprint = true;              ///< Else only the eaves are over it.
 };
@@ -26,10 +26,9 @@ struct PlanCells {
   std::vector<PlanCell> cells;
 };
 
-/// Triangles that cover what footprint or eaves cover; no facet's border and no footprint's runs through one. The
-/// arrangement is snapped (arrangement.h) and its triangulation exact, so nothing can fail. Cells that no facet covers
-/// take that of the cell through which they are first reached, from all covered ones in step; kNoFacet where there is
-/// none.
+/// Triangulates the union of footprint and eaves, so that no border of these or of a facet crosses a triangle. The
+/// arrangement is snap-rounded (arrangement.h) and its triangulation exact, so it cannot fail. Uncovered cells get the
+/// facet of the nearest covered cell, in steps from cell to cell; kNoFacet without covered cells.
 PlanCells plan_cells(const Polygon& footprint, const Polygon& eaves_outline, std::span<const Facet> facets);
 
 }  // namespace citykiln::roofs

@@ -38,10 +38,10 @@ PlanColumns plan_columns(const PlanCells& plan) {
   std::vector<std::uint32_t> number(parents.size());
   for (std::uint32_t corner = 0; corner < parents.size(); ++corner) {
     const std::uint32_t root = root_of(parents, corner);
-    // roots are the lowest of their corners, so they are numbered before they are looked up
+    // a root is the lowest of its corners, so it is numbered first
     if (root == corner) {
-      number[corner] = static_cast<std::uint32_t>(columns.places.size());
-      columns.places.push_back(plan.points[plan.cells[corner / 3].points[corner % 3]]);
+      number[corner] = static_cast<std::uint32_t>(columns.positions.size());
+      columns.positions.push_back(plan.points[plan.cells[corner / 3].points[corner % 3]]);
     }
     columns.of_corners[corner / 3][corner % 3] = number[root];
   }

@@ -1,5 +1,5 @@
-// Upright lines over the corners of a roof's plan, one a fan of cells: where a footprint touches itself in a point,
-// each of its corners there has its own, so that the body touches itself and no more.
+// Vertical lines over the points of a plan, one for each fan of cells. Where a footprint touches itself in a point,
+// each corner has its own, so that the body touches itself there without sharing a vertex.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 namespace citykiln::roofs {
 
 struct PlanColumns {
-  std::vector<Vec2> places;
-  std::vector<std::array<std::uint32_t, 3>> of_corners;  ///< By cell and corner, into places.
+  std::vector<Vec2> positions;
+  std::vector<std::array<std::uint32_t, 3>> of_corners;  ///< By cell and corner, index into positions.
 };
 
-/// Corners of cells share a column where cells around one point hang together by edges. O(n α(n)).
+/// Corners at one point share a column if their cells are connected by edges there. O(n α(n)).
 PlanColumns plan_columns(const PlanCells& plan);
 
 }  // namespace citykiln::roofs

@@ -13,14 +13,13 @@
 namespace citykiln::roofs {
 namespace {
 
-// A stretch of a column.
+// A vertical segment of a column.
 struct Stretch {
   std::uint32_t column;
   double low_m, high_m;
 };
 
-// Borders that turn less than this (as a sine) go on with the same wall: what rounding bends is a grid step over
-// metres.
+// Borders that turn by a smaller sine belong to the same wall: rounding turns them by a grid step per metre.
 constexpr double kSameWall = 0.02;
 
 class Builder {
@@ -38,33 +37,33 @@ class Builder {
   Roof take() && { return std::move(roof_); }
 
  private:
-  // a vertex is named by its column and its height
+  // a vertex is identified by its column and its height
   using Level = std::pair<std::uint32_t, double>;
 
   std::uint32_t column(std::uint32_t cell, int corner) const { return columns_.of_corners[cell][corner]; }
   double under_m(std::uint32_t cell, int corner) const { return heights_.corners_m[cell][corner]; }
   double top_m(std::uint32_t cell, int corner) const { return under_m(cell, corner) + thickness_m_; }
-  bool stands(std::uint32_t cell) const { return cell != kNoFacet && plan_.cells[cell].is_over_footprint; }
+  bool is_over_footprint(std::uint32_t cell) const { return cell != kNoFacet && plan_.cells[cell].is_over_footprint; }
   std::uint32_t face_of(std::uint32_t cell) const {
     const std::uint32_t facet = plan_.cells[cell].facet;
     return facet == kNoFacet ? kNoFacet : facets_[facet].face;
   }
   bool is_border(std::uint32_t cell, int edge) const {
-    return stands(cell) && !stands(plan_.cells[cell].neighbours[edge]);
+    return is_over_footprint(cell) && !is_over_footprint(plan_.cells[cell].neighbours[edge]);
   }
 
   void place_vertices() {
     for (std::uint32_t c = 0; c < plan_.cells.size(); ++c)
       for (int i = 0; i < 3; ++i) {
         levels_.emplace_back(column(c, i), top_m(c, i));
-        if (stands(c)) levels_.emplace_back(column(c, i), 0);
-        // soffits, and walls that end at them
-        if (!stands(c)) levels_.emplace_back(column(c, i), under_m(c, i));
+        if (is_over_footprint(c)) levels_.emplace_back(column(c, i), 0);
+        // for soffits and the walls below them
+        if (!is_over_footprint(c)) levels_.emplace_back(column(c, i), under_m(c, i));
       }
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
     for (const auto& [column, z_m] : levels_) {
-      roof_.positions.push_back(at_height(columns_.places[column], z_m));
+      roof_.positions.push_back(at_height(columns_.positions[column], z_m));
       roof_.height_m = std::max(roof_.height_m, z_m);
     }
   }
@@ -75,9 +74,9 @@ class Builder {
     return static_cast<std::uint32_t>(found - levels_.begin());
   }
 
-  // Borders follow each other around the footprint: every column on it has one that starts there.
+  // Exactly one border edge starts at every column on the border.
   void trace_eaves() {
-    std::vector<std::uint32_t> next(columns_.places.size(), kNoFacet);
+    std::vector<std::uint32_t> next(columns_.positions.size(), kNoFacet);
     for (std::uint32_t c = 0; c < plan_.cells.size(); ++c)
       for (int edge = 0; edge < 3; ++edge)
         if (is_border(c, edge)) next[column(c, (edge + 1) % 3)] = column(c, (edge + 2) % 3);
@@ -90,7 +89,7 @@ class Builder {
     std::vector<std::uint32_t>& ring = roof_.eaves.emplace_back();
     Vec2 before{};
     for (std::uint32_t at = start; wall_of_[at] == kNoFacet; at = next[at]) {
-      const Vec2 along = unit(columns_.places[next[at]] - columns_.places[at]);
+      const Vec2 along = unit(columns_.positions[next[at]] - columns_.positions[at]);
       if (dot(before, along) <= 0 || std::abs(cross(before, along)) > kSameWall) ++walls_;
       wall_of_[at] = walls_;
       ring.push_back(vertex(at, 0));
@@ -104,24 +103,24 @@ class Builder {
     roof_.faces.push_back(face);
   }
 
-  // The roof over a cell, and what is below it: the floor, or the soffit.
+  // Adds the roof over a cell, and the floor or soffit below it.
   void cover(std::uint32_t c) {
     Triangle top{}, below{};
     for (int i = 0; i < 3; ++i) {
       top[i] = vertex(column(c, i), top_m(c, i));
-      below[i] = vertex(column(c, i), stands(c) ? 0 : under_m(c, i));
+      below[i] = vertex(column(c, i), is_over_footprint(c) ? 0 : under_m(c, i));
     }
     add(top, Part::kRoof, face_of(c));
-    if (stands(c)) return roof_.floor.push_back(below);
+    if (is_over_footprint(c)) return roof_.floor.push_back(below);
     std::swap(below[1], below[2]);
     add(below, Part::kSoffit, face_of(c));
   }
 
-  // What stands upright under a cell's edge, looking out of the cell.
+  // Adds the vertical faces under an edge of a cell, facing out of the cell.
   void wall_off(std::uint32_t c, int edge) {
     const std::uint32_t beyond = plan_.cells[c].neighbours[edge];
     const int a = (edge + 1) % 3, b = (edge + 2) % 3;
-    if (beyond == kNoFacet && !stands(c))
+    if (beyond == kNoFacet && !is_over_footprint(c))
       wall({column(c, a), under_m(c, a), top_m(c, a)}, {column(c, b), under_m(c, b), top_m(c, b)}, Part::kEdge,
            face_of(c));
     else if (beyond == kNoFacet)
@@ -137,14 +136,14 @@ class Builder {
     return top_m(cell, static_cast<int>(std::find(points.begin(), points.end(), point) - points.begin()));
   }
 
-  // Between two sheets, from the higher one down to the lower. Sheets cross nowhere but in points of the plan.
+  // Adds the wall from a higher surface down to a lower one. Surfaces cross at points of the plan only.
   void step_down(std::uint32_t c, int a, int b, std::uint32_t beyond) {
     const Stretch first{column(c, a), top_beyond_m(beyond, plan_.cells[c].points[a]), top_m(c, a)};
     const Stretch second{column(c, b), top_beyond_m(beyond, plan_.cells[c].points[b]), top_m(c, b)};
     if (first.high_m > first.low_m || second.high_m > second.low_m) wall(first, second, Part::kGable, ~face_of(c));
   }
 
-  // All vertices of both columns take part, so that nothing meets the middle of an edge.
+  // Triangulates all vertices of both columns in between, so that no vertex is inside of an edge.
   void wall(const Stretch& left, const Stretch& right, Part part, std::uint32_t face) {
     std::uint32_t a = vertex(left.column, left.low_m), b = vertex(right.column, right.low_m);
     const std::uint32_t end_a = vertex(left.column, std::max(left.low_m, left.high_m));
@@ -161,8 +160,8 @@ class Builder {
   const PlanHeights& heights_;
   double thickness_m_;
   PlanColumns columns_;
-  std::vector<Level> levels_;           // sorted; a level's number is its vertex
-  std::vector<std::uint32_t> wall_of_;  // the number of the wall that starts at a column
+  std::vector<Level> levels_;           // sorted; the index is that of the vertex
+  std::vector<std::uint32_t> wall_of_;  // by column: the number of the wall that starts there
   std::uint32_t walls_ = 0;
   Roof roof_;
 };
@@ -170,6 +169,7 @@ class Builder {
 }  // namespace
 
 RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan) {
+  assert(plan.thickness_m >= 0 && plan.flush_m >= 0);
   const PlanCells cells = plan_cells(footprint, plan.eaves_outline, plan.facets);
   const PlanHeights heights = plan_heights(cells, plan.facets, plan.flush_m);
   const double thickness_m = plan.eaves_outline.outer.empty() ? 0 : snapped(plan.thickness_m);
@@ -177,6 +177,7 @@ RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan) {
 }
 
 Mesh closed_body(const Roof& roof, double bottom_m) {
+  assert(bottom_m < 0);
   Mesh body{roof.positions, {}, roof.triangles};
   std::vector<std::uint32_t> below(roof.positions.size(), kNoFacet);
   for (const Triangle& t : roof.floor)

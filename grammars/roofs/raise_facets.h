@@ -1,4 +1,4 @@
-// Raises a plan of facets to a roof. See roofs.md for why the product closes.
+// Raises a plan of facets to a closed roof. roofs.md explains why the result is closed.
 #pragma once
 
 #include <span>
@@ -10,28 +10,26 @@
 
 namespace citykiln::roofs {
 
-/// What is raised.
 struct RoofPlan {
-  std::vector<Facet> facets;  ///< Over all of the footprint, and over the eaves. Where they overlap the first holds.
-  Polygon eaves_outline;      ///< Around the footprint and nowhere touching it; no points: no eaves stand out.
-  double thickness_m = 0;     ///< Of eaves that stand out; they lift the roof by it.
-  double flush_m = 0x1p-7;    ///< Over the border, roofs less high than this lie on the eaves plane.
+  std::vector<Facet> facets;  ///< Over the footprint and the eaves. Where they overlap, the first applies.
+  Polygon eaves_outline;      ///< Around the footprint without touching it; empty for no overhang.
+  double thickness_m = 0;     ///< Of the overhanging eaves; lifts the roof by it.
+  double flush_m = 0x1p-7;    ///< On the border, lower heights are 0.
 };
 
 /// A roof, and how well its facets fitted.
 struct RaisedRoof {
   Roof roof;
-  double uncovered_m2 = 0;   ///< Of the plan that no facet covers: it goes on as what is next to it.
-  double largest_gap_m = 0;  ///< Most by which facets of one sheet differ in height where they meet.
+  double uncovered_m2 = 0;   ///< The area without a facet, which continues the facets beside it.
+  double largest_gap_m = 0;  ///< The largest height difference between facets of one surface where they meet.
 };
 
-/// Lays facets and footprint over each other, triangulates, and lifts every vertex to the lowest facet that meets
-/// there.
+/// Overlays facets and footprint, triangulates, and lifts every vertex to the lowest facet that meets there.
 ///
-/// @param footprint  Any rings; what is inside of an odd number of them is roofed.
-/// Guarantees: roof, eaves and floor close (roof.h), whatever facets are given; no height is below 0 over the
-/// footprint; no vertex of the footprint moves; others lie within 2^-10 m of the lines that cross there. Total. O(n log
-/// n) for facets spread over the footprint.
+/// @param footprint  Any rings: even-odd rule.
+/// Guarantees: roof, eaves and floor are closed (roof.h) for any facets; no height is below 0 over the footprint; no
+/// vertex of the footprint moves; other vertices are within 2^-10 m of the lines that cross there. O(n log n) for
+/// facets spread over the footprint.
 RaisedRoof raise_facets(const Polygon& footprint, const RoofPlan& plan);
 
 }  // namespace citykiln::roofs

@@ -1,7 +1,7 @@
 #include "grammars/roofs/roof_input.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <utility>
 
 #include "compiler/geometry/trig.h"
@@ -10,16 +10,10 @@
 namespace citykiln::roofs {
 namespace {
 
-constexpr std::array<double, static_cast<std::size_t>(Form::kCount)> kPitch_deg = {
-#define ROOF_FORM(name, tag, pitch_deg) pitch_deg,
-#include "grammars/roofs/roof_forms.inc"
-#undef ROOF_FORM
-};
-
-// A storey under a roof.
+// The height of a storey under a roof.
 constexpr double kStorey_m = 3;
-// Roofs of unknown height rise no higher, but for domes and spires: wide halls have flatter roofs than houses.
-constexpr double kMostUntold_m = 9;
+// The greatest height by default pitch, except for domes and spires: wide halls have flatter roofs than houses.
+constexpr double kMostDefault_m = 9;
 bool may_tower(Form form) { return form == Form::kDome || form == Form::kOnion || form == Form::kCone; }
 // Steeper is a wall.
 constexpr double kSteepest_deg = 85;
@@ -29,19 +23,15 @@ double tangent(double angle_deg) {
   return d.y / d.x;
 }
 
-// Curves stand upright at their eaves, teeth would cover each other, and a body over a pole ends where it stands.
-bool may_stand_out(Form form) {
-  return form != Form::kDome && form != Form::kOnion && form != Form::kRound && form != Form::kSawtooth;
-}
-
-// Eaves that take more of the tolerance stay: the rest is for curves. Corners of eaves are so much farther out.
+// Eaves are left out if they take at most this share of the tolerance; the rest is for curves. kSharpest: corners of
+// eaves are farther out than walls by at most this factor.
 constexpr double kMostLeftOut = 0.9, kSharpest = 2;
 
-// How far they reach sideways, corners and all, and up: a skillion's go on upward behind.
-Vec2 size_of_eaves_m(const RoofInput& site) {
-  const double overhang_m = site.shape.overhang_m, width_m = std::min(site.frame.width_m(), site.frame.length_m());
-  const bool goes_on = site.shape.form == Form::kSkillion && width_m > 0;
-  const double up_m = goes_on ? overhang_m * rise_of(site.shape, width_m) / width_m : 0;
+// The extent of eaves sideways, with corners, and upward; those of a skillion roof continue upward at its back.
+Vec2 size_of_eaves_m(const RoofInput& input) {
+  const double overhang_m = input.shape.overhang_m, width_m = std::min(input.box.width_m(), input.box.length_m());
+  const bool goes_on = input.shape.form == Form::kSkillion && width_m > 0;
+  const double up_m = goes_on ? overhang_m * rise_of(input.shape, width_m) / width_m : 0;
   return {kSharpest * overhang_m, kThickness_m + up_m};
 }
 
@@ -59,15 +49,16 @@ double upper_rise_m(const RoofShape& shape, double span_m) {
 }  // namespace
 
 RoofInput roof_input(Polygon footprint, const RoofShape& shape, double tolerance_m) {
-  RoofInput site{std::move(footprint), {}, {}, shape, tolerance_m, {}};
-  site.frame = frame_of(site.footprint.outer, shape.direction, shape.is_ridge_across);
-  if (!may_stand_out(shape.form) || shape.overhang_m <= 0) return site;
-  const Vec2 size_m = size_of_eaves_m(site);
+  assert(!footprint.outer.empty() && tolerance_m > 0);
+  RoofInput input{std::move(footprint), {}, {}, shape, tolerance_m, {}};
+  input.box = oriented_box(input.footprint.outer, shape.direction, shape.is_ridge_across);
+  if (!form_row(shape.form).has_eaves || shape.overhang_m <= 0) return input;
+  const Vec2 size_m = size_of_eaves_m(input);
   if (length(size_m) > kMostLeftOut * tolerance_m)
-    site.eaves = offset_eaves(site.footprint, shape.overhang_m);
+    input.eaves = offset_eaves(input.footprint, shape.overhang_m);
   else
-    site.left_out_m = size_m, site.tolerance_m -= length(size_m);
-  return site;
+    input.left_out_m = size_m, input.tolerance_m -= length(size_m);
+  return input;
 }
 
 double rise_of(const RoofShape& shape, double span_m) {
@@ -75,11 +66,12 @@ double rise_of(const RoofShape& shape, double span_m) {
   if (has_knee(shape)) return lower_rise_m(shape, span_m) + upper_rise_m(shape, span_m);
   if (shape.angle_deg > 0) return span_m * tangent(shape.angle_deg);
   if (shape.levels > 0) return shape.levels * kStorey_m;
-  const double rise_m = span_m * tangent(kPitch_deg[static_cast<std::size_t>(shape.form)]);
-  return may_tower(shape.form) ? rise_m : std::min(kMostUntold_m, rise_m);
+  const double rise_m = span_m * tangent(form_row(shape.form).pitch_deg);
+  return may_tower(shape.form) ? rise_m : std::min(kMostDefault_m, rise_m);
 }
 
 std::optional<Vec2> knee_of(const RoofShape& shape, double span_m) {
+  assert(span_m > 0);
   if (!has_knee(shape)) return std::nullopt;
   const double lower_m = lower_rise_m(shape, span_m), rise_m = rise_of(shape, span_m);
   if (rise_m <= 0) return std::nullopt;

@@ -1,4 +1,4 @@
-// Where a roof is to stand, and what it is to be: what every method starts from.
+// The input of all roof methods: a cleaned footprint with its box and eaves.
 #pragma once
 
 #include <optional>
@@ -9,26 +9,26 @@
 
 namespace citykiln::roofs {
 
-/// Eaves that stand out are as thick as rafters and tiles, and lift the roof by it.
+/// The thickness of overhanging eaves, about that of rafters and tiles; lifts the roof by it.
 inline constexpr double kThickness_m = 0.1875;
 
 struct RoofInput {
-  Polygon footprint;  ///< Tidied (outline.h).
-  Polygon eaves;      ///< Around it; empty where none stand out.
-  OrientedBox frame;
+  Polygon footprint;  ///< As made by cleaned().
+  Polygon eaves;      ///< Around it; empty for no overhang.
+  OrientedBox box;
   RoofShape shape;
-  double tolerance_m = 0;  ///< What eaves that were left out have left of it.
-  Vec2 left_out_m;         ///< Eaves that the tolerance does not see: how far they stand out, how thick they are.
+  double tolerance_m = 0;  ///< What remains of it after eaves were left out.
+  Vec2 left_out_m;         ///< Eaves below the tolerance: their overhang and thickness.
 };
 
-/// Lays out the frame, and the eaves of forms that can have them. `footprint` is not empty.
+/// Computes the box, and the eaves of forms that can have them. @param footprint  Not empty.
 RoofInput roof_input(Polygon footprint, const RoofShape& shape, double tolerance_m);
 
-/// How high a roof rises whose main slopes are span_m long in plan.
+/// The height of a roof whose main slopes are span_m long in plan.
 double rise_of(const RoofShape& shape, double span_m);
 
-/// Of a shape with a knee, where that is: how far in and how high, of the span and the rise. Slopes that meet no more
-/// before the ridge are one, and so are a knee at the eaves and what is above it.
+/// The knee of a shape that has one, as shares of the span and the rise. If the slopes do not meet before the ridge,
+/// they are one; so is a knee at the eaves and the slope above it.
 std::optional<Vec2> knee_of(const RoofShape& shape, double span_m);
 
 }  // namespace citykiln::roofs

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -10,18 +11,18 @@ namespace {
 
 using Bezier = std::array<Vec2, 4>;
 
-// The silhouette of an onion from its neck to its tip; x over the neck's radius, y over the rise. The two pieces share
-// a tangent.
+// The silhouette of an onion from the eaves to the tip; x relative to the radius at the eaves, y to the rise. Both
+// pieces share a tangent.
 constexpr std::array kOnion = {Bezier{{{1, 0}, {1.25, 0.08}, {1.25, 0.30}, {0.95, 0.42}}},
                                Bezier{{{0.95, 0.42}, {0.55, 0.58}, {0.12, 0.66}, {0, 1}}}};
-// What an onion is where nothing may swell: an ogee.
+// An onion over a skeleton, where it cannot swell: an ogee.
 constexpr std::array kOgee = {Bezier{{{0, 0}, {0.1, 0.3}, {0.2, 0.45}, {0.5, 0.55}}},
                               Bezier{{{0.5, 0.55}, {0.8, 0.65}, {0.93, 0.7}, {1, 1}}}};
-// Steep below, shallow above: how far in, and how high, the knee is.
+// The default knees: steep below, shallow above.
 constexpr Vec2 kGambrelKnee = {0.4, 0.65}, kMansardKnee = {0.35, 0.75};
 
-// How a chord's error is measured.
-enum class Measure : std::uint8_t { kSquare, kUpright };
+// How the error of a chord is measured: at a right angle to it, or vertically.
+enum class Measure : std::uint8_t { kPerpendicular, kVertical };
 
 constexpr std::size_t kMostCorners = 256;
 
@@ -32,7 +33,7 @@ Vec2 at(const Bezier& b, double t) {
   return b[0] * (s * s * s) + b[1] * (3 * s * s * t) + b[2] * (3 * s * t * t) + b[3] * (t * t * t);
 }
 
-// A cubic's second derivative is largest at an end, its slope along a side of its frame.
+// The second derivative of a cubic is largest at an end, its slope along a side of its control polygon.
 Vec2 largest_bend_m(const Bezier& b, Vec2 size_m) {
   const Vec2 start = (b[0] - b[1] * 2 + b[2]) * 6, end = (b[1] - b[2] * 2 + b[3]) * 6;
   return scaled({std::max(std::abs(start.x), std::abs(end.x)), std::max(std::abs(start.y), std::abs(end.y))}, size_m);
@@ -47,10 +48,11 @@ double largest_slope(const Bezier& b, Vec2 size_m) {
   return largest;
 }
 
-// Over 1/n of a cubic, its chord is off by at most this over n²: an eighth of the second derivative.
+// Bounds the distance of a cubic from its chord: an eighth of the largest second derivative. For a chord over 1/n of
+// the parameter it is smaller by n².
 double chord_error_m(const Bezier& b, Vec2 size_m, Measure measure) {
   const Vec2 bend = largest_bend_m(b, size_m);
-  return (measure == Measure::kSquare ? length(bend) : bend.y + largest_slope(b, size_m) * bend.x) / 8;
+  return (measure == Measure::kPerpendicular ? length(bend) : bend.y + largest_slope(b, size_m) * bend.x) / 8;
 }
 
 Section flattened(std::span<const Bezier> pieces, Vec2 size_m, Measure measure, double tolerance_m) {
@@ -64,7 +66,7 @@ Section flattened(std::span<const Bezier> pieces, Vec2 size_m, Measure measure, 
   return section;
 }
 
-// A quarter of an ellipse, or less of a circle, as directions from its centre.
+// A quarter of an ellipse, or a part of a circle, as directions from its centre.
 struct Arc {
   Vec2 radii_m;
   double depth_m = 0;  // of the centre below the eaves
@@ -78,10 +80,10 @@ struct Arc {
     start = {-size_m.x / radius_m, depth_m / radius_m};
   }
 
-  // Where the tangent is parallel to the chord, the arc is farthest from it, whichever way one measures.
+  // The arc is farthest from the chord where its tangent is parallel to it, in both measures.
   double chord_error_m(Vec2 a, Vec2 b, Measure measure) const {
     const Vec2 middle = unit(a + b), bulge = scaled(middle - (a + b) * 0.5, radii_m);
-    if (measure == Measure::kSquare) return length(bulge);
+    if (measure == Measure::kPerpendicular) return length(bulge);
     const double slope = (b.y - a.y) * radii_m.y / ((b.x - a.x) * radii_m.x);
     return bulge.y - slope * bulge.x;
   }
@@ -108,7 +110,7 @@ Section flattened(const Arc& arc, Vec2 size_m, Measure measure, double tolerance
   return section;
 }
 
-// A knee that the tolerance does not see is left out.
+// A knee within the tolerance is left out.
 Section knee(Vec2 corner, Vec2 size_m, double tolerance_m) {
   const double off_m = std::abs(corner.y - corner.x) * size_m.y;
   if (off_m <= tolerance_m) return {{{0, 0}, {1, 1}}, off_m};
@@ -116,6 +118,7 @@ Section knee(Vec2 corner, Vec2 size_m, double tolerance_m) {
 }
 
 Section section_of(Form form, Vec2 size_m, Measure measure, double tolerance_m) {
+  assert(size_m.x > 0 && size_m.y > 0 && tolerance_m > 0);
   switch (form) {
     case Form::kGambrel:
       return knee(kGambrelKnee, size_m, tolerance_m);
@@ -134,19 +137,19 @@ Section section_of(Form form, Vec2 size_m, Measure measure, double tolerance_m) 
 }  // namespace
 
 Section section_along(Form form, double span_m, double rise_m, double tolerance_m) {
-  return section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m);
+  return section_of(form, {span_m, rise_m}, Measure::kPerpendicular, tolerance_m);
 }
 
 Section section_over_skeleton(Form form, double span_m, double rise_m, double tolerance_m, std::optional<Vec2> corner) {
   if (form == Form::kMansard && corner) return knee(*corner, {span_m, rise_m}, tolerance_m);
-  return section_of(form, {span_m, rise_m}, Measure::kUpright, tolerance_m);
+  return section_of(form, {span_m, rise_m}, Measure::kVertical, tolerance_m);
 }
 
 Section section_over_apex(Form form, double span_m, double reach_m, double rise_m, double tolerance_m) {
-  if (form == Form::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kSquare, tolerance_m);
-  // the curve is drawn over the span; stretched to the reach, its bulges grow by no more than that
+  if (form == Form::kOnion) return flattened(kOnion, {reach_m, rise_m}, Measure::kPerpendicular, tolerance_m);
+  // the curve is computed over the span; stretched to the reach, its error grows at most by the same factor
   const double stretch = std::max(1.0, reach_m / span_m);
-  Section section = section_of(form, {span_m, rise_m}, Measure::kSquare, tolerance_m / stretch);
+  Section section = section_of(form, {span_m, rise_m}, Measure::kPerpendicular, tolerance_m / stretch);
   section.error_m *= stretch;
   for (Vec2& corner : section.corners) corner.x = 1 - corner.x;
   return section;

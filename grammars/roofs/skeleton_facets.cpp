@@ -1,6 +1,6 @@
-// Felkel and Obdržálek 1998 for the skeleton; gables as by Laycock and Day 2003: the face of a wing's end is given to
-// its neighbours. Theirs moves the face's node, ours cuts the face's triangle, so the rest of the skeleton stays as it
-// is.
+// Skeleton: Felkel and Obdržálek 1998. Gables after Laycock and Day 2003, where the faces beside the end of a wing are
+// extended over it. They move a node of the skeleton; here the triangle of the end is cut instead, so that the rest of
+// the skeleton does not change.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 namespace citykiln::roofs {
 namespace {
 
-// Two walls run nearly parallel if they differ by less than 30 degrees: its cosine.
+// The cosine of 30 degrees: walls at a smaller angle are nearly parallel.
 constexpr double kNearlyParallel = 0.866;
-// Nodes of the skeleton closer than this are one: CGAL leaves them double where several events meet.
+// Closer nodes are merged: CGAL duplicates nodes where several events coincide.
 constexpr double kOneNode_m = 1e-6;
 
 Ring without_double_nodes(const Ring& ring) {
@@ -26,7 +26,7 @@ const Ring& ring_of(const Polygon& polygon, std::uint32_t index) {
   return index == 0 ? polygon.outer : polygon.holes[index - 1];
 }
 
-// The planes over an edge's neighbours and itself.
+// The planes over an edge and its neighbours.
 struct Wing {
   Facet before, own, after;
 };
@@ -46,33 +46,33 @@ bool is_end(const Wing& wing, const Ring& face) {
   return face.size() == 3 && dot(wing.before.plane.gradient, wing.after.plane.gradient) < -kNearlyParallel;
 }
 
-void add(InsetFacets& base, Facet facet, Ring ring) {
+void add(InsetFacets& inset, Facet facet, Ring ring) {
   if (ring.empty()) return;
-  for (const Vec2 p : ring) base.span_m = std::max(base.span_m, facet.plane.at(p));
+  for (const Vec2 p : ring) inset.span_m = std::max(inset.span_m, facet.plane.at(p));
   facet.ring = std::move(ring);
-  base.facets.push_back(std::move(facet));
+  inset.facets.push_back(std::move(facet));
 }
 
-// The neighbours meet over the end; what the end's own plane, raised, leaves lower is a half hip.
-void close_end(InsetFacets& base, Wing wing, const Ring& face, bool is_half) {
+// Extends the neighbours of an end over it. For a half hip its own plane remains where it is lower, from half way up.
+void close_end(InsetFacets& inset, Wing wing, const Ring& face, bool is_half) {
   const Vec2 a = face[0], b = face[1], top = face[2];
   const double after_m = wing.after.plane.at(a), before_m = wing.before.plane.at(b);
   const Vec2 middle = a + (b - a) * (after_m / (after_m + before_m));
   const Ring first = {a, middle, top}, second = {middle, b, top};
   if (!is_half) {
-    add(base, wing.before, first);
-    return add(base, wing.after, second);
+    add(inset, wing.before, first);
+    return add(inset, wing.after, second);
   }
   wing.own.plane.offset += wing.own.plane.at(top) / 2;
   const Plane over_before = combined(1, wing.own.plane, -1, wing.before.plane);
   const Plane over_after = combined(1, wing.own.plane, -1, wing.after.plane);
-  add(base, wing.before, clipped(first, over_before));
-  add(base, wing.after, clipped(second, over_after));
-  add(base, wing.own,
+  add(inset, wing.before, clipped(first, over_before));
+  add(inset, wing.after, clipped(second, over_after));
+  add(inset, wing.own,
       clipped(clipped(face, combined(-1, over_before, 0, over_before)), combined(-1, over_after, 0, over_after)));
 }
 
-// One face of the skeleton, and what stands at its edge.
+// A face of the skeleton and the form at its edge.
 struct Side {
   Wing wing;
   Ring face;
@@ -94,12 +94,12 @@ std::vector<Side> sides_of(const Polygon& polygon, const std::vector<SkeletonFac
   return sides;
 }
 
-// Ends, the narrowest first; an end's neighbours are walls, so they are none.
+// Chooses ends from the narrowest on; the neighbours of an end are no ends.
 void choose_ends(std::vector<Side>& sides, const WingEndOf& end_of) {
   std::vector<std::uint32_t> ends;
   for (std::uint32_t i = 0; i < sides.size(); ++i)
     if (is_end(sides[i].wing, sides[i].face)) ends.push_back(i);
-  // a millimetre decides nothing
+  // widths are compared in steps of 1/64 m, so that rounding has no effect
   std::stable_sort(ends.begin(), ends.end(), [&](auto i, auto j) {
     return std::floor(sides[i].width_m * 64) < std::floor(sides[j].width_m * 64);
   });
@@ -117,13 +117,13 @@ InsetFacets skeleton_facets(const Polygon& polygon, SkeletonKernel kernel, const
                             std::uint32_t first_face) {
   std::vector<Side> sides = sides_of(polygon, straight_skeleton(polygon, kernel), first_face);
   choose_ends(sides, end_of);
-  InsetFacets base;
+  InsetFacets inset;
   for (const Side& side : sides)
     if (side.end != End::kHip)
-      close_end(base, side.wing, side.face, side.end == End::kHalfHip);
+      close_end(inset, side.wing, side.face, side.end == End::kHalfHip);
     else if (side.face.size() >= 3)
-      add(base, side.wing.own, side.face);
-  return base;
+      add(inset, side.wing.own, side.face);
+  return inset;
 }
 
 }  // namespace citykiln::roofs

@@ -1,6 +1,7 @@
 #include "grammars/roofs/strips.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "grammars/roofs/section.h"
@@ -8,29 +9,29 @@
 namespace citykiln::roofs {
 namespace {
 
-// A row's bays are about as wide as these: halls with northlights, houses in a row.
+// The approximate widths of bays: of halls with northlights, and of houses in a row.
 constexpr double kSawBay_m = 6, kGableBay_m = 8;
-// A saltbox has its ridge near the front; a double one is level between its slopes. Shares of the width from the back.
+// The ridge of a saltbox, and the end of the first slope of a double one: shares of the width from the back.
 constexpr double kSaltboxRidge = 0.68, kDoubleSaltboxSlope = 0.3;
 
 bool is_row(Form form) { return form == Form::kSawtooth || form == Form::kGabledRow; }
 
-// What strips follow each other along: across the frame, or, of a row, along it. From 0 at the back.
-struct Run {
+// The axis along which strips follow each other: across the box, or along it for rows. From 0 at the back.
+struct StripAxis {
   Vec2 origin, along;
   double length_m;
 };
 
-Run run_of(Form form, const OrientedBox& frame, bool has_direction) {
-  if (is_row(form) && !has_direction) return {frame.place(frame.from_m, frame.back_m), frame.along, frame.length_m()};
-  return {frame.place(frame.from_m, frame.back_m), frame.across, frame.width_m()};
+StripAxis axis_of(Form form, const OrientedBox& box, bool has_direction) {
+  if (is_row(form) && !has_direction) return {box.position(box.from_m, box.back_m), box.along, box.length_m()};
+  return {box.position(box.from_m, box.back_m), box.across, box.width_m()};
 }
 
 double bays_of(Form form, double length_m) {
   return std::max(2.0, std::floor(length_m / (form == Form::kSawtooth ? kSawBay_m : kGableBay_m) + 0.5));
 }
 
-// A section and its mirror image: from the back over the ridge to the front.
+// A section and its mirror image, from the back over the ridge to the front.
 Section mirrored(const Section& half) {
   Section whole = half;
   for (Vec2& corner : whole.corners) corner.x /= 2;
@@ -48,7 +49,7 @@ Section row_of_gables(double bays) {
   return section;
 }
 
-// Teeth rise along the run and end upright: two corners in one place.
+// Teeth rise along the axis and end vertically: two corners at one position.
 Section row_of_teeth(double bays) {
   Section section;
   for (double i = 0; i < bays; ++i) {
@@ -75,39 +76,40 @@ Section section_across(Form form, double run_m, double rise_m, double tolerance_
   }
 }
 
-Facet strip(const Run& run, Vec2 low, Vec2 high, double rise_m, double from_m, double to_m, double half_m) {
-  const double slope = rise_m * (high.y - low.y) / ((high.x - low.x) * run.length_m);
-  const auto place = [&](double along_m, double aside_m) {
-    return run.origin + run.along * along_m + left_of(run.along) * aside_m;
+Facet strip(const StripAxis& axis, Vec2 low, Vec2 high, double rise_m, double from_m, double to_m, double half_m) {
+  const double slope = rise_m * (high.y - low.y) / ((high.x - low.x) * axis.length_m);
+  const auto position = [&](double along_m, double aside_m) {
+    return axis.origin + axis.along * along_m + left_of(axis.along) * aside_m;
   };
-  return {{place(from_m, -half_m), place(to_m, -half_m), place(to_m, half_m), place(from_m, half_m)},
-          {place(low.x * run.length_m, 0), run.along * slope, low.y * rise_m},
+  return {{position(from_m, -half_m), position(to_m, -half_m), position(to_m, half_m), position(from_m, half_m)},
+          {position(low.x * axis.length_m, 0), axis.along * slope, low.y * rise_m},
           0,
           0};
 }
 
-std::vector<Facet> facets_along(const Run& run, const Section& section, double rise_m, double reach_m, double half_m) {
+std::vector<Facet> facets_along(const StripAxis& axis, const Section& section, double rise_m, double reach_m,
+                                double half_m) {
   std::vector<Facet> facets;
   for (std::size_t k = 0; k + 1 < section.corners.size(); ++k) {
     const Vec2 low = section.corners[k], high = section.corners[k + 1];
     if (high.x <= low.x) continue;
-    const double from_m = k == 0 ? -reach_m : low.x * run.length_m;
-    const double to_m = k + 2 == section.corners.size() ? run.length_m + reach_m : high.x * run.length_m;
-    facets.push_back(strip(run, low, high, rise_m, from_m, to_m, half_m));
+    const double from_m = k == 0 ? -reach_m : low.x * axis.length_m;
+    const double to_m = k + 2 == section.corners.size() ? axis.length_m + reach_m : high.x * axis.length_m;
+    facets.push_back(strip(axis, low, high, rise_m, from_m, to_m, half_m));
     facets.back().face = static_cast<std::uint32_t>(facets.size()) - 1;
   }
   return facets;
 }
 
-// Two gabled roofs of one width: each side of each, where it is higher than the other roof.
-std::vector<Facet> crossing(const OrientedBox& frame, double rise_m, double reach_m) {
-  const double half_m = std::min(frame.width_m(), frame.length_m()) / 2;
-  const double slope = rise_m / half_m, far_m = frame.width_m() + frame.length_m() + reach_m;
-  const Vec2 middle = frame.place((frame.from_m + frame.to_m) / 2, (frame.back_m + frame.front_m) / 2);
+// Two gabled roofs of equal width: the parts of each that are higher than the other.
+std::vector<Facet> crossing(const OrientedBox& box, double rise_m, double reach_m) {
+  const double half_m = std::min(box.width_m(), box.length_m()) / 2;
+  const double slope = rise_m / half_m, far_m = box.width_m() + box.length_m() + reach_m;
+  const Vec2 middle = box.position((box.from_m + box.to_m) / 2, (box.back_m + box.front_m) / 2);
   std::vector<Facet> facets;
-  for (const Vec2 ridge : {frame.along, frame.across, frame.along * -1, frame.across * -1})
+  for (const Vec2 ridge : {box.along, box.across, box.along * -1, box.across * -1})
     for (const double side : {1.0, -1.0}) {
-      // the half arm that the ridge runs out along, to its left or right
+      // half an arm, to the left or right of its ridge
       const Vec2 aside = left_of(ridge) * side, end = middle + ridge * far_m, corner = end + aside * far_m;
       Ring ring = side > 0 ? Ring{middle, end, corner} : Ring{middle, corner, end};
       facets.push_back(
@@ -118,25 +120,26 @@ std::vector<Facet> crossing(const OrientedBox& frame, double rise_m, double reac
 
 }  // namespace
 
-double strip_span_m(Form form, const OrientedBox& frame, bool has_direction) {
-  const double run_m = run_of(form, frame, has_direction).length_m;
+double strip_span_m(Form form, const OrientedBox& box, bool has_direction) {
+  const double run_m = axis_of(form, box, has_direction).length_m;
   if (form == Form::kSkillion) return run_m;
   if (form == Form::kSawtooth) return run_m / bays_of(form, run_m);
   if (form == Form::kGabledRow) return run_m / bays_of(form, run_m) / 2;
   if (form == Form::kDoubleSaltbox) return run_m * kDoubleSaltboxSlope;
-  if (form == Form::kCrossGabled) return std::min(frame.width_m(), frame.length_m()) / 2;
+  if (form == Form::kCrossGabled) return std::min(box.width_m(), box.length_m()) / 2;
   return run_m / 2;
 }
 
-Strips strips(Form form, const OrientedBox& frame, bool has_direction, double rise_m, double reach_m,
+Strips strips(Form form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m,
               double tolerance_m) {
-  if (form == Form::kCrossGabled) return {crossing(frame, rise_m, reach_m), 0};
-  const Run run = run_of(form, frame, has_direction);
-  const Section section = section_across(form, run.length_m, rise_m, tolerance_m);
-  const double far_m = frame.width_m() + frame.length_m() + reach_m;
-  Strips made{facets_along(run, section, rise_m, reach_m, far_m), section.error_m};
-  // teeth step down to each other, all else hangs together
-  for (Facet& facet : made.facets) facet.sheet = form == Form::kSawtooth ? facet.face : 0;
+  assert(rise_m > 0 && reach_m > 0 && tolerance_m > 0);
+  if (form == Form::kCrossGabled) return {crossing(box, rise_m, reach_m), 0};
+  const StripAxis axis = axis_of(form, box, has_direction);
+  const Section section = section_across(form, axis.length_m, rise_m, tolerance_m);
+  const double far_m = box.width_m() + box.length_m() + reach_m;
+  Strips made{facets_along(axis, section, rise_m, reach_m, far_m), section.error_m};
+  // between teeth there are walls, all other facets meet
+  for (Facet& facet : made.facets) facet.surface = form == Form::kSawtooth ? facet.face : 0;
   return made;
 }
 

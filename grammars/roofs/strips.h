@@ -1,5 +1,5 @@
-// Roofs that are one section drawn along a line: gabled, round, saltbox, skillion, and rows of teeth and gables; and
-// two gabled roofs that cross. They are functions of the place alone, so they lie over any footprint.
+// Roofs of one section drawn along a line: gabled, round, saltbox, skillion, rows of teeth and gables, and two crossing
+// gabled roofs. Their height depends on the position alone, so they fit any footprint.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,16 @@
 
 namespace citykiln::roofs {
 
-/// A roof of strips, with what it is measured by.
 struct Strips {
-  std::vector<Facet> facets;  ///< Cover the frame, and far beyond it.
+  std::vector<Facet> facets;  ///< Cover the box, and more.
   double error_m = 0;         ///< Of curves, at most the tolerance.
 };
 
-/// From the eaves to the ridge, in plan: what an angle is measured over.
-double strip_span_m(Form form, const OrientedBox& frame, bool has_direction);
+/// From the eaves to the ridge in plan, over which an angle is measured.
+double strip_span_m(Form form, const OrientedBox& box, bool has_direction);
 
-/// @param reach_m  How far beyond the frame the facets go: more than eaves stand out.
-/// Rows run along the frame, or, if has_direction, across it. Other forms than those above are gabled.
-Strips strips(Form form, const OrientedBox& frame, bool has_direction, double rise_m, double reach_m,
-              double tolerance_m);
+/// @param reach_m  How far the facets extend beyond the box: more than the eaves.
+/// Rows run along the box, or across it if has_direction. Forms not listed above are gabled.
+Strips strips(Form form, const OrientedBox& box, bool has_direction, double rise_m, double reach_m, double tolerance_m);
 
 }  // namespace citykiln::roofs

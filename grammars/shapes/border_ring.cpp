@@ -16,7 +16,7 @@ std::vector<Edge> sorted(std::vector<Edge> edges) {
   return edges;
 }
 
-// The edges that have no opposite, in the triangles' order; none where one is there twice.
+// The edges without an opposite edge, in order of the triangles. Empty if an edge occurs twice.
 std::vector<Edge> border_of(std::span<const Triangle> triangles) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());
@@ -39,7 +39,7 @@ std::optional<std::vector<std::uint32_t>> border_ring(std::span<const Triangle> 
     ring.push_back(edge.from);
     edge = *std::lower_bound(by_start.begin(), by_start.end(), Edge{edge.to, 0});
   } while (edge.from != border.front().from && ring.size() < border.size());
-  // a ring that is shorter has left another one out; one that came back to a vertex has left it by its first edge again
+  // a shorter ring means that there are several; a ring through a vertex twice repeats the first edge from there
   const bool is_whole = edge.from == border.front().from && ring.size() == border.size();
   return is_whole ? std::optional(std::move(ring)) : std::nullopt;
 }

@@ -1,4 +1,4 @@
-// The way around triangles that share vertices.
+// The border of a set of triangles that share vertices.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,8 @@
 
 namespace citykiln::grammars {
 
-/// The vertices along all edges whose opposites are not there too, triangles to the left, from where the first such
-/// edge starts. Nothing where that is not one ring which comes to each vertex once, or triangles lie on each other. O(n
-/// log n).
+/// The vertices along the edges that belong to one triangle only, with the triangles on the left. std::nullopt if these
+/// edges are not one simple ring, or an edge occurs twice in the same direction. O(n log n).
 std::optional<std::vector<std::uint32_t>> border_ring(std::span<const Triangle> triangles);
 
 }  // namespace citykiln::grammars

@@ -8,26 +8,26 @@
 namespace citykiln::grammars {
 namespace {
 
-constexpr double kSamePlace_m = 1e-6;  // far above rounding, far below what is built
-constexpr double kNoArea_m2 = 1e-12;   // of twice the area: what is left is rounding
+constexpr double kSamePlace_m = 1e-6;  // above rounding error, below any detail
+constexpr double kNoArea_m2 = 1e-12;   // of twice the area: below it is rounding error
 
 double height_above(const CutPlane& plane, Vec3 p) {
   const double d_m = dot(plane.normal, p) - plane.offset_m;
   return std::abs(d_m) <= kOnPlane_m ? 0 : d_m;
 }
 
-// of an edge whose ends lie so high above the plane; the same bits whichever way it runs
+// Where an edge crosses the plane, from the heights of its ends above it. Independent of the direction of the edge.
 Vec3 crossing(Vec3 a, double a_m, Vec3 b, double b_m) {
   if (b < a) std::swap(a, b), std::swap(a_m, b_m);
   return a + (b - a) * (a_m / (a_m - b_m));
 }
 
 struct Chains {
-  std::vector<Ring3> chains;  ///< From where a ring comes up through the plane to where it goes down again.
-  std::vector<Ring3> whole;
+  std::vector<Ring3> chains;  ///< The parts of rings from a rise through the plane to the next descent.
+  std::vector<Ring3> whole;   ///< Rings entirely above the plane.
 };
 
-// the chain's ends lie on the plane: its first and last vertex, or crossings
+// The chain that begins at vertex `first`. Its ends are on the plane: vertices, or crossings.
 Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const double> heights) {
   const std::size_t n = ring.size();
   const auto before = [n](std::size_t i) { return i == 0 ? n - 1 : i - 1; };
@@ -41,7 +41,7 @@ Ring3 chain_from(std::span<const Vec3> ring, std::size_t first, std::span<const 
   return chain;
 }
 
-// from one of its edges that lie in the plane to the next
+// Chains from each edge of the ring in the plane to the next such edge.
 void open_ring(std::span<const Vec3> ring, std::span<const double> heights, Chains& out) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -64,14 +64,14 @@ void cut_ring(std::span<const Vec3> ring, const CutPlane& plane, bool is_hole, C
   }
   if (!above) return;
   for (std::size_t i = 0; i < n; ++i) has_edge_in_plane |= heights[i] == 0 && heights[(i + 1) % n] == 0;
-  // beyond such an edge of a hole nothing is left that would part it from the outside
+  // below such an edge of a hole nothing is left that separates it from the outside
   if (!below && is_hole && has_edge_in_plane) return open_ring(ring, heights, out);
   if (!below) return out.whole.emplace_back(ring.begin(), ring.end()), void();
   for (std::size_t i = 0; i < n; ++i) {
     if (heights[i] < 0 || heights[(i + n - 1) % n] >= 0) continue;
     Ring3 chain = chain_from(ring, i, heights);
     const bool rises = std::any_of(chain.begin(), chain.end(), [&](Vec3 p) { return height_above(plane, p) > 0; });
-    // what only touches the plane from below bounds nothing above it
+    // a chain that only touches the plane bounds no area above it
     if (rises) out.chains.push_back(std::move(chain));
   }
 }
@@ -84,7 +84,7 @@ std::vector<std::size_t> sorted_along(Vec3 along, const std::vector<Ring3>& chai
   return order;
 }
 
-// the k-th end along the cut goes on at the k-th beginning
+// Rings of chains: the k-th end along the cut continues at the k-th start.
 std::vector<Ring3> joined(const std::vector<Ring3>& chains, Vec3 along) {
   const auto ends = sorted_along(along, chains, true), starts = sorted_along(along, chains, false);
   std::vector<std::size_t> next(chains.size());
@@ -96,20 +96,20 @@ std::vector<Ring3> joined(const std::vector<Ring3>& chains, Vec3 along) {
     Ring3& ring = rings.emplace_back();
     for (std::size_t i = first; !done[i]; i = next[i]) {
       done[i] = true;
-      ring.insert(ring.end(), chains[i].begin(), chains[i].end());
+      ring.append(chains[i].begin(), chains[i].end());
     }
   }
   return rings;
 }
 
-bool has_twins(const Ring3& ring) {
+bool has_repeats(const Ring3& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (ring[i] == ring[i == 0 ? ring.size() - 1 : i - 1]) return ring.size() > 1;
   return false;
 }
 
-Ring3 without_twins(Ring3 ring) {
-  if (!has_twins(ring)) return ring;
+Ring3 without_repeats(Ring3 ring) {
+  if (!has_repeats(ring)) return ring;
   Ring3 kept;
   for (const Vec3 p : ring)
     if (kept.empty() || !(p == kept.back())) kept.push_back(p);
@@ -122,15 +122,16 @@ bool surrounds(const Face& face, Vec3 p, const FaceFrame& frame) {
   return winding_number(polygon.outer, frame.to_plane(p)) != 0;
 }
 
-// of all that it surrounds: holes it has been given do not count
+// The area of the outer ring, holes included.
 double outer_m2(const Face& face) { return length(area_vector_m2(face.outer)) / 2; }
 
-// rings that turn with the normal are faces, the others holes in the smallest that surrounds them
+// Faces of rings: those that turn with the normal are outer rings, the others are holes of the smallest outer ring
+// around them.
 std::vector<Face> nested(const std::vector<Ring3>& rings, Vec3 normal) {
   std::vector<Face> faces;
   std::vector<Ring3> holes;
   for (const Ring3& raw : rings) {
-    const Ring3 ring = without_twins(raw);
+    const Ring3 ring = without_repeats(raw);
     const double twice_area_m2 = dot(normal, area_vector_m2(ring));
     if (ring.size() < 3 || std::abs(twice_area_m2) < kNoArea_m2) continue;
     if (twice_area_m2 > 0) {
@@ -167,8 +168,10 @@ std::vector<Edge3> edges_of(std::span<const Face> faces) {
   return edges;
 }
 
-// ends are the same where they round to the same 2^-18 m: what is made of the same vertices has the same bits anyway
-std::array<std::int64_t, 3> place_of(Vec3 p) {
+// A point rounded to 2^-18 m, by which ends of edges are compared.
+using GridPoint = std::array<std::int64_t, 3>;
+
+GridPoint grid_point(Vec3 p) {
   const auto cell = [](double v) {
     const double scaled = std::clamp(v * 0x1p18, -9e15, 9e15);
     return static_cast<std::int64_t>(std::floor(scaled + 0.5));
@@ -176,55 +179,55 @@ std::array<std::int64_t, 3> place_of(Vec3 p) {
   return {cell(p.x), cell(p.y), cell(p.z)};
 }
 
-using Place3 = std::array<std::int64_t, 3>;
-
-/// An edge by its places, the lesser first, and which of the edges it is.
-struct Sided {
-  Place3 low, high;
-  bool turned = false;  ///< It runs from `high` to `low`.
+/// An undirected edge with its direction and index.
+struct UndirectedEdge {
+  GridPoint low, high;
+  bool turned = false;  ///< The edge is directed from `high` to `low`.
   std::size_t index = 0;
-  auto operator<=>(const Sided&) const = default;
+  auto operator<=>(const UndirectedEdge&) const = default;
 };
 
-// without those that end where they begin
-std::vector<Sided> sided(std::span<const Edge3> edges) {
-  std::vector<Sided> sorted;
+// Sorted; edges without length are left out.
+std::vector<UndirectedEdge> undirected(std::span<const Edge3> edges) {
+  std::vector<UndirectedEdge> sorted;
   sorted.reserve(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Place3 a = place_of(edges[i].first), b = place_of(edges[i].second);
+    const GridPoint a = grid_point(edges[i].first), b = grid_point(edges[i].second);
     if (a != b) sorted.push_back({std::min(a, b), std::max(a, b), b < a, i});
   }
   std::sort(sorted.begin(), sorted.end());
   return sorted;
 }
 
-// what is left when opposites have taken each other away: of several alike the first
+// Edges that remain when pairs of opposite edges are removed; of several equal edges the first ones.
 std::vector<Edge3> without_opposites(std::span<const Edge3> edges) {
-  const std::vector<Sided> sorted = sided(edges);
-  std::vector<bool> stays(edges.size());
+  const std::vector<UndirectedEdge> sorted = undirected(edges);
+  std::vector<bool> is_kept(edges.size());
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto is_other = [&](const Sided& edge) { return edge.low != first->low || edge.high != first->high; };
+    const auto is_other = [&](const UndirectedEdge& edge) {
+      return edge.low != first->low || edge.high != first->high;
+    };
     const auto end = std::find_if(first, sorted.end(), is_other);
-    const auto turn = std::find_if(first, end, [](const Sided& edge) { return edge.turned; });
+    const auto turn = std::find_if(first, end, [](const UndirectedEdge& edge) { return edge.turned; });
     const auto one = turn - first, other = end - turn;
-    for (auto edge = first; edge < turn && edge - first < one - other; ++edge) stays[edge->index] = true;
-    for (auto edge = turn; edge < end && edge - turn < other - one; ++edge) stays[edge->index] = true;
+    for (auto edge = first; edge < turn && edge - first < one - other; ++edge) is_kept[edge->index] = true;
+    for (auto edge = turn; edge < end && edge - turn < other - one; ++edge) is_kept[edge->index] = true;
     first = end;
   }
   std::vector<Edge3> left;
   for (std::size_t i = 0; i < edges.size(); ++i)
-    if (stays[i]) left.push_back(edges[i]);
+    if (is_kept[i]) left.push_back(edges[i]);
   return left;
 }
 
-// grows with the angle to the left, from -2 to 2
+// Increases with the angle to the left, from -2 to 2.
 double left_turn(Vec3 in, Vec3 out, Vec3 normal) {
   const double turn = 1 - dot(unit(in), unit(out));
   return dot(normal, cross(in, out)) < 0 ? -turn : turn;
 }
 
-// the edge that goes on behind `last`; where rings touch, the one that turns most to the left, so that what hangs
-// together in a point alone comes apart
+// The unused edge that continues `last`. Where rings touch, the one that turns most to the left, which separates parts
+// that share a point only.
 std::size_t edge_after(const Edge3& last, const std::vector<Edge3>& edges, const std::vector<bool>& used, Vec3 normal) {
   std::size_t best = edges.size();
   double best_turn = -3;
@@ -236,16 +239,16 @@ std::size_t edge_after(const Edge3& last, const std::vector<Edge3>& edges, const
   return best;
 }
 
-// a ring that comes back to one of its points is two there: bays of a roof that meet in a valley
+// Splits a ring that passes through a point twice, as bays of a roof that meet in a valley.
 void split_where_it_touches(const Ring3& ring, std::vector<Ring3>& rings) {
   std::vector<Vec3> open;
-  std::map<std::array<std::int64_t, 3>, std::size_t> places;
+  std::map<GridPoint, std::size_t> index_at;
   for (const Vec3 p : ring) {
-    const auto [at, is_new] = places.try_emplace(place_of(p), open.size());
+    const auto [at, is_new] = index_at.try_emplace(grid_point(p), open.size());
     if (!is_new) {
       const auto from = open.begin() + static_cast<std::ptrdiff_t>(at->second);
       rings.emplace_back(from, open.end());
-      for (auto q = from + 1; q != open.end(); ++q) places.erase(place_of(*q));
+      for (auto q = from + 1; q != open.end(); ++q) index_at.erase(grid_point(*q));
       open.erase(from + 1, open.end());
     } else {
       open.push_back(p);
@@ -254,61 +257,63 @@ void split_where_it_touches(const Ring3& ring, std::vector<Ring3>& rings) {
   rings.emplace_back(open.begin(), open.end());
 }
 
-constexpr std::size_t kFew = 16;
+constexpr std::size_t kMostSimple = 16;
 
-/// Where a ring of few points lies, and how often it comes up through the plane.
-struct Course {
-  std::array<double, kFew> heights;
+/// A ring of few points relative to a plane.
+struct Heights {
+  std::array<double, kMostSimple> heights;
   bool below = false, above = false;
-  std::size_t rises = 0, first = 0;  ///< `first`: the last point behind which it has come up.
+  std::size_t rises = 0, first = 0;  ///< The number of rises through the plane, and the vertex after the last one.
 };
 
-void find_rises(Course& course, std::size_t count) {
+void find_rises(Heights& ring_heights, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (course.heights[i] < 0 || course.heights[i == 0 ? count - 1 : i - 1] >= 0) continue;
-    ++course.rises;
-    course.first = i;
+    if (ring_heights.heights[i] < 0 || ring_heights.heights[i == 0 ? count - 1 : i - 1] >= 0) continue;
+    ++ring_heights.rises;
+    ring_heights.first = i;
   }
 }
 
-Course course_of(const Ring3& ring, const CutPlane& plane) {
+Heights heights_of(const Ring3& ring, const CutPlane& plane) {
   const std::size_t n = ring.size();
-  Course course;
+  Heights ring_heights;
   for (std::size_t i = 0; i < n; ++i) {
-    course.heights[i] = height_above(plane, ring[i]);
-    course.below |= course.heights[i] < 0;
-    course.above |= course.heights[i] > 0;
+    ring_heights.heights[i] = height_above(plane, ring[i]);
+    ring_heights.below |= ring_heights.heights[i] < 0;
+    ring_heights.above |= ring_heights.heights[i] > 0;
   }
-  find_rises(course, n);
-  return course;
+  find_rises(ring_heights, n);
+  return ring_heights;
 }
 
-bool is_simple(const Face& face) { return face.holes.empty() && face.outer.size() <= kFew && face.outer.size() >= 3; }
+bool is_simple(const Face& face) {
+  return face.holes.empty() && face.outer.size() <= kMostSimple && face.outer.size() >= 3;
+}
 
 bool has_area(const Ring3& ring) { return ring.size() >= 3 && length(area_vector_m2(ring)) >= kNoArea_m2; }
 
-Course upside_down(const Course& course, std::size_t count) {
-  Course turned;
-  turned.below = course.above, turned.above = course.below;
-  for (std::size_t i = 0; i < count; ++i) turned.heights[i] = -course.heights[i];
+Heights upside_down(const Heights& ring_heights, std::size_t count) {
+  Heights turned;
+  turned.below = ring_heights.above, turned.above = ring_heights.below;
+  for (std::size_t i = 0; i < count; ++i) turned.heights[i] = -ring_heights.heights[i];
   find_rises(turned, count);
   return turned;
 }
 
-Ring3 chain_of(const Face& face, const Course& course) {
-  return without_twins(chain_from(face.outer, course.first, course.heights));
+Ring3 chain_of(const Face& face, const Heights& ring_heights) {
+  return without_repeats(chain_from(face.outer, ring_heights.first, ring_heights.heights));
 }
 
-// a ring without holes that comes up through the plane once: the chain is the part
+// The part above of a face without holes that rises through the plane once: its only chain.
 std::optional<std::vector<Face>> part_of_simple(const Face& face, const CutPlane& plane) {
   if (!is_simple(face)) return std::nullopt;
-  const Course course = course_of(face.outer, plane);
-  if (course.above && !course.below) return std::vector<Face>{face};
-  if (!course.above && course.below) return std::vector<Face>{};
-  if (course.rises != 1) return std::nullopt;
+  const Heights ring_heights = heights_of(face.outer, plane);
+  if (ring_heights.above && !ring_heights.below) return std::vector<Face>{face};
+  if (!ring_heights.above && ring_heights.below) return std::vector<Face>{};
+  if (ring_heights.rises != 1) return std::nullopt;
   std::vector<Face> parts(1);
   Face& part = parts.front();
-  part.outer = chain_of(face, course);
+  part.outer = chain_of(face, ring_heights);
   part.tag = face.tag, part.street = face.street;
   if (!has_area(part.outer)) parts.clear();
   return parts;
@@ -324,7 +329,7 @@ std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
   cut_ring(face.outer, plane, false, cut);
   for (const Ring3& hole : face.holes) cut_ring(hole, plane, true, cut);
   if (cut.chains.empty() && cut.whole.size() == 1 + face.holes.size()) return {face};
-  // the inside lies to the left of the cut
+  // the inside is to the left of the cut
   std::vector<Ring3> rings = joined(cut.chains, cross(plane.normal, normal));
   rings.insert(rings.end(), cut.whole.begin(), cut.whole.end());
   std::vector<Face> parts = nested(rings, normal);
@@ -334,8 +339,8 @@ std::vector<Face> part_above(const Face& face, const CutPlane& plane) {
 
 bool cut_in_two(Face& face, const CutPlane& plane, Face& below) {
   if (!is_simple(face)) return false;
-  // seen from below every height changes its sign, and no crossing moves
-  const Course up = course_of(face.outer, plane), down = upside_down(up, face.outer.size());
+  // the part below has negated heights and the same crossings
+  const Heights up = heights_of(face.outer, plane), down = upside_down(up, face.outer.size());
   if (up.rises != 1 || down.rises != 1 || !up.above || !up.below) return false;
   Ring3 above = chain_of(face, up);
   below.outer = chain_of(face, down);

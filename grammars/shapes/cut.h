@@ -1,4 +1,4 @@
-// Faces and solids cut by planes.
+// Cuts faces and solids by planes, and joins faces of one plane.
 #pragma once
 
 #include <span>
@@ -11,36 +11,36 @@ namespace citykiln::grammars {
 
 using Edge3 = std::pair<Vec3, Vec3>;
 
-/// The parts of a face on the side the plane's normal points to; with dot(normal, p) >= offset.
+/// The parts of a face where dot(normal, p) >= offset.
 ///
-///      ____          ends of chains and their beginnings, each sorted along the
-///     /    \____     cut, belong together in turn: so holes and concave faces fall
-///   --x----x-x--x--  into the right parts without a look at their shapes
+///      ____          A chain is the part of a ring above the plane. Sorted along
+///     /    \____     the cut, the k-th end of a chain continues at the k-th start
+///   --x----x-x--x--  of one. So holes and concave faces need no case of their own.
 ///     \___/   \_/
 ///
-/// Guarantees: the parts on both sides of a plane have the face's area and share the cut's points, bit for bit; points
-/// of the face stay as they are; a crossing depends on its edge alone, so faces that share an edge share the crossing.
-/// A face in the plane goes to the side its normal turns its back on, as a solid's faces must. Total: a face that
+/// Guarantees: the parts on both sides of a plane have the area of the face and share the points of the cut, bit for
+/// bit; points of the face are unchanged; a crossing depends on its edge alone, so faces that share an edge share the
+/// crossing. A face in the plane belongs to the side that its normal points away from, as in a solid. A face that
 /// crosses itself is cut by the even-odd rule. O(n log n).
 std::vector<Face> part_above(const Face& face, const CutPlane& plane);
 
-/// Cuts a face that the plane divides in one part on either side: `face` becomes that above, `below` the other, as
-/// part_above() makes them. False, and nothing is done, for faces with holes or many points, and for those that come
-/// up through the plane not just once.
+/// Cuts a face that the plane divides into one part on each side: `face` becomes the part above, `below` the other, as
+/// part_above() makes them. Returns false and changes nothing for faces with holes or more than 16 points, and for
+/// faces that rise through the plane more or less than once.
 bool cut_in_two(Face& face, const CutPlane& plane, Face& below);
 
-/// True if every edge of the faces runs once each way: the surface of a solid. O(n log n).
+/// True if every edge of the faces occurs once in each direction: the surface of a solid. O(n log n).
 bool is_closed(std::span<const Face> faces);
 
-/// The part of faces above the plane; of a closed surface with a cap in the plane, so that it is closed again.
-/// @param closed  As is_closed() says of `faces`. Caps are tagged kNone.
+/// The parts of faces above the plane. A closed surface gets a cap in the plane, so that it is closed again.
+/// @param closed  is_closed(faces). Caps are tagged kNone.
 std::vector<Face> solid_above(std::span<const Face> faces, const CutPlane& plane, bool closed);
 
-/// The rings that run along all edges whose opposites are not there too, put together to faces with this normal.
-/// What does not close within 1e-6 m is left out. O(n²).
+/// Faces with this normal, bounded by the edges that have no opposite edge. Edges that do not form a ring within
+/// 1e-6 m are left out. O(n²).
 std::vector<Face> faces_along(std::span<const Edge3> edges, Vec3 normal);
 
-/// Faces of one plane that share edges, as one: all edges of which there is no opposite.
+/// The union of faces of one plane that share edges.
 std::vector<Face> merged(std::span<const Face> faces);
 
 }  // namespace citykiln::grammars

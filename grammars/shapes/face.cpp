@@ -8,7 +8,7 @@ namespace {
 
 Ring3 reversed_ring(const Ring3& ring) { return {ring.rbegin(), ring.rend()}; }
 
-// Corners are rounded, so that a short edge may lean out of the plane by a lot.
+// Corners are rounded, so a short edge may be at a large angle to the plane.
 Vec3 in_plane(Vec3 edge, Vec3 normal) {
   const double off_m = dot(edge, normal);
   return std::abs(off_m) <= kOnPlane_m ? edge : edge - normal * off_m;
@@ -36,7 +36,7 @@ Ring3 lifted_ring(std::span<const Vec2> ring, const FaceFrame& frame, const Face
 }  // namespace
 
 Vec3 area_vector_m2(std::span<const Vec3> ring) {
-  // of four points the diagonals say it
+  // the cross product of the diagonals
   if (ring.size() == 4) return cross(ring[2] - ring[0], ring[3] - ring[1]);
   Vec3 sum;
   for (std::size_t i = 2; i < ring.size(); ++i) sum = sum + cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
@@ -66,7 +66,7 @@ Face reversed(const Face& face) {
   Face made = face;
   made.outer = reversed_ring(face.outer);
   for (Ring3& hole : made.holes) hole = reversed_ring(hole);
-  // edge i, from point i to i + 1, is edge n - 2 - i of the ring walked back
+  // edge i of the ring is edge n - 2 - i of the reversed ring
   if (!face.street_edges.empty())
     std::rotate_copy(face.street_edges.rbegin(), face.street_edges.rbegin() + 1, face.street_edges.rend(),
                      made.street_edges.begin());
@@ -80,6 +80,12 @@ std::size_t vertex_count(std::span<const Face> faces) {
     for (const Ring3& hole : face.holes) count += hole.size();
   }
   return count;
+}
+
+double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0;
+  return length(p - (a + ab * t));
 }
 
 FaceFrame frame_of(const Face& face) {

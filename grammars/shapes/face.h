@@ -1,4 +1,4 @@
-// Faces: flat polygons in space, and what is done with them.
+// Faces: planar polygons in space.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace citykiln::grammars {
 
-/// What made a face, for comp(f); kNone: its direction decides.
+/// The kind of a face, set by the operation that made it, for comp(f). For kNone the direction of the face decides.
 enum class FaceTag : std::uint8_t { kNone, kTop, kSide, kBottom, kVertical, kInside, kBorder };
 
 /// Plane metres, z up. Outer counter-clockwise seen from where the normal points, holes clockwise.
@@ -20,29 +20,29 @@ struct Face {
   Ring3 outer;
   std::vector<Ring3> holes;
   FaceTag tag = FaceTag::kNone;
-  bool street = false;                     ///< Stands along the street.
-  std::vector<std::uint8_t> street_edges;  ///< Per edge of `outer`; or empty: none runs along the street.
+  bool street = false;                     ///< Is a wall along a street.
+  std::vector<std::uint8_t> street_edges;  ///< Per edge of `outer`, 1 if along a street; empty for none.
   bool operator==(const Face&) const = default;
 };
 
-/// All that lies where dot(normal, p) = offset. `normal` has length 1.
+/// The points p where dot(normal, p) = offset_m. `normal` has length 1.
 struct CutPlane {
   Vec3 normal;
   double offset_m = 0;
 };
 
-/// Nearer to a plane than this is on it: far above what rounding moves in a city, far below what one sees.
+/// Points nearer to a plane than this are on it: 6e-8 m, above the rounding error of coordinates up to 100 km.
 inline constexpr double kOnPlane_m = 0x1p-24;
 
-/// Twice the area, as a vector along the normal. O(n).
+/// Twice the area, as a vector along the normal (Newell). O(n).
 Vec3 area_vector_m2(std::span<const Vec3> ring);
 Vec3 area_vector_m2(const Face& face);
-/// Of length 1; {0, 0, 0} for a face without area.
+/// The unit normal of the outer ring; {0, 0, 0} for a face without area.
 Vec3 normal_of(const Face& face);
 double area_m2(const Face& face);
 Face reversed(const Face& face);
-/// How far its corners lie apart along its normal; 0 if that is no more than kOnPlane_m. Roofs' are rounded, so that
-/// they are flat to a millimetre: pieces of one lie so far from it as others would triangulate it. O(n).
+/// The extent of the corners along the normal; 0 if it is at most kOnPlane_m. Roof planes have rounded corners and are
+/// planar to about a millimetre; this bounds the distance between two triangulations of a face. O(n).
 double bend_m(const Face& face);
 
 /// Calls `with` on every vertex.
@@ -57,18 +57,20 @@ void each_vertex(const Face& face, Visitor with) {
   each_vertex(const_cast<Face&>(face), [&](const Vec3& p) { with(p); });
 }
 
+double distance_to_segment_m(Vec3 p, Vec3 a, Vec3 b);
 std::size_t vertex_count(std::span<const Face> faces);
 
-/// A right-handed frame of the face's plane: x along its first edge with a length, in the plane; z its normal; origin
-/// its first point.
+/// A right-handed frame of the face's plane: the first point as origin, x along the first edge that is not degenerate,
+/// z along the normal.
 struct FaceFrame {
   Vec3 origin, x, y, z;
   Vec2 to_plane(Vec3 p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
   Vec3 to_space(Vec2 p) const { return origin + x * p.x + y * p.y; }
 };
 FaceFrame frame_of(const Face& face);
+/// The face in the coordinates of the frame.
 Polygon flat(const Face& face, const FaceFrame& frame);
-/// Back into space; points that lie within `snap_m` of a vertex of `like` become that vertex, bit for bit.
+/// The polygon back in space. Points within `snap_m` of a vertex of `like` become that vertex, bit for bit.
 Face lifted(const Polygon& polygon, const FaceFrame& frame, const Face& like, double snap_m);
 
 }  // namespace citykiln::grammars

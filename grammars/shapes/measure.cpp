@@ -8,7 +8,7 @@ namespace {
 
 bool is_right_angle(Vec3 a, Vec3 b) { return std::abs(dot(unit(a), unit(b))) < 1e-6; }
 
-bool turns_back(const Face& face) {
+bool has_reflex_corner(const Face& face) {
   const Vec3 normal = normal_of(face);
   const std::size_t n = face.outer.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -19,8 +19,8 @@ bool turns_back(const Face& face) {
   return !face.holes.empty();
 }
 
-// three times the volume of the cone from `apex` to the face
-double cone_m3(const Face& face, Vec3 apex) { return dot(area_vector_m2(face) * 0.5, face.outer.front() - apex); }
+// Three times the volume of the pyramid from `apex` over the face.
+double pyramid_m3(const Face& face, Vec3 apex) { return dot(area_vector_m2(face) * 0.5, face.outer.front() - apex); }
 
 }  // namespace
 
@@ -43,7 +43,7 @@ double height_m(const Shape& shape) {
 
 double volume_m3(const Shape& shape) {
   double sum = 0;
-  for (const Face& face : shape.faces) sum += cone_m3(face, shape.scope.origin);
+  for (const Face& face : shape.faces) sum += pyramid_m3(face, shape.scope.origin);
   return sum / 3;
 }
 
@@ -55,6 +55,6 @@ bool is_rectangular(const Shape& shape) {
   return true;
 }
 
-bool is_concave(const Shape& shape) { return std::any_of(shape.faces.begin(), shape.faces.end(), turns_back); }
+bool is_concave(const Shape& shape) { return std::any_of(shape.faces.begin(), shape.faces.end(), has_reflex_corner); }
 
 }  // namespace citykiln::grammars

@@ -1,4 +1,4 @@
-// What expressions can measure of a shape.
+// Measures of a shape that expressions can use.
 #pragma once
 
 #include "grammars/shapes/shape.h"
@@ -6,9 +6,9 @@
 namespace citykiln::grammars {
 
 double surface_m2(const Shape& shape);
-/// From the lowest to the highest vertex; 0 without faces.
+/// The height difference between the highest and the lowest vertex; 0 without faces.
 double height_m(const Shape& shape);
-/// By the divergence theorem: of a closed surface its volume, of another one no more than a number.
+/// The volume of a closed surface, by the divergence theorem. For an open surface the number has no meaning.
 double volume_m3(const Shape& shape);
 bool is_rectangular(const Shape& shape);
 bool is_concave(const Shape& shape);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <initializer_list>
 #include <iterator>
 #include <vector>
@@ -11,7 +12,9 @@
 
 namespace citykiln::grammars {
 
-/// Points in turn, as a vector has them. Most rings have four: those need no memory of their own.
+/// The points of a closed polygon in order; the first is not repeated at the end. Storage for four points is inline,
+/// because most faces are quadrilaterals. Converts to std::span<const Vec3>, which boost::container::small_vector does
+/// not.
 class Ring3 {
  public:
   using value_type = Vec3;
@@ -19,10 +22,10 @@ class Ring3 {
   using const_iterator = const Vec3*;
 
   Ring3() = default;
-  Ring3(std::initializer_list<Vec3> points) { insert(end(), points.begin(), points.end()); }
+  Ring3(std::initializer_list<Vec3> points) { append(points.begin(), points.end()); }
   template <typename Iterator>
   Ring3(Iterator from, Iterator to) {
-    insert(end(), from, to);
+    append(from, to);
   }
 
   std::size_t size() const { return many_.empty() ? few_count_ : many_.size(); }
@@ -47,34 +50,30 @@ class Ring3 {
     if (many_.empty() && few_count_ < few_.size()) {
       few_[few_count_++] = p;
     } else {
-      grow();
+      if (many_.empty()) many_.assign(few_.begin(), few_.begin() + few_count_);
+      few_count_ = 0;
       many_.push_back(p);
     }
   }
   void pop_back() {
+    assert(!empty());
     if (many_.empty()) {
       --few_count_;
     } else {
       many_.pop_back();
     }
   }
-  /// At the end only.
   template <typename Iterator>
-  void insert(const Vec3*, Iterator from, Iterator to) {
+  void append(Iterator from, Iterator to) {
     for (; from != to; ++from) push_back(*from);
   }
 
   friend bool operator==(const Ring3& a, const Ring3& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
 
  private:
-  void grow() {
-    if (many_.empty()) many_.assign(few_.begin(), few_.begin() + few_count_);
-    few_count_ = 0;
-  }
-
   std::array<Vec3, 4> few_;
   std::size_t few_count_ = 0;
-  std::vector<Vec3> many_;  ///< All of them, where they are more.
+  std::vector<Vec3> many_;  ///< All points, if there are more than four.
 };
 
 }  // namespace citykiln::grammars

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace citykiln::grammars {
 
@@ -16,8 +15,7 @@ std::array<Vec3, 8> Scope::corners() const {
 double Scope::diagonal_m() const { return length(Vec3{size_m[0], size_m[1], size_m[2]}); }
 
 Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis, Vec3 origin_if_empty) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low = {kInfinite, kInfinite, kInfinite}, high = {-kInfinite, -kInfinite, -kInfinite};
+  std::array<double, 3> low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const Face& face : faces) {
     for (const Vec3 p : face.outer) {
       for (int i = 0; i < 3; ++i) {
@@ -30,7 +28,7 @@ Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis,
   if (!(low[0] <= high[0])) return scope;
   scope.origin = axis[0] * low[0] + axis[1] * low[1] + axis[2] * low[2];
   for (int i = 0; i < 3; ++i) scope.size_m[i] = high[i] - low[i];
-  // a flat face's thickness is rounding
+  // the thickness of a planar face is rounding error
   for (double& size_m : scope.size_m) size_m = size_m < kOnPlane_m ? 0 : size_m;
   return scope;
 }
@@ -38,7 +36,7 @@ Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis,
 std::array<Vec3, 3> axes_of(const Face& face) { return axes_of(face, normal_of(face)); }
 
 std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal) {
-  // the sine of the angle to the vertical under which a face counts as level: half a degree
+  // the sine of half a degree
   constexpr double kLevel = 0.0087;
   const Vec3 foot = cross(Vec3{0, 0, 1}, normal);
   if (length(foot) < kLevel) {
@@ -52,7 +50,7 @@ std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal) {
 NearestAxis nearest_axis(const Scope& scope, Vec3 direction) {
   NearestAxis best;
   double best_cosine = -1;
-  // equal ones go to z, then x: the face's own frame first
+  // of equal axes z is preferred, then x
   for (const int i : {2, 0, 1}) {
     const double cosine = dot(scope.axis[i], direction);
     if (std::abs(cosine) <= best_cosine + 1e-9) continue;

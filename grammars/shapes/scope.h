@@ -8,8 +8,8 @@
 
 namespace citykiln::grammars {
 
-/// As in CGA, y is up in a building's scope, and z is a face's normal. Axes have length 1, right-handed, and are given
-/// in plane metres (z up there).
+/// As in CGA, y points up in a building's scope and z along the normal of a face. Axes are unit vectors, right-handed,
+/// in plane coordinates (metres, z up).
 struct Scope {
   Vec3 origin;
   std::array<Vec3, 3> axis = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};
@@ -23,16 +23,16 @@ struct Scope {
   double diagonal_m() const;
 };
 
-/// The box of all vertices along these axes; where there are none, no size at the axes' origin.
+/// The bounding box of the outer rings along `axis`. Without vertices: no size, at `origin_if_empty`.
 Scope scope_around(std::span<const Face> faces, const std::array<Vec3, 3>& axis, Vec3 origin_if_empty);
 
-/// Axes of a face: z its normal; x level, along the face's foot as seen from outside; y up in the face. Of a face that
-/// lies level, x runs along its first edge.
+/// The axes of a face: z along its normal; x horizontal, along its lower edge as seen from outside; y up in the face.
+/// In a horizontal face (within half a degree) x is along the first edge.
 std::array<Vec3, 3> axes_of(const Face& face);
-/// The same, of a face with this normal.
+/// The same for a known normal.
 std::array<Vec3, 3> axes_of(const Face& face, Vec3 normal);
 
-/// Of the scope's axes, the one nearest to this direction, and whether it points against it.
+/// The axis of the scope that is nearest to a direction, and whether it points against it.
 struct NearestAxis {
   int axis = 0;
   bool against = false;

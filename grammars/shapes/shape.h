@@ -1,4 +1,4 @@
-// Shapes: what rules are about.
+// Shapes: what rules are applied to.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace citykiln::grammars {
 
-/// A surface's material: names and numbers; what they look like is decided by whoever takes the terminals.
+/// The material of a surface as rules set it. The caller of derive() decides what a name looks like.
 struct Appearance {
-  std::string name;                     ///< material.name, e.g. "brick"; "" where no rule has set it.
+  std::string name;                     ///< material.name, e.g. "brick"; "" if no rule has set it.
   std::string colour_map;               ///< texture("…").
   double red = 1, green = 1, blue = 1;  ///< sRGB, 0 … 1.
   double opacity = 1, roughness = 1, metallic = 0;
@@ -22,42 +22,53 @@ struct Appearance {
   auto operator<=>(const Appearance&) const = default;
 };
 
-/// Texture coordinates as a function of the place: u = dot(p - origin, u_per_m), v likewise; 1 is the picture's width.
+/// Texture coordinates as an affine function of position: u = dot(p - origin, u_per_m), and v alike. The texture covers
+/// 0 to 1.
 struct TextureProjection {
   Vec3 origin;
   Vec3 u_per_m, v_per_m;
   bool operator==(const TextureProjection&) const = default;
 };
 
-/// A count and this one's place in it: split.index of split.total.
-struct Position {
+/// The place of a shape in a split or comp: index of total. Successors inherit it.
+struct SiblingIndex {
   double index = 0, total = 0;
-  /// The shape (Shape::birth) that was given it; its successors inherit it. Until that shape is born, ~0.
-  std::uint32_t since = ~0u;
+  /// The derivation node to which it was assigned (Shape::node); ~0 until that node exists.
+  std::uint32_t since_node = ~0u;
 };
 
-/// Attributes that set() has changed, by index into Program::attributes.
+/// Attributes changed by set(), by index into Program::attributes.
 using AttributeSet = std::map<std::uint32_t, Value>;
 
 struct Shape {
-  StableId id{};  ///< Of what a derivation begins with; of others Run::id_of() tells.
+  StableId id{};  ///< Of the first shape of a derivation; Run::id_of() computes the others.
   Scope scope;
   std::vector<Face> faces;
   Scope parent_scope;  ///< For center().
-  std::string asset;   ///< i("…"): what stands in the scope instead of faces.
-  Position in_split, in_comp;
-  // into the tables of the derivation, whose first entries are what a lot has: 0
-  std::uint32_t look = 0;
-  std::uint32_t projection = 0;  ///< A texture frame set up; not on the surface yet.
-  std::uint32_t texture = 0;     ///< A texture frame on the surface.
-  std::uint32_t attributes = 0;  ///< An AttributeSet.
-  std::uint32_t birth = 0;       ///< Which shape of the derivation this is.
+  std::string asset;   ///< The instance of i("…") that fills the scope instead of faces; "" for none.
+  SiblingIndex in_split, in_comp;
+  // indices into Tables; 0 is the default
+  std::uint32_t appearance = 0;
+  std::uint32_t projection = 0;  ///< A texture projection set up, but not applied yet.
+  std::uint32_t texture = 0;     ///< The texture projection applied to the surface.
+  std::uint32_t attributes = 0;
+  std::uint32_t node = 0;  ///< Index into Run::nodes.
 };
 
-/// All that a successor inherits, but for the faces: those are its own.
+/// A copy of all that a successor inherits: everything but the faces.
 inline Shape inherited_from(const Shape& from) {
-  return {from.id,   from.scope,      {},           from.parent_scope, from.asset, from.in_split, from.in_comp,
-          from.look, from.projection, from.texture, from.attributes,   from.birth};
+  return {.id = from.id,
+          .scope = from.scope,
+          .faces = {},
+          .parent_scope = from.parent_scope,
+          .asset = from.asset,
+          .in_split = from.in_split,
+          .in_comp = from.in_comp,
+          .appearance = from.appearance,
+          .projection = from.projection,
+          .texture = from.texture,
+          .attributes = from.attributes,
+          .node = from.node};
 }
 
 /// Fits the scope to the faces, keeping its axes.

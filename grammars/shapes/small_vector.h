@@ -1,4 +1,4 @@
-// Lists that nearly always have few entries: those need no memory of their own.
+// Vectors with inline storage for lists that usually have few entries.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -7,14 +7,14 @@
 
 namespace citykiln::grammars {
 
-/// As std::vector, with room for `count` entries in itself.
+/// A vector with inline storage for `count` entries.
 template <typename Entry, std::size_t count>
 using SmallVector = boost::container::small_vector<Entry, count>;
 
-/// Its iterators do not tell std::span that they are pointers.
+/// All entries. Needed because Boost's iterators are not contiguous iterators in the sense of std::span.
 template <typename Entry, std::size_t count>
-std::span<const Entry> all_of(const SmallVector<Entry, count>& few) {
-  return {few.data(), few.size()};
+std::span<const Entry> span_of(const SmallVector<Entry, count>& entries) {
+  return {entries.data(), entries.size()};
 }
 
 }  // namespace citykiln::grammars

@@ -1,6 +1,7 @@
 #include "grammars/shapes/tables.h"
 
 #include <bit>
+#include <cassert>
 
 namespace citykiln::grammars {
 namespace {
@@ -20,15 +21,18 @@ std::uint32_t found_or_added(std::vector<Entry>& table, IndexOf& index_of, const
 
 }  // namespace
 
-std::size_t AppearanceHash::operator()(const Appearance& look) const {
-  std::uint64_t hash = look.name.size();
+std::size_t AppearanceHash::operator()(const Appearance& appearance) const {
+  std::uint64_t hash = appearance.name.size();
   const auto add = [&](std::uint64_t word) { hash = (hash ^ word) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32; };
-  for (const char c : look.name) add(static_cast<unsigned char>(c));
-  for (const double v : {look.red, look.green, look.blue, look.opacity}) add(std::bit_cast<std::uint64_t>(v));
+  for (const char c : appearance.name) add(static_cast<unsigned char>(c));
+  for (const double v : {appearance.red, appearance.green, appearance.blue, appearance.opacity})
+    add(std::bit_cast<std::uint64_t>(v));
   return hash;
 }
 
-std::uint32_t Tables::index_of(const Appearance& look) { return found_or_added(looks, appearance_of, look); }
+std::uint32_t Tables::index_of(const Appearance& appearance) {
+  return found_or_added(appearances, appearance_of, appearance);
+}
 std::uint32_t Tables::index_of(const AttributeSet& set) {
   return found_or_added(attribute_sets, attribute_set_of, set);
 }
@@ -36,6 +40,7 @@ std::uint32_t Tables::add(const TextureProjection& texture) { return append(text
 std::uint32_t Tables::add(AppearanceAreas areas) { return append(appearance_areas, std::move(areas)); }
 
 std::optional<TextureProjection> Tables::texture_at(std::uint32_t index) const {
+  assert(index < textures.size());
   if (index == 0) return std::nullopt;
   return textures[index];
 }

@@ -1,4 +1,4 @@
-// What shapes share: looks, texture frames and changed attributes stand in tables, and shapes point into them.
+// Tables of a derivation: appearances, texture projections and changed attributes, which shapes refer to by index.
 #pragma once
 
 #include <map>
@@ -10,27 +10,27 @@
 
 namespace citykiln::grammars {
 
-/// Square metres by look.
+/// Areas in square metres, by index of the appearance.
 using AppearanceAreas = std::map<std::uint32_t, double>;
 
 struct AppearanceHash {
-  std::size_t operator()(const Appearance& look) const;
+  std::size_t operator()(const Appearance& appearance) const;
 };
 
-/// Entry 0 of each is what a lot has: the default, or nothing. Entries never change.
+/// Entry 0 of each table is the default of a first shape. Entries never change.
 struct Tables {
-  std::vector<Appearance> looks = {Appearance{}};
-  std::vector<TextureProjection> textures = {
-      TextureProjection{}};  ///< In the order in which they were made; twins stay apart.
+  std::vector<Appearance> appearances = {Appearance{}};
+  std::vector<TextureProjection> textures = {TextureProjection{}};  ///< In order of creation; may contain duplicates.
   std::vector<AttributeSet> attribute_sets = {AttributeSet{}};
   std::vector<AppearanceAreas> appearance_areas = {AppearanceAreas{}};
-  std::unordered_map<Appearance, std::uint32_t, AppearanceHash> appearance_of = {
-      {Appearance{}, 0}};  ///< Looked up, never gone through.
+  /// Not iterated, so that its order has no effect.
+  std::unordered_map<Appearance, std::uint32_t, AppearanceHash> appearance_of = {{Appearance{}, 0}};
   std::map<AttributeSet, std::uint32_t> attribute_set_of = {{AttributeSet{}, 0}};
 
-  /// Where the table has it, now if not before.
-  std::uint32_t index_of(const Appearance& look);
+  /// The index of the entry, which is added if the table does not contain it.
+  std::uint32_t index_of(const Appearance& appearance);
   std::uint32_t index_of(const AttributeSet& set);
+  /// The index of a new entry.
   std::uint32_t add(const TextureProjection& texture);
   std::uint32_t add(AppearanceAreas areas);
   /// std::nullopt for 0.

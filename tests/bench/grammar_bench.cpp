@@ -51,8 +51,8 @@ void derive_houses(benchmark::State& state, House house) {
   if (!house.program) return state.SkipWithError(to_string(house.program.error()).c_str());
   const Polygon footprint{{{0, 0}, {house.width_m, 0}, {house.width_m, house.depth_m}, {0, house.depth_m}}, {}};
   house.options.tolerance_m = static_cast<double>(state.range(0)) / 1000;
-  house.options.copies = state.range(1) > 0;
-  house.options.ahead = state.range(1) > 1;
+  house.options.memoise = state.range(1) > 0;
+  house.options.prune_early = state.range(1) > 1;
   std::uint64_t houses = 0, triangles = 0;
   for (auto _ : state) {
     const Shape first = lot(footprint, 0, 0, StableId{++houses}, {0});
@@ -70,7 +70,7 @@ void read_house(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(read_rules("grammars/town_house.cga", beside));
 }
 
-// tolerance in millimetres; 0 without instances, 1 with instances, 2 with precomputed bounds too
+// tolerance in millimetres; saves: 0 nothing, 1 memoise, 2 prune_early too
 const std::vector<std::vector<std::int64_t>> kLevels = {{0, 100, 500, 2500}, {0, 1, 2}};
 BENCHMARK(derive_old_town)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);
 BENCHMARK(derive_flats)->ArgNames({"mm", "saves"})->ArgsProduct(kLevels)->Unit(benchmark::kMillisecond);

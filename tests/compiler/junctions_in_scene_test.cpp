@@ -114,7 +114,7 @@ TEST_P(JunctionsOfTilesReal, AreDerivedFromTheTilesRoads) {
   for (const scene::Chunk& chunk : whole->scene.chunks) {
     const Box2 inside = scene::box_of(whole->scene.header, chunk.tile).widened(-8 * roads::kJunctionRadius_m);
     const auto within = [&](std::vector<roads::Junction> junctions) {
-      std::erase_if(junctions, [&](const roads::Junction& j) { return !inside.contains(j.places.front()); });
+      std::erase_if(junctions, [&](const roads::Junction& j) { return !inside.contains(j.nodes.front()); });
       return junctions;
     };
     Report ignored;

@@ -19,8 +19,8 @@ DeriveOptions options_of(Choices& choices) {
   options.tolerance_m = choices.of(kTolerances_m);
   options.keep_appearances = choices.one_in(2);
   options.keep_start = choices.one_in(4);
-  options.ahead = choices.one_in(2);
-  options.copies = !choices.one_in(4);
+  options.prune_early = choices.one_in(2);
+  options.memoise = !choices.one_in(4);
   if (choices.one_in(2)) options.roofs = form_roofs(0.02);
   if (choices.one_in(4)) options.occlusion = occlusion_by({{{{{9, -4}, {30, -4}, {30, 20}, {9, 20}}, {}}, 0, 7}});
   return options;

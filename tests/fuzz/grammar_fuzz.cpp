@@ -13,11 +13,11 @@ namespace {
 using namespace citykiln;
 using namespace citykiln::grammars;
 
-Derivation derived(const Program& program, double tolerance_m, bool ahead = false) {
+Derivation derived(const Program& program, double tolerance_m, bool prune_early = false) {
   DeriveOptions options;
   options.limits = {24, 400, 60'000};
   options.tolerance_m = tolerance_m;
-  options.ahead = ahead;
+  options.prune_early = prune_early;
   const Polygon footprint{{{0, 0}, {12, 0}, {12, 5}, {5, 5}, {5, 9}, {0, 9}}, {}};
   return derive(program, lot(footprint, 2, 0, StableId{7}, {0}), options);
 }

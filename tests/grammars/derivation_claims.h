@@ -1,4 +1,4 @@
-// What every derivation keeps, whatever its rules and its footprint.
+// The guarantees of derive.h, tested for any rules and footprint.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ inline bool is_finite(const Derivation& derivation) {
   return all;
 }
 
-/// Near enough for doubles to measure it.
+/// True if the surface is near enough to the origin to be measured in doubles.
 inline bool is_near(const std::vector<Triangle3>& surface) {
   constexpr double kNear_m = 1000;
   return std::all_of(surface.begin(), surface.end(), [](const Triangle3& t) {
@@ -36,28 +36,28 @@ inline bool are_same(const Derivation& a, const Derivation& b) {
   return same;
 }
 
-/// Derives whole and at the options' tolerance; says what is not as derive.h has it, or "".
-/// @param is_sound  The shape's faces do not cross themselves, so that distances mean something.
+/// Derives at tolerance 0 and at that of the options. Returns the guarantee that does not hold, or "".
+/// @param is_sound  The faces of the shape do not cross themselves, so distances can be measured.
 template <typename Chance>
 std::string broken_claim(const Program& program, const Shape& shape, DeriveOptions options, bool is_sound,
                          Chance chance) {
   const Derivation cut = derive(program, shape, options);
   const double tolerance_m = std::exchange(options.tolerance_m, 0);
-  const bool ahead = options.ahead;
+  const bool prune_early = options.prune_early;
   const Derivation whole = derive(program, shape, options);
   if (!is_finite(whole) || !is_finite(cut)) return "a vertex is not finite";
   if (!are_same(whole, derive(program, shape, options))) return "twice is not the same";
   if (!(cut.error_m <= tolerance_m) || whole.error_m != 0) return "the error is over the tolerance";
-  if (!ahead && (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
+  if (!prune_early && (whole.shapes != cut.shapes || whole.steps != cut.steps || whole.limits.size() != cut.limits.size()))
     return "a tolerance changes what is counted";
-  // what a limit has ended, fewer shapes may reach
-  if (ahead && !whole.limits.empty()) return "";
+  // with fewer shapes a limit may not apply
+  if (prune_early && !whole.limits.empty()) return "";
   if (cut.terminals.empty() != whole.terminals.empty()) return "all is gone at a tolerance";
   const auto fine = triangles_of(whole), coarse = triangles_of(cut);
   if (!is_sound || fine.empty() || coarse.empty() || fine.size() > 1500 || has_assets(whole)) return "";
   if (!is_near(fine)) return "";
   const double measured_m = std::max(sampled_m(fine, coarse, 40, chance), sampled_m(coarse, fine, 40, chance));
-  // what slivers of triangles leave of a double
+  // a margin for the rounding of sliver triangles
   if (measured_m > cut.error_m + 1e-4)
     return "off by " + std::to_string(measured_m) + " m, stated " + std::to_string(cut.error_m);
   return "";

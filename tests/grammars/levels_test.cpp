@@ -1,4 +1,4 @@
-// Certified levels: what is cut at a tolerance lies within the error that is stated for it.
+// Levels of detail: a surface simplified at a tolerance is within its stated error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "grammars/derivation/memo.h"
 #include "tests/grammars/on_lot.h"
+#include "tests/grammars/plain_roof.h"
 #include "tests/grammars/surfaces.h"
 
 namespace citykiln::grammars {
@@ -23,7 +24,7 @@ struct Levels : testing::Test {
     return grammars::sampled_m(from, to, 300, [&] { return chance(); });
   }
 
-  /// A rule's name below `level`, or a terminal or nothing.
+  /// The name of a rule below `level`, a terminal or NIL.
   std::string successor(int level) {
     const unsigned kind = chance() % 8;
     if (kind == 0) return "NIL";
@@ -50,7 +51,7 @@ struct Levels : testing::Test {
     return text + " }";
   }
 
-  /// Ends a rule: splits and the like.
+  /// The last statement of a rule: a split, comp or successor.
   std::string ending(int level) {
     switch (chance() % 8) {
       case 0:
@@ -112,7 +113,7 @@ struct Levels : testing::Test {
   }
 };
 
-TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
+TEST_F(Levels, SimplifiedSurfacesLieWithinTheStatedError) {
   int cut_ones = 0;
   double tightest = 0;
   for (int round = 0; round < 600; ++round) {
@@ -120,14 +121,15 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
     const Program program = program_of(text);
     const Shape first = lot_of(between(3, 12), between(3, 12));
     DeriveOptions options;
+    options.roofs = plain_roof;
     options.limits.shapes = 400;
     const Derivation whole = derive(program, first, options);
     const auto full = triangles_of(whole);
     if (full.empty() || full.size() > 2500) continue;
     for (const double tolerance_m : {0.05, 0.2, 0.6, 2.0, 8.0}) {
       options.tolerance_m = tolerance_m;
-      // what a limit has ended, fewer shapes may reach
-      options.ahead = round % 2 == 1 && whole.limits.empty();
+      // with fewer shapes a limit may not apply
+      options.prune_early = round % 2 == 1 && whole.limits.empty();
       const Derivation derivation = derive(program, first, options);
       const auto cut = triangles_of(derivation);
       ASSERT_LE(derivation.error_m, tolerance_m);
@@ -140,12 +142,12 @@ TEST_F(Levels, CutSurfacesLieWithinTheStatedError) {
       tightest = std::max(tightest, measured_m / derivation.error_m);
     }
   }
-  // the claim is about something, and is not idle
+  // the test measures simplified surfaces, and the bound is not much too large
   EXPECT_GT(cut_ones, 200);
   EXPECT_GT(tightest, 0.9);
 }
 
-// Flat boxes have faces without area. Nothing that vanished is near them all the same.
+// Boxes without height have faces without area, which bound no distance of a vanished sibling.
 TEST_F(Levels, AreCertifiedBesideFacesWithoutArea) {
   const Program program = program_of(
       "Lot --> extrude(8.7) comp(f) { top : setback(0.4) { all : Flat | remainder = Flat } }\n"
@@ -155,15 +157,17 @@ TEST_F(Levels, AreCertifiedBesideFacesWithoutArea) {
     const Shape first = lot_of(between(3, 12), between(3, 12));
     DeriveOptions options;
     const auto full = triangles_of(derive(program, first, options));
+    ASSERT_FALSE(full.empty());
     options.tolerance_m = 0.6;
     const Derivation derivation = derive(program, first, options);
     const auto cut = triangles_of(derivation);
+    ASSERT_FALSE(cut.empty());
     EXPECT_LE(std::max(sampled_m(full, cut), sampled_m(cut, full)), derivation.error_m + 1e-6);
   }
 }
 
-// rules that are known ahead, as facades': niches, reliefs and what divides a wall
-struct AheadLevels : Levels {
+// Rules that can be pruned early, like those of facades: niches, reliefs and divisions of a wall.
+struct PrunedLevels : Levels {
   std::string relief(int level) {
     const std::string depth = chance() % 3 ? metres_text(-0.4, 0.4) : "rand(0.1, " + metres_text(0.2, 0.4) + ")";
     const char* const kEnds[] = {"front", "back", "top", "left", "side", "vertical"};
@@ -186,7 +190,7 @@ struct AheadLevels : Levels {
     }
   }
 
-  /// Decided before anything is derived, one way or the other, but where an attribute is set on the way.
+  /// A condition with a known value, except where an attribute is set on the way.
   std::string condition() {
     const char* const kConditions[] = {
         "!is_deep",         "mode == 1", "deep(0.3) > 0.5 || mode >= 2", "mode != 1 && is_deep", "mode == 2 && p(0.5)",
@@ -210,8 +214,8 @@ struct AheadLevels : Levels {
   }
 };
 
-// looks that are kept keep more of the surface, but for narrow pieces, which go to their neighbours
-struct KeptLevels : AheadLevels, testing::WithParamInterface<bool> {};
+// With appearances kept, less is simplified, except narrow pieces, which are merged into their neighbours.
+struct KeptLevels : PrunedLevels, testing::WithParamInterface<bool> {};
 
 TEST_P(KeptLevels, LieWithinTheStatedError) {
   int ended = 0;
@@ -226,7 +230,7 @@ TEST_P(KeptLevels, LieWithinTheStatedError) {
     const Derivation whole = derive(program, first, options);
     const auto full = triangles_of(whole);
     if (full.empty() || full.size() > 1500 || !whole.limits.empty()) continue;
-    options.ahead = true;
+    options.prune_early = true;
     for (const double tolerance_m : {0.2, 0.6, 2.0}) {
       options.tolerance_m = tolerance_m;
       const Derivation derivation = derive(program, first, options);
@@ -244,8 +248,8 @@ TEST_P(KeptLevels, LieWithinTheStatedError) {
   EXPECT_GT(tightest, 0.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, KeptLevels, testing::Bool(),
-                         [](const auto& row) { return row.param ? "Kept" : "LetGo"; });
+INSTANTIATE_TEST_SUITE_P(Appearances, KeptLevels, testing::Bool(),
+                         [](const auto& row) { return row.param ? "Kept" : "NotKept"; });
 
 const char* const kPanels =
     "Lot --> extrude(6) comp(f) { side : Facade | all : Roof. }\n"
@@ -255,95 +259,102 @@ const char* const kPanels =
     "}\n"
     "Sill --> color(\"#ffffff\") extrude(0.08) comp(f) { back : NIL | all : Block. }";
 
-std::map<StableId, std::uint32_t> looks_by_id(const Derivation& derivation, const std::string& name) {
-  std::map<StableId, std::uint32_t> looks;
+std::map<StableId, std::uint32_t> appearances_by_id(const Derivation& derivation, const std::string& name) {
+  std::map<StableId, std::uint32_t> appearances;
   for (const Terminal& terminal : derivation.terminals)
-    if (terminal.name == name) looks[terminal.id] = terminal.look;
-  return looks;
+    if (terminal.name == name) appearances[terminal.id] = terminal.appearance;
+  return appearances;
 }
 
-TEST_F(Levels, PiecesNarrowerThanTheToleranceGoToTheirNeighbours) {
+TEST_F(Levels, PiecesNarrowerThanTheToleranceAreMerged) {
   DeriveOptions options;
   const auto full = derived(kPanels, 10, 8, options);
-  options.keep_appearances = options.ahead = true;
+  options.keep_appearances = options.prune_early = true;
   options.tolerance_m = 0.1;
   const auto cut = derived(kPanels, 10, 8, options);
-  EXPECT_FALSE(looks_by_id(full, "Joint").empty());
-  EXPECT_TRUE(looks_by_id(cut, "Joint").empty());
-  EXPECT_TRUE(looks_by_id(cut, "Sill").empty());
+  EXPECT_FALSE(appearances_by_id(full, "Joint").empty());
+  EXPECT_TRUE(appearances_by_id(cut, "Joint").empty());
+  EXPECT_TRUE(appearances_by_id(cut, "Sill").empty());
   EXPECT_NEAR(cut.error_m, 0.08, 16 * kSame_m);
-  // what is left is who it was: it throws the same dice
-  EXPECT_EQ(looks_by_id(cut, "Glass").size(), looks_by_id(full, "Glass").size());
-  for (const auto& [id, look] : looks_by_id(full, "Glass")) EXPECT_TRUE(looks_by_id(cut, "Glass").contains(id));
+  // the other pieces keep their ids, so they draw the same random numbers
+  EXPECT_EQ(appearances_by_id(cut, "Glass").size(), appearances_by_id(full, "Glass").size());
+  for (const auto& [id, appearance] : appearances_by_id(full, "Glass"))
+    EXPECT_TRUE(appearances_by_id(cut, "Glass").contains(id));
 }
 
-// wherever rounding leaves its ends
-TEST_F(Levels, PiecesAsWideAsTheToleranceGoToo) {
+// Whatever rounding does to the ends of a piece.
+TEST_F(Levels, PiecesAsWideAsTheToleranceAreMerged) {
   const std::string front =
       "Lot --> extrude(6) comp(f) { side : color(\"#808080\") split(x) { { ~1 : Wall. | 0.1 : color(\"#ffffff\") "
       "Trim. | 0.7 : color(\"#000000\") Glass. }* | ~1 : Wall. } | all : Roof. }";
   DeriveOptions options;
-  options.keep_appearances = options.ahead = true, options.tolerance_m = 0.1;
+  options.keep_appearances = options.prune_early = true, options.tolerance_m = 0.1;
   for (double wide_m = 7; wide_m < 12; wide_m += 0.37) {
-    EXPECT_EQ(count_named(derived(front, wide_m, wide_m + 1, options), "Trim"), 0u) << wide_m;
+    const Derivation derivation = derived(front, wide_m, wide_m + 1, options);
+    EXPECT_EQ(count_named(derivation, "Trim"), 0u) << wide_m;
+    EXPECT_GT(count_named(derivation, "Glass"), 0u) << wide_m;
   }
 }
 
-TEST_F(Levels, NeighboursThatEndUnderOneNameAreOne) {
+TEST_F(Levels, AdjacentEqualTerminalsAreMerged) {
   const std::string front =
       "Lot --> extrude(6) comp(f) { side : Front | all : Roof. }\n"
       "Front --> split(x) { 0.5 : Wall. | { ~1 : Wall. | 0.7 : Glass. | ~1 : Wall. }* | 0.5 : Wall. }";
   DeriveOptions options;
   const Derivation all = derived(front, 6, 6, options);
-  options.ahead = true;
+  options.prune_early = true;
   const Derivation joined = derived(front, 6, 6, options);
   ASSERT_EQ(count_named(all, "Glass"), 8u);
   EXPECT_EQ(count_named(all, "Wall"), 24u);
   EXPECT_EQ(count_named(joined, "Wall"), 12u);
-  // what stands between them is who it was
+  // pieces between them keep their ids
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(named(all, "Glass")[i]->id, named(joined, "Glass")[i]->id);
 }
 
-std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_places(const Derivation& derivation) {
+std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> without_geometry(const Derivation& derivation) {
   std::multiset<std::tuple<StableId, std::string, std::uint32_t, bool>> made;
   for (const Terminal& terminal : derivation.terminals)
-    made.insert({terminal.id, terminal.name, terminal.look, terminal.cut});
+    made.insert({terminal.id, terminal.name, terminal.appearance, terminal.simplified});
   return made;
 }
 
-TEST_F(Levels, WhatNoShapeComesToDoesNotCountAhead) {
-  // by day no pane is open, so the front is known to stay within a decimetre before it is divided
+TEST_F(Levels, BranchesThatCannotApplyDoNotAffectTheBound) {
+  // by day no pane is open, so the front surely moves by at most a decimetre
   const std::string front =
       "attr night = 0\nattr open = 0\nLot --> extrude(6) comp(f) { side : Front | all : Roof. }\n"
       "Front --> split(x) { { ~1 : Pane }* }\nPane --> case night && p(0.5) : set(open, 1) Glass else : Glass\n"
       "Glass --> case open == 1 : NIL else : split(y) { ~1 : Light. | 0.1 : t(0, 0, 0.1) Bar. }";
   DeriveOptions options;
-  options.tolerance_m = 0.2, options.ahead = true;
+  options.tolerance_m = 0.2, options.prune_early = true;
   EXPECT_EQ(count_named(derived(front, 10, 8, options), "Front"), 4u);
   options.attributes["night"] = 1.0;
   EXPECT_EQ(count_named(derived(front, 10, 8, options), "Front"), 0u);
 }
 
 TEST_F(Levels, AreTheSameWithoutCopies) {
+  std::uint64_t copies = 0;
   for (int round = 0; round < 300; ++round) {
     const std::string text = rules();
     const Program program = program_of(text);
     const Shape first = lot_of(between(3, 12), between(3, 12));
     for (const double tolerance_m : {0.0, 0.2, 2.0}) {
       DeriveOptions options;
+      options.roofs = plain_roof;
       options.limits.shapes = 400;
       options.tolerance_m = tolerance_m;
       const Derivation copied = derive(program, first, options);
-      options.copies = false;
+      copies += copied.copied;
+      options.memoise = false;
       const Derivation own = derive(program, first, options);
       ASSERT_EQ(copied.shapes, own.shapes) << text;
       ASSERT_EQ(copied.steps, own.steps) << text;
-      ASSERT_EQ(without_places(copied), without_places(own)) << tolerance_m << "\n" << text;
+      ASSERT_EQ(without_geometry(copied), without_geometry(own)) << tolerance_m << "\n" << text;
       const auto a = triangles_of(copied), b = triangles_of(own);
       if (a.empty() || a.size() > 1000) continue;
       ASSERT_LE(std::max(sampled_m(a, b), sampled_m(b, a)), 1e-5) << text;
     }
   }
+  EXPECT_GT(copies, 1'000u);
 }
 
 const char* const kWall =
@@ -352,7 +363,7 @@ const char* const kWall =
     "Tile --> split(x) { ~1 : Wall. | 1 : split(y) { 1 : Wall. | 1.2 : Window | ~1 : Wall. } | ~1 : Wall. }\n"
     "Window --> extrude(-0.2) comp(f) { front : NIL | back : color(\"#203040\") Glass. | all : Wall. }";
 
-TEST_F(Levels, AWindowIsCutOnceItsDepthIsWithinTheTolerance) {
+TEST_F(Levels, AWindowIsSimplifiedIfItsDepthIsWithinTheTolerance) {
   DeriveOptions options;
   const auto full = derived(kWall, 10, 8, options);
   options.tolerance_m = 0.1;
@@ -364,18 +375,18 @@ TEST_F(Levels, AWindowIsCutOnceItsDepthIsWithinTheTolerance) {
   EXPECT_EQ(count_named(cut, "Facade"), 4u);
 }
 
-TEST_F(Levels, ACutNodeLooksAsMostOfItDoes) {
+TEST_F(Levels, ASimplifiedNodeHasTheAppearanceOfMostOfItsArea) {
   DeriveOptions options;
   options.tolerance_m = 1.3;
   const auto cut = derived(kWall, 10, 8, options);
-  EXPECT_NEAR(cut.looks[named(cut, "Facade").at(0)->look].red, 128 / 255.0, 1e-9);
+  EXPECT_NEAR(cut.appearances[named(cut, "Facade").at(0)->appearance].red, 128 / 255.0, 1e-9);
 }
 
-TEST_F(Levels, LooksAreKeptWhereAsked) {
+TEST_F(Levels, AppearancesAreKeptIfAsked) {
   DeriveOptions options;
   options.tolerance_m = 0.4;
   options.keep_appearances = true;
-  // a window is wider than that, so it stays a face of its own, but flat
+  // a window is wider than that, so it stays a face of its own, without depth
   const auto cut = derived(kWall, 10, 8, options);
   EXPECT_EQ(count_named(cut, "Window"), count_named(derived(kWall), "Glass"));
   options.tolerance_m = 1.3;
@@ -385,7 +396,8 @@ TEST_F(Levels, LooksAreKeptWhereAsked) {
 TEST_F(Levels, TheErrorIsZeroWithoutATolerance) {
   const auto full = derived(kWall);
   EXPECT_EQ(full.error_m, 0);
-  for (const Terminal& terminal : full.terminals) EXPECT_FALSE(terminal.cut);
+  EXPECT_FALSE(full.terminals.empty());
+  for (const Terminal& terminal : full.terminals) EXPECT_FALSE(terminal.simplified);
 }
 
 }  // namespace

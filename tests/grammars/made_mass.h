@@ -1,4 +1,4 @@
-// Masses of buildings, as the compiler makes them for rules: a closed body of tagged faces.
+// Closed bodies of tagged faces, as the compiler makes them for rules.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct MadeMass {
   StableId id{1};
 };
 
-/// As compiler/buildings/mass_model.h does: gables are upright, the floor is the mass's own.
+/// Like compiler/buildings/mass_model.h: gables are tagged kVertical, the floor of the roof is left out.
 inline void add_roof(const roofs::Roof& roof, double eaves_m, std::vector<Face>& faces) {
   for (Face& face : faces_of(roof)) {
     if (face.tag == FaceTag::kBottom) continue;
@@ -41,7 +41,7 @@ inline void add_walls(const MadeMass& made, const Ring& ring, bool is_outer, std
   }
 }
 
-/// Scope x along the first edge, y up.
+/// The mass as first shape: scope x along the first edge, y up.
 inline Shape mass_of(const MadeMass& made, roofs::Form* became = nullptr) {
   Report ignored;
   const roofs::Roof roof = roofs::generate_roof(made.footprint, made.roof, 0.02, {}, ignored);

@@ -110,7 +110,7 @@ struct RuleWriter {
   std::string successor() {
     if (choices.one_in(8)) return "NIL";
     if (level + 1 >= kRules || choices.one_in(5)) return "End.";
-    // to itself or back: limits have to end that
+    // recursion, which limits have to end
     const int to = choices.one_in(16) ? static_cast<int>(choices.below(kRules))
                                       : level + 1 + static_cast<int>(choices.below(std::size_t(kRules - level - 1)));
     if (to == 0) return "Lot";
@@ -145,7 +145,7 @@ struct RuleWriter {
   }
 
   std::string operation() { return operation_of_row(choices.of(operation_table())); }
-  // what houses are made of: one that hands pieces on
+  // an operation with selectors, as in rules of houses
   std::string division() {
     std::vector<OperationRow> rows;
     for (const OperationRow& row : operation_table())
@@ -216,7 +216,7 @@ Ring steps(Choices& choices) {
   return ring;
 }
 
-// what maps should not hold, and do
+// Invalid outlines, which maps contain.
 void spoil(Choices& choices, Polygon& footprint) {
   Ring& ring = footprint.outer;
   switch (choices.below(6)) {

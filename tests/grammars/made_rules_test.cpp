@@ -31,7 +31,7 @@ TEST_F(MadeRules, ParseWhateverTheChoices) {
   }
 }
 
-// Seeds at which something was found, and another.
+// Seeds that have found errors, and another.
 struct MadeRulesOf : MadeRules, testing::WithParamInterface<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, MadeRulesOf, testing::Values(2, 3, 9, 44, 58));
 
@@ -49,7 +49,7 @@ TEST_P(MadeRulesOf, KeepEveryClaimOnAnyFootprint) {
     DeriveOptions options;
     options.limits = {24, 400, 60'000};
     options.tolerance_m = kTolerances_m[round % 5];
-    options.keep_appearances = round % 2 == 0, options.ahead = round % 3 == 0, options.copies = round % 4 != 0;
+    options.keep_appearances = round % 2 == 0, options.prune_early = round % 3 == 0, options.memoise = round % 4 != 0;
     if (round % 8 < 4) options.roofs = form_roofs(0.02);
     ASSERT_EQ(broken_claim(*program, shape, options, is_sound(footprint), [&] { return chance(); }), "")
         << "round " << round << " at " << options.tolerance_m << " m\n"

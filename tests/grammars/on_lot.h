@@ -20,7 +20,7 @@ inline Polygon rectangle(double width_m, double depth_m) {
   return {{{0, 0}, {width_m, 0}, {width_m, depth_m}, {0, depth_m}}, {}};
 }
 
-/// A lot of this size whose edges 0 (in front, to the south) runs along the street.
+/// A lot of this size whose edge 0 (the front, to the south) is along the street.
 inline Shape lot_of(double width_m, double depth_m, std::uint64_t id = 1) {
   return lot(rectangle(width_m, depth_m), 0, 0, StableId{id}, {0});
 }
@@ -50,8 +50,8 @@ inline double area_m2_of(const Derivation& derivation, const std::string& name) 
   return sum;
 }
 
-/// The first trouble, as a line; "" if there is none.
-inline std::string first_trouble(const std::string& text) {
+/// The first warning as a line; "" if there is none.
+inline std::string first_warning(const std::string& text) {
   const Program program = program_of(text);
   const Derivation derivation = derive(program, lot_of(10, 8), {});
   return derivation.warnings.empty() ? "" : warning_line(program, derivation.warnings.front());

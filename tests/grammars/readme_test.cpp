@@ -1,8 +1,8 @@
-// What the README shows is what the room does.
+// The examples and tables of the README agree with the code.
 #include <gtest/gtest.h>
 
 #include "grammars/language/builtin.h"
-#include "grammars/operations/table.h"
+#include "grammars/language/operation_table.h"
 #include "tests/grammars/on_lot.h"
 #include "tests/grammars/rule_files.h"
 

@@ -1,4 +1,4 @@
-// Texts of the source tree, for tests that read rules.
+// Reads files of the source tree, for tests of rules.
 #pragma once
 
 #include <fstream>
@@ -18,7 +18,7 @@ inline Result<std::string> text_of_tree(const std::string& path) {
   return text.str();
 }
 
-/// As imports name them: "villa.cga", "parts/window.cga".
+/// The text of a shipped rule file, named as in imports: "villa.cga", "parts/openings.cga".
 inline Result<std::string> shipped(const std::string& file) { return text_of_tree("grammars/rules/" + file); }
 
 }  // namespace citykiln::grammars

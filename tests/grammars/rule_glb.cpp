@@ -1,9 +1,9 @@
-// Looks at rules: dresses masses by rule files and writes them as a tile on a street.
+// Writes what rule files make of masses, as a tile on a street.
 //   rule_glb OUT.glb TOLERANCE "STYLE x=0 y=0 w=12 d=10 h=9 roof=gabled …" …
 // Keys: x y w d (place and size of the footprint), h (to the eaves), plan (rectangle L court), roof, pitch (degrees),
 // over (eaves), street and party (edges, as 02), id; others are attributes of the rule: numbers, true, or text.
-// STYLE is a file's name in grammars/rules, or a path. lot=1 begins with the footprint instead of a mass; names=1 gives
-// what no rule has coloured a colour by its name.
+// STYLE is the name of a file in grammars/rules, or a path. lot=1 begins with the footprint instead of a mass; names=1
+// colours terminals without a colour by their names.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -31,7 +31,7 @@ Result<std::string> text_in(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// What is written on one argument.
+/// One argument of the command line.
 struct Order {
   std::string style;
   Words words;
@@ -105,11 +105,11 @@ bool has(const std::string& name, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return name.find(w) != std::string::npos; });
 }
 
-// pieces of one name differ a little, so that one sees where they end
+// Pieces of one name differ a little, so that their borders are visible.
 Appearance look_by_name(const std::string& name, StableId id) {
   constexpr double kColours[][3] = {{0.80, 0.74, 0.62}, {0.66, 0.58, 0.48}, {0.55, 0.60, 0.62},
                                     {0.72, 0.55, 0.45}, {0.58, 0.62, 0.50}, {0.86, 0.83, 0.76}};
-  Appearance look;
+  Appearance appearance;
   look.name = has(name, {"Glass", "Window"}) ? "glass" : has(name, {"Roof", "Tiles"}) ? "roof_tile" : "paint";
   if (look.name == "glass") return look;
   constexpr double kTiles[3] = {0.50, 0.31, 0.25};
@@ -124,10 +124,10 @@ Appearance look_by_name(const std::string& name, StableId id) {
 
 void colour_by_names(Derivation& derivation) {
   for (Terminal& terminal : derivation.terminals) {
-    if (derivation.looks[terminal.look] != Appearance{}) continue;
-    const Appearance look = look_by_name(terminal.name, terminal.id);
-    terminal.look = static_cast<std::uint32_t>(derivation.looks.size());
-    derivation.looks.push_back(look);
+    if (derivation.appearances[terminal.appearance] != Appearance{}) continue;
+    const Appearance appearance = look_by_name(terminal.name, terminal.id);
+    terminal.appearance = static_cast<std::uint32_t>(derivation.appearances.size());
+    derivation.appearances.push_back(look);
   }
 }
 

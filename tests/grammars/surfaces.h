@@ -1,4 +1,4 @@
-// What derivations are made of, as triangles, and how far one lies from another: by points drawn on them.
+// Triangles of derivations, and distances between them at random points.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline std::vector<Triangle3> triangles_of(const Derivation& derivation) {
     for (const Face& face : terminal.faces) {
       const FaceFrame frame = frame_of(face);
       const PlaneTriangles flat_ones = triangulate(flat(face, frame));
-      // corners as they are: faces are flat but for rounding
+      // unprojected corners: faces are planar up to rounding
       std::vector<Vec3> points;
       each_vertex(face, [&](Vec3 p) { points.push_back(p); });
       for (std::size_t i = points.size(); i < flat_ones.points.size(); ++i)
@@ -39,7 +39,7 @@ inline double distance_m(Vec3 p, Vec3 a, Vec3 b) {
   return length(p - (a + ab * t));
 }
 
-/// To the nearest edge, or to the plane where the point lies over the triangle: slivers cost no digits.
+/// The distance to the nearest edge, or to the plane if the point is over the triangle. Accurate for slivers.
 inline double distance_m(Vec3 p, const Triangle3& t) {
   const double to_edge_m = std::min({distance_m(p, t.a, t.b), distance_m(p, t.b, t.c), distance_m(p, t.c, t.a)});
   const Vec3 normal = unit(cross(t.b - t.a, t.c - t.a));
@@ -54,7 +54,7 @@ inline double distance_m(Vec3 p, const std::vector<Triangle3>& surface) {
   return nearest_m;
 }
 
-/// A point of the triangle, out of three numbers; every other one lies on its border, where distances are largest.
+/// A point of the triangle from three numbers; every second one is on its border, where distances are largest.
 inline Vec3 point_on(const Triangle3& t, std::uint32_t first, std::uint32_t second, std::uint32_t border) {
   double u = first / 4294967296.0, v = second / 4294967296.0;
   if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -63,7 +63,7 @@ inline Vec3 point_on(const Triangle3& t, std::uint32_t first, std::uint32_t seco
   return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
 }
 
-/// The largest distance found from points of one surface to the other.
+/// The largest distance of sampled points of one surface from the other.
 /// @param chance  Gives 32 bits a call.
 template <typename Chance>
 double sampled_m(const std::vector<Triangle3>& from, const std::vector<Triangle3>& to, int points, Chance chance) {

@@ -1,4 +1,4 @@
-// A rule file of some size, from the file to the house: town_house.cga extrudes its lot.
+// A larger rule file, town_house.cga, from the file to the terminals.
 #include <gtest/gtest.h>
 
 #include "grammars/shapes/cut.h"
@@ -19,7 +19,7 @@ struct TownHouse : testing::Test {
   }
 };
 
-/// Of a closed surface, however its faces meet, all area vectors add up to nothing.
+/// The sum of all area vectors: 0 for a closed surface, however its faces meet.
 Vec3 open_m2(const Derivation& derivation) {
   Vec3 sum;
   for (const Terminal& terminal : derivation.terminals)
@@ -91,7 +91,7 @@ TEST_F(TownHouse, NeighboursDiffer) {
   std::set<double> reds;
   for (std::uint64_t id = 1; id <= 20; ++id) {
     const Derivation derivation = house(11, 9, {}, id);
-    reds.insert(derivation.looks[named(derivation, "Wall").at(0)->look].red);
+    reds.insert(derivation.appearances[named(derivation, "Wall").at(0)->appearance].red);
   }
   EXPECT_GT(reds.size(), 2u);
 }

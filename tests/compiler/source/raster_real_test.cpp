@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "compiler/source/spikes_to_voids.h"
 #include "tests/compiler/source/extract_text.h"

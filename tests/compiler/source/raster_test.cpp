@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 #include "tests/compiler/source/extract_text.h"
 

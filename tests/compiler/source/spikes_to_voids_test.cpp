@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "compiler/source/fill_gaps.h"
 #include "compiler/source/read_raster.h"
 
 namespace citykiln::source {

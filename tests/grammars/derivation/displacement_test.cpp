@@ -21,51 +21,50 @@ TEST(Displacement, StepsAddUpEachWay) {
 }
 
 TEST(Displacement, OfANodeIsItsChildrensWorst) {
-  const NodeTrace node = together(std::vector{kept({1, 2}, {0.5, 0.25}), kept({0, 0}, {3, 4})});
+  const NodeTrace node = combine(std::vector{kept({1, 2}, {0.5, 0.25}), kept({0, 0}, {3, 4})});
   EXPECT_EQ(node.moved.out_m, 3);
   EXPECT_EQ(node.moved.back_m, 4);
   EXPECT_FALSE(node.vanished);
 }
 
 TEST(Displacement, AnyGroupThatCoversTheNodeWillDo) {
-  const NodeTrace node = together(std::vector{kept({5, 5}, {0, 0}, 0), kept({0, 0}, {0, 1}, 1)});
+  const NodeTrace node = combine(std::vector{kept({5, 5}, {0, 0}, 0), kept({0, 0}, {0, 1}, 1)});
   EXPECT_EQ(node.moved.out_m, 5);
   EXPECT_EQ(node.moved.back_m, 1);
 }
 
 TEST(Displacement, WhatVanishedIsAsFarAsItsFarthestCornerFromASibling) {
-  const NodeTrace node = together(std::vector{kept({0, 0}, {0, 0.5}), gone({0, 0})});
-  // from x = 3 to the sibling's edge at x = 1, and then on to what became of the sibling
+  const NodeTrace node = combine(std::vector{kept({0, 0}, {0, 0.5}), gone({0, 0})});
+  // from x = 3 to the sibling's edge at x = 1, then to the sibling's result
   EXPECT_DOUBLE_EQ(node.moved.back_m, 2.5);
 }
 
 TEST(Displacement, WhatVanishedBeforeAFaceIsAsFarAsItIsBefore) {
   ChildTrace before_it = gone({0, 0});
   before_it.vertices = {{0, 0, 0.25}, {1, 0, 0.25}, {1, 1, 0.25}, {0, 1, 0.25}};
-  EXPECT_DOUBLE_EQ(together(std::vector{kept({0, 0}, {0, 0}), before_it}).moved.back_m, 0.25);
+  EXPECT_DOUBLE_EQ(combine(std::vector{kept({0, 0}, {0, 0}), before_it}).moved.back_m, 0.25);
 }
 
 TEST(Displacement, AConcaveFaceIsMeasuredToItsEdges) {
-  // the corners of what vanished lie on the L's border, its middle 3 m away
+  // the corners of the vanished child are on the border of the L, its middle is 3 m from it
   ChildTrace l = kept({0, 0}, {0, 0}), in_notch = gone({0, 0});
   l.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {1, 1, 0}, {1, 10, 0}, {0, 10, 0}};
   in_notch.vertices = {{1, 1, 0}, {10, 1, 0}, {1, 10, 0}};
-  EXPECT_GE(together(std::vector{l, in_notch}).moved.back_m, 3);
+  EXPECT_GE(combine(std::vector{l, in_notch}).moved.back_m, 3);
 }
 
-// Any sibling bounds it, so that only those next to it have to be looked at: thousands of faces would be millions of
-// pairs.
+// Only the 256 siblings on each side are tried.
 TEST(Displacement, WhatVanishedAsksTheSiblingsNextToIt) {
   std::vector<ChildTrace> children(5000, gone({0, 0}));
   for (const std::size_t i : {0, 400, 800}) children[i] = kept({0, 0}, {0, 0.5});
-  EXPECT_EQ(together(children).moved.back_m, kUnbounded_m);
+  EXPECT_EQ(combine(children).moved.back_m, kUnbounded_m);
   children.resize(1000);
-  EXPECT_DOUBLE_EQ(together(children).moved.back_m, 2.5);
+  EXPECT_DOUBLE_EQ(combine(children).moved.back_m, 2.5);
 }
 
 TEST(Displacement, WithoutSurvivorsTheNodeVanishes) {
-  EXPECT_TRUE(together(std::vector{gone({0, 0}), gone({1, 1})}).vanished);
-  EXPECT_TRUE(together({}).vanished);
+  EXPECT_TRUE(combine(std::vector{gone({0, 0}), gone({1, 1})}).vanished);
+  EXPECT_TRUE(combine({}).vanished);
 }
 
 TEST(Displacement, BetweenAnySurfacesIsTheLargestOfTheirCorners) {

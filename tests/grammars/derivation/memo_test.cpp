@@ -1,4 +1,4 @@
-// Copies: what is derived once and copied is what each derivation of its own would be.
+// Copies of equal shapes agree with their own derivations.
 #include "grammars/derivation/memo.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace citykiln::grammars {
 namespace {
 
-// away from the origin, and turned: all roundings differ
+// Away from the origin and turned, so that all rounding errors differ.
 Shape turned_lot() {
   Ring ring;
   for (const Vec2 p : {Vec2{0, 0}, Vec2{18.3, 0}, Vec2{18.3, 12.1}, Vec2{0, 12.1}})
@@ -19,7 +19,7 @@ Shape turned_lot() {
 
 Derivation derived_with(bool copies, const Program& program, const Shape& first, double tolerance_m = 0) {
   DeriveOptions options;
-  options.copies = copies;
+  options.memoise = copies;
   options.tolerance_m = tolerance_m;
   return derive(program, first, options);
 }
@@ -47,7 +47,7 @@ double apart(const std::optional<TextureProjection>& a, const std::optional<Text
 void expect_same(const Derivation& a, const Derivation& b) {
   EXPECT_EQ(a.shapes, b.shapes);
   EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.looks, b.looks);
+  EXPECT_EQ(a.appearances, b.appearances);
   EXPECT_EQ(a.printed, b.printed);
   EXPECT_EQ(a.warnings.size(), b.warnings.size());
   EXPECT_EQ(a.reports.size(), b.reports.size());
@@ -56,7 +56,9 @@ void expect_same(const Derivation& a, const Derivation& b) {
   ASSERT_EQ(a.terminals.size(), b.terminals.size());
   for (std::size_t i = 0; i < a.terminals.size(); ++i) {
     const Terminal &x = a.terminals[i], &y = b.terminals[i];
-    ASSERT_TRUE(x.id == y.id && x.name == y.name && x.look == y.look && x.path == y.path && x.cut == y.cut) << i;
+    ASSERT_TRUE(x.id == y.id && x.name == y.name && x.appearance == y.appearance && x.path == y.path &&
+                x.simplified == y.simplified)
+        << i;
     ASSERT_LT(farthest_m(x, y), 4 * kSame_m) << i << " " << path_name(a, x.path);
     ASSERT_LT(apart(x.texture, y.texture), 4 * kSame_m) << i << " " << path_name(a, x.path);
     ASSERT_NEAR(x.error_m, y.error_m, 64 * kSame_m) << i;
@@ -80,7 +82,6 @@ struct CopiedRule {
 
 struct Tiles : testing::TestWithParam<CopiedRule> {};
 
-// what the tiles below have in common is all that may be copied
 TEST_P(Tiles, AreTheSameWithoutCopies) {
   const Program program =
       program_of(std::string("attr tint = rand\nattr gap = 0.1\n"
@@ -101,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
     Table, Tiles,
     testing::Values(
         CopiedRule{"Niches", "Tile --> setback(0.3) { all = Frame. | remainder : Niche }"},
-        // tiles are divided at the same heights on both sides of their border
+        // adjacent tiles are divided at the same heights
         CopiedRule{"Borders",
                    "Tile --> split(y) { ~1 : A. | 1.07 : split(x) { ~1 : B. | 0.41 : A. | ~2 : Niche } | ~1.3 : A. }"},
         // faces without area, whose scopes have no axes
@@ -152,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
             "A --> alignScopeToAxes() s('1.1, '1, '1) comp(f) { all : B }\nB --> extrude(0.2) comp(f) { all : X. }"}),
     [](const auto& row) { return std::string(row.param.name); });
 
-// chance between a few ways is no reason to derive all windows of a house one by one
+// Random choices between a few branches do not prevent copies.
 TEST(Copies, AreMadeOfWhatTheDiceChooseToo) {
   const Program program = program_of(
       "Lot --> extrude(12) comp(f) { side : split(y) { { ~3 : split(x) { { 2 : Tile }* } }* } | all : Roof. }\n"
@@ -174,7 +175,7 @@ TEST(Copies, AreAlikeBesideTheStreetWhereNobodyAsksForIt) {
     DeriveOptions options;
     options.ids = false;
     const Derivation with = derive(program, first, options);
-    options.copies = false;
+    options.memoise = false;
     expect_same(with, derive(program, first, options));
     return with.copied;
   };
@@ -190,9 +191,10 @@ TEST(Copies, LimitsEndThemAsTheyEndRules) {
     DeriveOptions options;
     options.limits.shapes = most;
     const Derivation copied = derive(program, turned_lot(), options);
-    options.copies = false;
+    options.memoise = false;
     const Derivation own = derive(program, turned_lot(), options);
     expect_same(copied, own);
+    ASSERT_EQ(own.limits.size(), 1u);
     ASSERT_EQ(copied.limits.size(), own.limits.size());
     for (std::size_t i = 0; i < own.limits.size(); ++i) EXPECT_EQ(copied.limits[i].times, own.limits[i].times);
   }
@@ -206,7 +208,7 @@ TEST(Copies, EndWhereTheirOwnDerivationsWouldBeTooDeep) {
     DeriveOptions options;
     options.ids = false, options.limits.depth = depth;
     const Derivation copied = derive(program, turned_lot(), options);
-    options.copies = false;
+    options.memoise = false;
     const Derivation own = derive(program, turned_lot(), options);
     EXPECT_TRUE(copied.copied > 0 || !own.limits.empty()) << depth;
     expect_same(copied, own);

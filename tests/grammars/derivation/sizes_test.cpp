@@ -15,7 +15,7 @@ SizeItem share(double size, std::uint32_t leaf = 0) { return item(SizeKind::kRel
 SizeItem floats(double size, std::uint32_t leaf = 0) { return item(SizeKind::kFloating, size, leaf); }
 SizeItem repeat(std::vector<SizeItem> nested) { return {SizeKind::kRepeat, 0, 0, std::move(nested)}; }
 
-// "0:2 1:3" is a piece of leaf 0, 2 m long, then one of leaf 1, 3 m long
+// "0:2 1:3" is a piece of leaf 0, 2 m long, then one of leaf 1, 3 m long.
 std::string divided(const std::vector<SizeItem>& items, double length_m) {
   const auto intervals = intervals_of(items, length_m, 10'000);
   if (!intervals) return "too many";
@@ -122,6 +122,7 @@ double fixed_of(const std::vector<SizeItem>& items, double whole_m) {
 }
 
 TEST_F(AnySizes, CoverWithoutGapsAndNotBeyond) {
+  std::size_t count = 0, filled = 0;
   for (int round = 0; round < 20'000; ++round) {
     const std::vector<SizeItem> sizes = items(0);
     const double length_m = 0.1 + unit() * 30;
@@ -133,18 +134,23 @@ TEST_F(AnySizes, CoverWithoutGapsAndNotBeyond) {
       ASSERT_GE(interval.to_m - interval.from_m, kSliver_m / 2);
       at_m = interval.to_m;
     }
+    count += intervals->size();
     ASSERT_LE(at_m, length_m);
     // floating sizes of the outermost list end at the end, exactly
     if (holds_floats(sizes) && fixed_of(sizes, length_m) < length_m - 0.01) {
       ASSERT_EQ(at_m, length_m) << "round " << round;
+      ++filled;
     }
   }
+  EXPECT_GT(count, 50'000u);
+  EXPECT_GT(filled, 2'000u);
 }
 
 TEST_F(AnySizes, FloatingOnesKeepTheirRatio) {
   for (int round = 0; round < 5000; ++round) {
     const double a = 0.1 + unit(), b = 0.1 + unit(), fixed = unit() * 3;
     const auto intervals = intervals_of(std::vector{floats(a, 0), metres_of(fixed + 0.1, 1), floats(b, 2)}, 10, 100);
+    ASSERT_TRUE(intervals);
     ASSERT_EQ(intervals->size(), 3u);
     const double first = intervals->at(0).to_m, last = 10 - intervals->at(2).from_m;
     ASSERT_NEAR(first * b, last * a, 1e-9);
@@ -155,6 +161,7 @@ TEST_F(AnySizes, RepeatsStretchLessThanByHalf) {
   for (int round = 0; round < 5000; ++round) {
     const double wish = 0.5 + unit() * 3, length_m = wish + unit() * 30;
     const auto intervals = intervals_of(std::vector{repeat({floats(wish)})}, length_m, 1000);
+    ASSERT_TRUE(intervals && !intervals->empty());
     const double got = intervals->front().to_m;
     ASSERT_GE(got, wish / 1.5 - 1e-9);
     ASSERT_LE(got, wish * 1.5 + 1e-9);

@@ -39,13 +39,14 @@ std::uint64_t steps_of(const std::string& height, int times) {
   return derived("attr height = 9\nstorey = height / 3 + 1\nLot -->" + uses + " Block.").steps;
 }
 
-// five of the function's at each use, for each node of its value but the 4's own; one, once, of the attribute's
+// Each use takes five steps more than the literal 4, one for each node of the function's value and one for the call.
+// The attribute takes one step once.
 TEST(Constants, CountTheStepsOfEachUse) {
   for (int times = 1; times < 5; ++times)
     EXPECT_EQ(steps_of("storey", times) - steps_of("4", times), static_cast<std::uint64_t>(1 + 5 * times));
 }
 
-TEST(Constants, TellTheirTroublesEachTime) {
+TEST(Constants, RaiseTheirWarningsEachTime) {
   const Derivation derivation =
       derived("attr none = 0\nbad = 1 / none\nLot --> split(x) { { ~2 : Tile(bad) }* }\nTile(n) --> Wall.");
   ASSERT_EQ(derivation.warnings.size(), 1u);

@@ -26,7 +26,7 @@ TEST_P(Mistakes, AreNamedWithPlaceAndWhatWasExpected) { EXPECT_EQ(error_of(GetPa
 
 const Mistake kMistakes[] = {
     // words
-    {"A --> B $\n  `", "x.cga:2:3: no word begins with '`'"},
+    {"A --> B $\n  `", "x.cga:2:3: no token begins with '`'"},
     {"attr a = \"open\nA --> B", "x.cga:1:10: expected \" that ends the string, found the end of the line"},
     {"A --> B /* open", "x.cga:1:9: expected */ that ends the comment, found the end of the file"},
     {"attr a = 1e999", "x.cga:1:10: expected a number that a double can hold"},

@@ -1,4 +1,4 @@
-// What a body of triangles promises, measured.
+// Measures of triangle meshes: closed, manifold, volume, distance.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace citykiln::roofs {
 
-/// Every edge is run along once each way, no triangle names a vertex twice.
+/// True if every edge occurs once in each direction and no triangle repeats a vertex.
 inline bool is_closed(const Mesh& body) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const Triangle& t : body.triangles)
@@ -25,7 +25,7 @@ inline bool is_closed(const Mesh& body) {
   });
 }
 
-/// The triangles around every vertex are one fan.
+/// True if the triangles around every vertex are one fan.
 inline bool is_manifold_at_vertices(const Mesh& body) {
   std::vector<std::map<std::uint32_t, std::uint32_t>> around(body.positions.size());
   for (const Triangle& t : body.triangles)
@@ -44,7 +44,7 @@ inline bool is_manifold_at_vertices(const Mesh& body) {
   return true;
 }
 
-/// Cubic metres; positive where triangles look outward.
+/// The volume in cubic metres; positive if triangles are oriented outward.
 inline double volume_m3(const Mesh& body) {
   if (body.positions.empty()) return 0;
   const Vec3 o = body.positions.front();
@@ -54,7 +54,7 @@ inline double volume_m3(const Mesh& body) {
   return six / 6;
 }
 
-/// No triangle has all corners in a line.
+/// True if no triangle is degenerate.
 inline bool has_area_everywhere(const Mesh& body) {
   return std::all_of(body.triangles.begin(), body.triangles.end(), [&](const Triangle& t) {
     const Vec3 a = body.positions[t[0]];
@@ -77,7 +77,7 @@ inline double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
-/// How far corners, middles of edges and middles of triangles of one body lie from the other, at most.
+/// The largest distance of corners, midpoints of edges and centroids of triangles of one body from the other.
 inline double distance_m(const Mesh& from, const Mesh& to) {
   double farthest_m = 0;
   for (const Triangle& t : from.triangles) {

@@ -1,4 +1,4 @@
-// The footprints that roofs are tried on.
+// Footprints for roof tests.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct NamedFootprint {
   Polygon polygon;
 };
 
-/// A ring about a point, on the plane's grid.
+/// A circle on the grid of the plane.
 inline Ring circle(Vec2 centre, double radius_m, int corners) {
   Ring ring;
   for (int i = 0; i < corners; ++i)
@@ -26,7 +26,7 @@ inline Ring circle(Vec2 centre, double radius_m, int corners) {
 inline Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 inline Ring hole(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}; }
 
-/// All but the real one.
+/// Eleven footprints, from a rectangle to degenerate outlines.
 inline std::vector<NamedFootprint> made_footprints() {
   return {
       {"rectangle", {box(0, 0, 16, 10), {}}},
@@ -40,11 +40,11 @@ inline std::vector<NamedFootprint> made_footprints() {
       {"two courtyards", {box(0, 0, 40, 22), {hole(8, 7, 17, 15), hole(24, 7, 32, 15)}}},
       {"circle", {circle({8, 8}, 8, 64), {}}},
       {"sliver", {box(0, 0, 30, 0.25), {}}},
-      // two corners 8 mm apart, a wall that bends by 8 mm, a needle of a notch
+      // two corners 8 mm apart, a wall with a bend of 8 mm, a notch like a needle
       {"near-degenerate",
        {{{0, 0}, {8, -0x1p-7}, {16, 0}, {16, 0x1p-7}, {16, 10}, {9, 10}, {9 - 0x1p-7, 2}, {9 - 0x1p-6, 10}, {0, 10}},
         {}}},
-      // a bow of two squares, and a hole that hangs on a corner
+      // two squares that share a corner, and a hole that touches a corner
       {"self-touching",
        {{{0, 0}, {10, 0}, {10, 10}, {22, 10}, {22, 22}, {10, 22}, {10, 10}, {0, 10}},
         {{{10, 10}, {14, 16}, {16, 14}}}}},

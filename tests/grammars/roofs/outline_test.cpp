@@ -16,21 +16,24 @@ std::size_t corners_of(const Polygon& polygon) {
   return count;
 }
 
-TEST(EavesAbout, HaveTheCornersOfTheirWalls) {
+TEST(OffsetEaves, HaveTheCornersOfTheirWalls) {
+  int tested = 0;
   for (const char* name : {"rectangle", "L", "T", "U", "cross", "courtyard", "two courtyards", "circle", "sliver"})
     for (const NamedFootprint& footprint : made_footprints())
       if (footprint.name == name) {
         EXPECT_EQ(corners_of(offset_eaves(footprint.polygon, 0.5)), corners_of(footprint.polygon)) << name;
+        ++tested;
       }
+  EXPECT_EQ(tested, 9);
 }
 
-TEST(EavesAbout, CutOffWhatIsSharp) {
-  // a wedge's tip of 28 degrees gets two corners, the others one
+TEST(OffsetEaves, CutOffWhatIsSharp) {
+  // the tip of 28 degrees gets two corners, the others one
   EXPECT_EQ(offset_eaves({{{0, 0}, {16, -4}, {16, 4}}, {}}, 0.5).outer.size(), 4u);
 }
 
-TEST(EavesAbout, CloseWhereWallsFaceEachOtherNearer) {
-  // a yard whose way out is 0.75 m wide
+TEST(OffsetEaves, CloseWhereWallsFaceEachOtherNearer) {
+  // a yard with an entry 0.75 m wide
   const Ring ring = {{0, 0}, {12, 0}, {12, 12}, {6.75, 12}, {6.75, 9}, {9, 9},
                      {9, 3}, {3, 3},  {3, 9},   {6, 9},     {6, 12},   {0, 12}};
   const Polygon eaves = offset_eaves({ring, {}}, 0.5);
@@ -38,7 +41,7 @@ TEST(EavesAbout, CloseWhereWallsFaceEachOtherNearer) {
   EXPECT_NEAR(area_m2(eaves), 13.0 * 13.0 - 5.0 * 5.0, 1e-9);
 }
 
-// From the walls, corners and all; and from those walls that p lies before, which eaves do not cut off.
+// The distance from the walls with their corners, and from the walls that p is in front of.
 struct Distances {
   double any_m = 1e9, before_m = 1e9;
 };
@@ -55,7 +58,7 @@ Distances distances_from(Vec2 p, const Ring& ring) {
   return least;
 }
 
-// A star with random rays.
+// A star with random radii.
 Ring random_ring(const Draw& draw, std::uint32_t corners) {
   Ring ring;
   for (std::uint32_t i = 0; i < corners; ++i) {
@@ -65,7 +68,7 @@ Ring random_ring(const Draw& draw, std::uint32_t corners) {
   return ring;
 }
 
-TEST(EavesAbout, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
+TEST(OffsetEaves, CoverAllThatIsNearBeforeWallsAndNothingFarFromThem) {
   int with_eaves = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Draw draw(seed, {}, "eaves");

@@ -1,4 +1,4 @@
-// The footprints of real towns, and what roofs they are tagged with.
+// The footprints of real towns and their roof tags.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace citykiln::roofs {
 
-struct Told {
+struct TaggedFootprint {
   ObjectId id;
   Polygon footprint;
   std::optional<Form> form;
@@ -27,7 +27,7 @@ inline std::map<OsmId, std::string> tagged_shapes(const source::OsmData& osm) {
   return shapes;
 }
 
-inline std::vector<Told> footprints_of(const std::string& path) {
+inline std::vector<TaggedFootprint> footprints_of(const std::string& path) {
   Report report;
   const auto osm = source::read_osm(path, 2, report);
   if (!osm) return {};
@@ -35,7 +35,7 @@ inline std::vector<Told> footprints_of(const std::string& path) {
   const map::Plane plane(map::default_origin(box));
   const map::Features features = map::locate(*osm, plane, box, {}, report);
   const auto shapes = tagged_shapes(*osm);
-  std::vector<Told> told;
+  std::vector<TaggedFootprint> told;
   for (const map::Footprint& f : features.footprints) {
     const auto shape = shapes.find(f.id.osm);
     told.push_back({f.id, f.polygon, {}, ""});
@@ -46,7 +46,7 @@ inline std::vector<Told> footprints_of(const std::string& path) {
   return told;
 }
 
-/// The outline of a piece of land or water whose corners are nearest in number to `corners`: no building has so many.
+/// The outline of a land cover area whose number of corners is nearest to `corners`; no building has 400.
 inline Polygon outline_of(const std::string& path, std::size_t corners) {
   Report report;
   const auto osm = source::read_osm(path, 2, report);

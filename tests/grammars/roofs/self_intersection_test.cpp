@@ -1,4 +1,4 @@
-// CGAL's opinion of our bodies: another program's test for triangles that cut each other.
+// Self-intersections of roof bodies, tested by CGAL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -20,7 +20,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-// Only of what triangles use. CGAL refuses faces that would make it other than a manifold.
+// Adds the used vertices and all triangles. Returns false if CGAL refuses a face because the surface would not be a
+// manifold.
 bool becomes(Surface& surface, const Mesh& body) {
   std::vector<Surface::Vertex_index> vertices(body.positions.size());
   for (const Triangle& t : body.triangles)
@@ -36,6 +37,7 @@ void expect_good(const Polygon& footprint, RoofShape shape, const std::string& w
   Report report;
   Surface surface;
   ASSERT_TRUE(becomes(surface, closed_body(generate_roof(footprint, shape, 0.05, {}, report), -5))) << what;
+  EXPECT_GT(surface.number_of_faces(), 0u) << what;
   EXPECT_FALSE(pmp::does_self_intersect(surface)) << what;
   EXPECT_TRUE(pmp::is_outward_oriented(surface)) << what;
 }
@@ -44,7 +46,7 @@ TEST(RoofBody, IsAClosedManifoldThatDoesNotCutItself) {
   for (int form = 0; form < static_cast<int>(Form::kCount); ++form)
     for (const NamedFootprint& footprint : made_footprints())
       for (const double overhang_m : {0.0, 0.5}) {
-        // bodies that touch themselves by their footprint do so here too
+        // a body touches itself where its footprint does
         if (footprint.name == "self-touching") continue;
         RoofShape shape;
         shape.form = static_cast<Form>(form);
@@ -53,7 +55,7 @@ TEST(RoofBody, IsAClosedManifoldThatDoesNotCutItself) {
       }
 }
 
-// Moved apart by a hair at the corners where it touches itself, a body touches itself nowhere else.
+// A body touches itself only at the corner where its footprint does.
 TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
   for (int form = 0; form < static_cast<int>(Form::kCount); ++form) {
     RoofShape shape;
@@ -62,18 +64,19 @@ TEST(RoofBody, TouchesItselfOnlyWhereItsFootprintDoes) {
     const Polygon footprint = made_footprints().back().polygon;
     Surface surface;
     ASSERT_TRUE(becomes(surface, closed_body(generate_roof(footprint, shape, 0.05, {}, report), -5)));
+    EXPECT_GT(surface.number_of_faces(), 0u);
     std::vector<std::pair<Surface::Face_index, Surface::Face_index>> touching;
     pmp::self_intersections(surface, std::back_inserter(touching));
-    const auto stands_on_corner = [&](Surface::Face_index face) {
+    const auto touches_corner = [&](Surface::Face_index face) {
       for (const auto v : CGAL::vertices_around_face(surface.halfedge(face), surface))
         if (surface.point(v).x() == 10 && surface.point(v).y() == 10) return true;
       return false;
     };
-    for (const auto& [a, b] : touching) EXPECT_TRUE(stands_on_corner(a) && stands_on_corner(b)) << name_of(shape.form);
+    for (const auto& [a, b] : touching) EXPECT_TRUE(touches_corner(a) && touches_corner(b)) << name_of(shape.form);
   }
 }
 
-// Near the top of a dome, an edge of a centimetre is shorter than the grid's step.
+// Near the top of a dome, an edge of a centimetre becomes shorter than a grid step.
 TEST(RoofBody, IsGoodOverOutlinesWithTinyEdges) {
   Ring ring = circle({0, 0}, 8, 64);
   for (const int corner : {60, 33, 2})
@@ -91,13 +94,13 @@ TEST(RoofBodyReal, DoesNotCutItselfInHelsinki) {
   const std::string path = std::string(CITYKILN_DATA) + "/helsinki/Helsinki.osm.pbf";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "absent: " << path;
   int form = 0;
-  for (const Told& told : footprints_of(path)) {
+  for (const TaggedFootprint& building : footprints_of(path)) {
     RoofShape shape;
     shape.form = static_cast<Form>(form++ % static_cast<int>(Form::kCount));
     shape.overhang_m = form % 2 ? 0.4 : 0;
-    // mappers' footprints may touch themselves
-    if (is_simple_polygon(cleaned(told.footprint)))
-      expect_good(told.footprint, shape, to_string(told.id.osm) + " " + std::string(name_of(shape.form)));
+    // mapped footprints may touch themselves
+    if (is_simple_polygon(cleaned(building.footprint)))
+      expect_good(building.footprint, shape, to_string(building.id.osm) + " " + std::string(name_of(shape.form)));
   }
 }
 

@@ -7,7 +7,7 @@
 namespace citykiln::grammars {
 namespace {
 
-// A steep roof plane, its corners on a grid of 2^-10 m, as it begins at each of them: one edge is a grid step long.
+// A steep roof plane on a grid of 2^-10 m that begins at corner `first`. One edge is a grid step long.
 Face roof_plane(std::size_t first) {
   Face face;
   face.outer = {{8.6494140625, -73.6943359375, -29.1982421875},

@@ -1,21 +1,23 @@
-#include "grammars/derivation/roof_builder.h"
+// A roof builder for tests that is not rounded to a grid.
+#pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "compiler/geometry/mathematics.h"
+#include "grammars/derivation/roof_builder.h"
 
 namespace citykiln::grammars {
-namespace {
+namespace plain_roofs {
 
-bool is_convex(const Ring& ring) {
+inline bool is_convex(const Ring& ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
     if (cross(ring[(i + 1) % n] - ring[i], ring[(i + 2) % n] - ring[(i + 1) % n]) < 0) return false;
   return n >= 3;
 }
 
-Vec2 centroid_of(const Ring& ring) {
+inline Vec2 centroid_of(const Ring& ring) {
   Vec2 sum;
   double area = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) {
@@ -26,21 +28,21 @@ Vec2 centroid_of(const Ring& ring) {
   return area > 0 ? sum * (1 / area) : ring[0];
 }
 
-double height_over_m(const Ring& ring, std::size_t edge, Vec2 p) {
+inline double height_over_m(const Ring& ring, std::size_t edge, Vec2 p) {
   const Vec2 a = ring[edge], along = unit(ring[(edge + 1) % ring.size()] - a);
   return cross(along, p - a);
 }
 
-Face base_of(const Ring& ring) {
+inline Face base_of(const Ring& ring) {
   Face base;
   for (std::size_t i = ring.size(); i-- > 0;) base.outer.push_back(at_height(ring[i], 0));
   base.tag = FaceTag::kBottom;
   return base;
 }
 
-double slope_of(const RoofRequest& request) { return tangent(std::clamp(request.angle_deg, 0.0, 89.0)); }
+inline double slope_of(const RoofRequest& request) { return tangent(std::clamp(request.angle_deg, 0.0, 89.0)); }
 
-std::vector<Face> pyramid(const RoofRequest& request) {
+inline std::vector<Face> pyramid(const RoofRequest& request) {
   const Ring& ring = request.footprint.outer;
   const Vec2 middle = centroid_of(ring);
   double run_m = HUGE_VAL;
@@ -55,7 +57,7 @@ std::vector<Face> pyramid(const RoofRequest& request) {
   return faces;
 }
 
-Face shed_side(Vec2 a, Vec2 b, double rise_a_m, double rise_b_m) {
+inline Face shed_side(Vec2 a, Vec2 b, double rise_a_m, double rise_b_m) {
   Face side;
   side.outer = {at_height(a, 0), at_height(b, 0)};
   if (rise_b_m > kOnPlane_m) side.outer.push_back(at_height(b, rise_b_m));
@@ -64,7 +66,7 @@ Face shed_side(Vec2 a, Vec2 b, double rise_a_m, double rise_b_m) {
   return side;
 }
 
-std::vector<Face> shed(const RoofRequest& request) {
+inline std::vector<Face> shed(const RoofRequest& request) {
   const Ring& ring = request.footprint.outer;
   const std::size_t edge = request.edge % ring.size();
   double run_m = 0;
@@ -82,9 +84,12 @@ std::vector<Face> shed(const RoofRequest& request) {
   return faces;
 }
 
-}  // namespace
+}  // namespace plain_roofs
 
-std::optional<std::vector<Face>> plain_roof(const RoofRequest& request) {
+/// Pyramids and sheds on convex footprints without holes or overhang, in exact doubles. The apex of a pyramid is over
+/// the centroid, as high as the angle gives over the nearest edge.
+inline std::optional<std::vector<Face>> plain_roof(const RoofRequest& request) {
+  using namespace plain_roofs;
   const bool simple = request.footprint.holes.empty() && request.overhang_m == 0 && is_convex(request.footprint.outer);
   const bool rises = request.by_height ? request.height_m > 0 : request.angle_deg > 0;
   if (!simple || !rises) return std::nullopt;

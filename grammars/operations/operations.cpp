@@ -1,0 +1,22 @@
+#include "grammars/operations/operations.h"
+
+#include <cassert>
+#include <iterator>
+
+namespace citykiln::grammars {
+namespace {
+
+constexpr OperationFunction kFunctions[] = {
+#define OPERATION(name, function, signatures, words, selectors, alters, bound, text) function,
+#include "grammars/language/operations.inc"
+#undef OPERATION
+};
+
+}  // namespace
+
+OperationFunction operation_function(std::uint32_t row) {
+  assert(row < std::size(kFunctions));
+  return kFunctions[row];
+}
+
+}  // namespace citykiln::grammars
